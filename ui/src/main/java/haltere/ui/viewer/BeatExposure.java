@@ -4,7 +4,6 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.Outlet;
 import haltere.core.playback.Slicing;
 import haltere.filters.wing.WingBeat;
-import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 
@@ -24,28 +23,19 @@ final class BeatExposure implements ViewerFeature {
   /** Written on the processing thread. */
   private volatile double periodUs = Double.NaN;
 
-  private long lookedNanos;
-
   @Override
   public void install(ViewerContext installed) {
     window = installed;
     window.editor().onChange(this::follow);
-    window.playback().beatsProperty().addListener((property, was, is) -> follow());
-    window.panels().onPulse(this::pulse);
-    window.add(
-        ViewerAction.toggle(
-                "slices-beat",
-                "Slices of one wing beat",
-                "Playback",
-                window.playback().beatsProperty())
-            .withHelp("One step or exposure holds one beat, as the wing tracker finds it."));
+    window.playback().beatsProperty().subscribe((was, is) -> follow());
+    window.every(BETWEEN_NANOS, this::pulse);
+    window.actions().add("slices-beat", window.playback().beatsProperty());
   }
 
   private void follow() {
-    if (!window.playback().beatsProperty().get()) {
-      return;
+    if (window.playback().beatsProperty().get()) {
+      window.editor().read(this::subscribe, this::say);
     }
-    window.editor().read(this::subscribe, found -> say(found));
   }
 
   private void say(boolean found) {
@@ -74,13 +64,9 @@ final class BeatExposure implements ViewerFeature {
   }
 
   private void pulse() {
-    long nanos = System.nanoTime();
-    if (nanos - lookedNanos < BETWEEN_NANOS || !window.playback().beatsProperty().get()) {
-      return;
-    }
-    lookedNanos = nanos;
     double wanted = periodUs;
     if (wanted >= 1
+        && window.playback().beatsProperty().get()
         && window.playback().slicingProperty().get() instanceof Slicing.ByTime now
         && Math.abs(now.sliceUs() - wanted) > SAME * wanted) {
       window.playback().setBeat(Math.round(wanted));

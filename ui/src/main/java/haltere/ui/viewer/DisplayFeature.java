@@ -9,87 +9,104 @@ import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.feature.DisplayControl;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
+import java.util.List;
 import java.util.Locale;
+import java.util.function.Function;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ObjectProperty;
 import javafx.stage.Stage;
 
-/** How window and events look. */
+/** How window and events look, as it is chosen in menus and kept. */
 final class DisplayFeature implements ViewerFeature {
+  private ViewerContext window;
+
   @Override
-  public void install(ViewerContext window) {
+  public void install(ViewerContext installed) {
+    window = installed;
     DisplayControl display = window.display();
     ViewerActions actions = window.actions();
-    for (Theme theme : Theme.values()) {
-      actions.add(
-          ViewerAction.choice(
-              id("theme", theme.words()),
-              theme.words(),
-              "View/Theme",
-              display.themeProperty(),
-              theme));
-    }
-    addLooks(display, actions);
+    addLooks(display);
     BooleanProperty logarithmic = window.panels().seekBar().logarithmicProperty();
     window.settings().keep("logarithmicRate", logarithmic);
-    actions.add(
-        ViewerAction.toggle("logarithmic-rate", "Logarithmic rate", "View", logarithmic)
-            .withHelp("Shows low rates beside high ones in the time bar."));
+    window.settings().keep("overlays", display.marksProperty());
+    actions.add("logarithmic-rate", logarithmic);
+    actions.add("overlays", display.marksProperty());
+    actions.add("show-all", () -> window.panels().view().showAll());
     Stage stage = window.stage();
     actions.add(
-        ViewerAction.toggle("overlays", "Overlays", "View", display.marksProperty())
-            .withKey("Shortcut+M")
-            .withHelp("Shows what filters draw over the events."),
-        ViewerAction.of("show-all", "Whole sensor", "View", () -> window.panels().view().showAll())
-            .withKey("Shortcut+0"),
-        ViewerAction.toggle(
-                "full-screen",
-                "Full screen",
-                "View",
-                stage.fullScreenProperty(),
-                stage::setFullScreen)
-            .withKey("F11"));
+        "full-screen",
+        stage.fullScreenProperty(),
+        () -> stage.setFullScreen(!stage.isFullScreen()),
+        () -> "");
   }
 
-  /** What the colour of a pixel says, which colours there are, and how they fade. */
-  private static void addLooks(DisplayControl display, ViewerActions actions) {
+  /** How the window looks, what the colour of a pixel says, which colours there are. */
+  private void addLooks(DisplayControl display) {
+    offer(
+        "theme", "Theme", "theme", display.themeProperty(), List.of(Theme.values()), Theme::words);
     int number = 1;
     for (DisplayMode mode : DisplayMode.values()) {
-      actions.add(
-          ViewerAction.choice(
-                  id("show-as", mode.words()),
-                  mode.words(),
-                  "View/Show as",
-                  display.modeProperty(),
-                  mode)
-              .withKey("Shortcut+" + number++)
-              .withHelp(mode.help()));
+      ViewerAction action =
+          choice("show-as", "Show as", display.modeProperty(), mode, mode.words());
+      window.add(action.withKey("Shortcut+" + number++).withHelp(mode.help()));
     }
-    for (ColourMap map : ColourMap.all()) {
-      actions.add(
-          ViewerAction.choice(
-              id("colours", map.name()),
-              map.name(),
-              "View/Colours of polarity",
-              display.coloursProperty(),
-              map));
-    }
-    for (Gradient gradient : Gradient.all()) {
-      actions.add(
-          ViewerAction.choice(
-              id("gradient", gradient.name()),
-              gradient.name(),
-              "View/Colours of age and count",
-              display.gradientProperty(),
-              gradient));
-    }
+    keep("showAs", display.modeProperty(), List.of(DisplayMode.values()), DisplayMode::words);
+    offer(
+        "colours",
+        "Colours of polarity",
+        "coloursOfPolarity",
+        display.coloursProperty(),
+        ColourMap.all(),
+        ColourMap::name);
+    offer(
+        "gradient",
+        "Colours of age and count",
+        "coloursOfAgeAndCount",
+        display.gradientProperty(),
+        Gradient.all(),
+        Gradient::name);
     DisplayControl.DECAYS.forEach(
         (us, words) ->
-            actions.add(
+            window.add(
                 ViewerAction.choice(
                     "fading-" + us, words, "View/Fading", display.decayUsProperty(), us)));
+    window.settings().keep("fadingUs", display.decayUsProperty(), us -> us, Long.class::cast);
   }
 
-  private static String id(String group, String words) {
-    return group + "-" + words.toLowerCase(Locale.ROOT).replace(' ', '-');
+  /** Offers the values of a property in a menu, and keeps the one that is chosen. */
+  private <T> void offer(
+      String id,
+      String menu,
+      String setting,
+      ObjectProperty<T> property,
+      List<T> values,
+      Function<T, String> words) {
+    values.forEach(value -> window.add(choice(id, menu, property, value, words.apply(value))));
+    keep(setting, property, values, words);
+  }
+
+  private <T> void keep(
+      String setting, ObjectProperty<T> property, List<T> values, Function<T, String> words) {
+    window
+        .settings()
+        .keep(
+            setting,
+            property,
+            words::apply,
+            kept ->
+                values.stream()
+                    .filter(value -> words.apply(value).equals(kept))
+                    .findFirst()
+                    .orElseThrow());
+  }
+
+  private static <T> ViewerAction choice(
+      String id, String menu, ObjectProperty<T> property, T value, String words) {
+    return ViewerAction.choice(
+        id + "-" + words.toLowerCase(Locale.ROOT).replace(' ', '-'),
+        words,
+        "View/" + menu,
+        property,
+        value);
   }
 }

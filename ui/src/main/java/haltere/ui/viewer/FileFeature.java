@@ -1,6 +1,5 @@
 package haltere.ui.viewer;
 
-import haltere.core.format.ReadOptions;
 import haltere.core.simulation.SceneProvider;
 import haltere.core.simulation.Scenes;
 import haltere.ui.viewer.action.ViewerAction;
@@ -18,23 +17,10 @@ final class FileFeature implements ViewerFeature {
 
   @Override
   public void install(ViewerContext window) {
-    window.add(
-        ViewerAction.of(
-                "open",
-                "Open recording\u2026",
-                "File",
-                () ->
-                    window
-                        .dialogs()
-                        .recording()
-                        .ifPresent(file -> window.sessions().open(file, ReadOptions.DEFAULT)))
-            .withKey("Shortcut+O")
-            .withHelp("Opens a recording; dropping one on the window does the same."),
-        ViewerAction.of(
-            "open-scene",
-            "Open the fly scene",
-            "",
-            () -> window.sessions().open(SessionRequest.scene())));
+    window
+        .actions()
+        .add("open", () -> window.dialogs().recording().ifPresent(window.sessions()::open));
+    window.actions().add("open-scene", () -> window.sessions().open(SessionRequest.scene()));
     List<SceneProvider<?>> scenes = new ArrayList<>(Scenes.all().values());
     // the one to begin with stands first
     scenes.sort(Comparator.comparing(scene -> !scene.name().equals("fly")));

@@ -1,6 +1,7 @@
 package haltere.ui.viewer;
 
 import haltere.ui.rendering.ColourMap;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.session.FirstView;
@@ -24,7 +25,7 @@ final class FlyStartFeature implements ViewerFeature {
   private static final long SEARCH_US = 80_000;
 
   private final BooleanProperty captionWanted = new SimpleBooleanProperty(true);
-  private final Button caption = new Button();
+  private final Button caption = Controls.named(new Button(), "fly-caption", "readout", "caption");
   private ViewerContext window;
   private boolean searching;
   private boolean slowed;
@@ -33,8 +34,6 @@ final class FlyStartFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    caption.setId("fly-caption");
-    caption.getStyleClass().addAll("readout", "caption");
     caption.setWrapText(true);
     caption.setVisible(false);
     caption.setOnAction(event -> captionWanted.set(false));
@@ -42,7 +41,7 @@ final class FlyStartFeature implements ViewerFeature {
     window.settings().keep("flyCaption", captionWanted);
     window.onSession(this::begin);
     window.panels().onPulse(() -> window.ifOpen(this::pulse));
-    captionWanted.addListener((property, was, is) -> showCaption());
+    captionWanted.subscribe((was, is) -> showCaption());
     window.display().onChange(this::showCaption);
   }
 

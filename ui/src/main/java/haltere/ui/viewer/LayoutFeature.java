@@ -25,16 +25,9 @@ final class LayoutFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window
-        .settings()
-        .get(NAME)
-        .filter(Map.class::isInstance)
-        .map(kept -> (Map<?, ?>) kept)
-        .ifPresent(kept -> kept.forEach((name, layout) -> layouts.put(name.toString(), layout)));
-    window.add(
-        ViewerAction.of("keep-layout", "Keep this layout\u2026", MENU, this::ask)
-            .withHelp("Keeps under a name which panels are shown and how large they are."),
-        ViewerAction.of("layout-picture", "Picture alone", MENU, this::hidePanels));
+    layouts.putAll(window.settings().map(NAME));
+    window.actions().add("keep-layout", this::ask);
+    window.actions().add("layout-picture", this::hidePanels);
     offer();
   }
 

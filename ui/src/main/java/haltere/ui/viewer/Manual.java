@@ -1,6 +1,7 @@
 package haltere.ui.viewer;
 
 import atlantafx.base.theme.Styles;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Windows;
 import java.io.IOException;
 import java.io.InputStream;
@@ -14,7 +15,6 @@ import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.GridPane;
-import javafx.scene.layout.Region;
 import javafx.scene.layout.RowConstraints;
 import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
@@ -33,8 +33,7 @@ final class Manual {
 
   /** Opens the manual beside a window. */
   static void show(Stage owner) {
-    VBox page = new VBox(8);
-    page.setId("manual");
+    VBox page = Controls.named(new VBox(8), "manual");
     page.setPadding(new Insets(16));
     page.getChildren().setAll(nodes(read()));
     ScrollPane scroll = new ScrollPane(page);
@@ -92,10 +91,7 @@ final class Manual {
   }
 
   private static Label label(String markdown) {
-    Label label = new Label(plain(markdown));
-    label.setWrapText(true);
-    label.setMinHeight(Region.USE_PREF_SIZE);
-    return label;
+    return Controls.paragraph(plain(markdown));
   }
 
   /** The words of a block in one line, without pictures, links and emphasis. */

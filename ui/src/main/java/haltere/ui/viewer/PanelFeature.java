@@ -1,6 +1,6 @@
 package haltere.ui.viewer;
 
-import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.FocusOrder;
 import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
@@ -15,7 +15,6 @@ import javafx.scene.Node;
  * <p>Thread rule: JavaFX thread only.
  */
 final class PanelFeature implements ViewerFeature {
-  private static final String MENU = "View/Panels";
 
   private ViewerContext window;
 
@@ -23,22 +22,15 @@ final class PanelFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     ViewerPanels panels = window.panels();
-    add("panel-next", "To the next panel", "F6", () -> go(1));
-    add("panel-before", "To the panel before", "Shift+F6", () -> go(-1));
-    add("side-wider", "Side wider", "", () -> panels.enlarge(PanelPlace.SIDE, 1));
-    add("side-narrower", "Side narrower", "", () -> panels.enlarge(PanelPlace.SIDE, -1));
-    add("below-higher", "Panel below higher", "", () -> panels.enlarge(PanelPlace.BELOW, 1));
-    add("below-lower", "Panel below lower", "", () -> panels.enlarge(PanelPlace.BELOW, -1));
-    add("beside-wider", "Panel beside wider", "", () -> panels.enlarge(PanelPlace.BESIDE, 1));
-    add(
-        "beside-narrower",
-        "Panel beside narrower",
-        "",
-        () -> panels.enlarge(PanelPlace.BESIDE, -1));
-  }
-
-  private void add(String id, String words, String key, Runnable work) {
-    window.add(ViewerAction.of(id, words, MENU, work).withKey(key));
+    ViewerActions actions = window.actions();
+    actions.add("panel-next", () -> go(1));
+    actions.add("panel-before", () -> go(-1));
+    actions.add("side-wider", () -> panels.enlarge(PanelPlace.SIDE, 1));
+    actions.add("side-narrower", () -> panels.enlarge(PanelPlace.SIDE, -1));
+    actions.add("below-higher", () -> panels.enlarge(PanelPlace.BELOW, 1));
+    actions.add("below-lower", () -> panels.enlarge(PanelPlace.BELOW, -1));
+    actions.add("beside-wider", () -> panels.enlarge(PanelPlace.BESIDE, 1));
+    actions.add("beside-narrower", () -> panels.enlarge(PanelPlace.BESIDE, -1));
   }
 
   /** Puts the focus on the first control of another panel. */

@@ -1,7 +1,8 @@
 package haltere.ui.viewer;
 
-import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.action.ViewerKeys;
+import haltere.ui.viewer.controls.FileDialogs;
 import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
@@ -22,9 +23,8 @@ final class PlotFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext window) {
     PlotPanel plots = window.panels().plots();
-    Saving saving = new Saving(window.background(), window.editor(), window.status()::showError);
-    BooleanProperty shown =
-        window.addPanel("plots", "Plots", "Shortcut+G", PanelPlace.BELOW, () -> plots);
+    Saving saving = new Saving(window);
+    BooleanProperty shown = window.addPanel("plots", PanelPlace.BELOW, () -> plots);
     window.onSession(
         made -> {
           if (plots.dropFirst(made.chain())) {
@@ -36,31 +36,26 @@ final class PlotFeature implements ViewerFeature {
         });
     BooleanProperty apart = new SimpleBooleanProperty();
     followPlace(window, plots, shown, apart);
-    window.add(
-        ViewerAction.toggle("plots-apart", "Plots in a window of their own", "View", apart)
-            .withHelp("Takes the plots out of this window, such as to another screen."),
-        ViewerAction.of(
-            "save-plot-table",
-            "Save plots as table\u2026",
-            "File",
-            () -> window.dialogs().table().ifPresent(file -> saving.plots(file, plots.table()))),
-        ViewerAction.of(
-            "save-plot-picture",
-            "Save plots as picture\u2026",
-            "File",
-            () ->
-                window
-                    .dialogs()
-                    .picture()
-                    .ifPresent(file -> saving.plots(file, plots.snapshot(null, null)))));
+    ViewerActions actions = window.actions();
+    FileDialogs dialogs = window.dialogs();
+    actions.add("plots-apart", apart);
+    actions.add(
+        "save-plot-table",
+        () ->
+            dialogs
+                .save("Save plots as table", "plots.csv", "Tables", "*.csv")
+                .ifPresent(file -> saving.plots(file, plots.table())));
+    actions.add(
+        "save-plot-picture",
+        () -> dialogs.picture().ifPresent(file -> saving.plots(file, plots.snapshot(null, null))));
   }
 
   /** Plots are at one place at a time: closing their window puts them below the events again. */
   private static void followPlace(
       ViewerContext window, PlotPanel plots, BooleanProperty shown, BooleanProperty apart) {
     Stage[] own = new Stage[1];
-    apart.addListener(
-        (property, was, is) -> {
+    apart.subscribe(
+        (was, is) -> {
           if (is) {
             shown.set(false);
             own[0] =
@@ -74,11 +69,6 @@ final class PlotFeature implements ViewerFeature {
             shown.set(true);
           }
         });
-    shown.addListener(
-        (property, was, is) -> {
-          if (is) {
-            apart.set(false);
-          }
-        });
+    shown.subscribe((was, is) -> apart.set(apart.get() && !is));
   }
 }

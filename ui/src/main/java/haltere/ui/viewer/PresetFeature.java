@@ -31,13 +31,7 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window.add(
-        ViewerAction.of(
-                "save-preset",
-                "Save the chain as preset\u2026",
-                "Chain",
-                () -> keep(window.editor()))
-            .withHelp("Presets are chain files in the folder of the settings."));
+    window.actions().add("save-preset", () -> keep(window.editor()));
     window.editor().setPresets(this);
     window
         .settings()

@@ -1,12 +1,12 @@
 package haltere.ui.viewer;
 
-import haltere.core.format.ReadOptions;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * Offers the recordings that were open last.
@@ -24,16 +24,11 @@ final class RecentFilesFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window
-        .settings()
-        .get(NAME)
-        .filter(List.class::isInstance)
-        .map(kept -> (List<?>) kept)
-        .ifPresent(kept -> kept.forEach(file -> files.add(Path.of(file.toString()))));
+    if (window.settings().get(NAME).orElse(null) instanceof List<?> kept) {
+      kept.forEach(file -> files.add(Path.of(file.toString())));
+    }
     window.onSession(made -> made.file().ifPresent(this::opened));
-    window.add(
-        ViewerAction.of("open-last", "Open the last recording again", "File", this::openLast)
-            .withKey("Shortcut+Shift+O"));
+    window.actions().add("open-last", this::openLast);
     offer();
   }
 
@@ -46,7 +41,7 @@ final class RecentFilesFeature implements ViewerFeature {
     if (files.isEmpty()) {
       window.status().setActivity("No recording has been opened yet.");
     } else {
-      window.sessions().open(files.get(0), ReadOptions.DEFAULT);
+      window.sessions().open(files.get(0));
     }
   }
 
@@ -65,19 +60,13 @@ final class RecentFilesFeature implements ViewerFeature {
   }
 
   private void offer() {
-    List<String> old = new ArrayList<>();
-    for (int i = 0; i < MOST; i++) {
-      old.add(id(i));
-    }
+    List<String> old = IntStream.range(0, MOST).mapToObj(RecentFilesFeature::id).toList();
     ViewerAction[] offered = new ViewerAction[files.size()];
     for (int i = 0; i < offered.length; i++) {
       Path file = files.get(i);
       offered[i] =
           ViewerAction.of(
-                  id(i),
-                  file.getFileName().toString(),
-                  MENU,
-                  () -> window.sessions().open(file, ReadOptions.DEFAULT))
+                  id(i), file.getFileName().toString(), MENU, () -> window.sessions().open(file))
               .withHelp(file.toString());
     }
     window.actions().replace(old, offered);

@@ -2,8 +2,10 @@ package haltere.ui.viewer;
 
 import haltere.core.event.SensorGeometry;
 import haltere.filters.frequency.PixelRegion;
-import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
+import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.feature.DisplayControl;
+import haltere.ui.viewer.feature.ViewBar;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.EventView;
@@ -21,7 +23,6 @@ import javafx.beans.property.SimpleBooleanProperty;
  * <p>Thread rule: JavaFX thread only.
  */
 public final class SeeingFeature implements ViewerFeature {
-  private static final String MENU = "Tools";
   private static final double ZOOM_STEP = 1.5;
   private static final double PAN_STEP = 0.1;
 
@@ -47,30 +48,17 @@ public final class SeeingFeature implements ViewerFeature {
     window.bindTool(measuring, tape);
     window.bindTool(drawingRegion, regionTool);
     window.bindTool(pointing, new PointTool());
-    window.add(
-        ViewerAction.toggle("measure", "Measuring tape", MENU, measuring)
-            .withKey("T")
-            .withHelp(tape.hint()),
-        ViewerAction.toggle("region", "Region of interest", MENU, drawingRegion)
-            .withKey("G")
-            .withHelp("Its event rate and dominant frequency are shown beside it."),
-        ViewerAction.toggle("point", "Point with the keys", MENU, pointing)
-            .withKey("C")
-            .withHelp("Arrow keys move a cross; its pixel is described as one under the mouse."),
-        ViewerAction.of("put-aside", "Dismiss the tool or the message", MENU, this::putAside)
-            .withKey("Esc"),
-        ViewerAction.of(
-            "clear-region",
-            "Clear the region of interest",
-            MENU,
-            () -> setRegion(Optional.empty())),
-        ViewerAction.of(
-            "zoom-region",
-            "Zoom to the region of interest",
-            MENU,
-            () -> layer.region().ifPresent(view::zoomTo)));
+    ViewerActions actions = window.actions();
+    actions.add("measure", measuring);
+    actions.add("region", drawingRegion);
+    actions.add("point", pointing);
+    actions.add("put-aside", this::putAside);
+    actions.add("clear-region", () -> setRegion(Optional.empty()));
+    actions.add("zoom-region", () -> layer.region().ifPresent(view::zoomTo));
     addZoom(view);
-    window.panels().viewBar().addTools(measuring, drawingRegion);
+    ViewBar bar = window.panels().viewBar();
+    bar.tool("tool-measure", Icons.TAPE, "Measure a length and an angle (T)", measuring);
+    bar.tool("tool-region", Icons.REGION, "Draw the region of interest (G)", drawingRegion);
   }
 
   private void putAside() {
@@ -83,20 +71,14 @@ public final class SeeingFeature implements ViewerFeature {
   }
 
   private void addZoom(EventView view) {
-    window.add(
-        ViewerAction.of("zoom-in", "Zoom in", "View", () -> view.zoomBy(ZOOM_STEP))
-            .withKey("Shortcut+Plus"),
-        ViewerAction.of("zoom-out", "Zoom out", "View", () -> view.zoomBy(1 / ZOOM_STEP))
-            .withKey("Shortcut+Minus"),
-        ViewerAction.of("zoom-pixels", "Zoom to single pixels", "View", view::zoomToPixels)
-            .withKey("P"),
-        ViewerAction.of("pan-left", "Pan left", "View", () -> view.pan(-PAN_STEP, 0))
-            .withKey("Alt+Left"),
-        ViewerAction.of("pan-right", "Pan right", "View", () -> view.pan(PAN_STEP, 0))
-            .withKey("Alt+Right"),
-        ViewerAction.of("pan-up", "Pan up", "View", () -> view.pan(0, PAN_STEP)).withKey("Alt+Up"),
-        ViewerAction.of("pan-down", "Pan down", "View", () -> view.pan(0, -PAN_STEP))
-            .withKey("Alt+Down"));
+    ViewerActions actions = window.actions();
+    actions.add("zoom-in", () -> view.zoomBy(ZOOM_STEP));
+    actions.add("zoom-out", () -> view.zoomBy(1 / ZOOM_STEP));
+    actions.add("zoom-pixels", view::zoomToPixels);
+    actions.add("pan-left", () -> view.pan(-PAN_STEP, 0));
+    actions.add("pan-right", () -> view.pan(PAN_STEP, 0));
+    actions.add("pan-up", () -> view.pan(0, PAN_STEP));
+    actions.add("pan-down", () -> view.pan(0, -PAN_STEP));
   }
 
   private void followLegend(EventView view) {

@@ -56,12 +56,16 @@ final class SessionOpener {
   void open(SessionRequest request, Optional<ViewerSession> open, DisplayOptions shownAs) {
     int number = announce(request.name());
     PlayerOptions playerOptions = playback.options();
-    if (open.isPresent()) {
-      keepChain(
-          open.get(), () -> load(number, request, memory.chain(request), playerOptions, shownAs));
-    } else {
-      load(number, request, memory.chain(request), playerOptions, shownAs);
-    }
+    Runnable load =
+        () -> {
+          Optional<String> chainJson = memory.chain(request);
+          load(
+              number,
+              () -> request.session(chainJson, playerOptions, shownAs),
+              request.name(),
+              request.options());
+        };
+    open.ifPresentOrElse(shown -> keepChain(shown, load), load);
   }
 
   /** Keeps the chain of what is open, and then goes on. */
@@ -75,19 +79,6 @@ final class SessionOpener {
           memory.keepChain(open.request(), json);
           next.run();
         });
-  }
-
-  private void load(
-      int number,
-      SessionRequest request,
-      Optional<String> chainJson,
-      PlayerOptions playerOptions,
-      DisplayOptions shownAs) {
-    load(
-        number,
-        () -> request.session(chainJson, playerOptions, shownAs),
-        request.name(),
-        request.options());
   }
 
   /** Opens a session that is being made and whose player was started in pause. */

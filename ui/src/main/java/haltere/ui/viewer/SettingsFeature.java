@@ -1,92 +1,38 @@
 package haltere.ui.viewer;
 
-import haltere.ui.rendering.ColourMap;
-import haltere.ui.rendering.DisplayMode;
-import haltere.ui.rendering.Gradient;
-import haltere.ui.viewer.controls.Texts;
-import haltere.ui.viewer.controls.Theme;
-import haltere.ui.viewer.feature.DisplayControl;
 import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.util.List;
 import java.util.Map;
 import javafx.application.Platform;
+import javafx.beans.property.ReadOnlyDoubleProperty;
 import javafx.stage.Stage;
 
 /**
- * Keeps how a user has set up the window: colours, place and size, which panels are shown.
+ * Keeps where the window stands and how large it and its panels are; saves what is kept.
  *
  * <p>Thread rule: JavaFX thread only.
  */
 final class SettingsFeature implements ViewerFeature {
   private static final long BETWEEN_NANOS = 1_000_000_000;
 
-  private long lookedNanos;
-
   @Override
   public void install(ViewerContext window) {
     UserSettings settings = window.settings();
-    DisplayControl display = window.display();
-    settings.keep(
-        "theme",
-        display.themeProperty(),
-        Theme::words,
-        words -> named(words, List.of(Theme.values()), Theme::words));
-    settings.keep(
-        "coloursOfPolarity",
-        display.coloursProperty(),
-        ColourMap::name,
-        words -> named(words, ColourMap.all(), ColourMap::name));
-    settings.keep(
-        "coloursOfAgeAndCount",
-        display.gradientProperty(),
-        Gradient::name,
-        words -> named(words, Gradient.all(), Gradient::name));
-    settings.keep(
-        "showAs",
-        display.modeProperty(),
-        DisplayMode::words,
-        words -> named(words, List.of(DisplayMode.values()), DisplayMode::words));
-    settings.keep("fadingUs", display.decayUsProperty(), us -> us, Long.class::cast);
-    settings.keep("overlays", display.marksProperty());
     place(window.stage(), settings);
     window.panels().keepLayout(settings);
-    window
-        .panels()
-        .onPulse(
-            () -> {
-              long nanos = System.nanoTime();
-              if (nanos - lookedNanos > BETWEEN_NANOS && settings.hasChanged()) {
-                lookedNanos = nanos;
-                save(window);
-              }
-            });
+    window.every(BETWEEN_NANOS, () -> save(window));
   }
 
   private static void save(ViewerContext window) {
-    window
-        .background()
-        .file(
-            () -> {
-              window.settings().save();
-              return true;
-            },
-            saved -> {},
-            problem -> window.status().showError(Texts.oneLine(problem)));
-  }
-
-  private static <T> T named(
-      Object words, List<T> all, java.util.function.Function<T, String> name) {
-    return all.stream().filter(one -> name.apply(one).equals(words)).findFirst().orElseThrow();
+    if (window.settings().hasChanged()) {
+      window.run(window.settings()::save);
+    }
   }
 
   private static void place(Stage stage, UserSettings settings) {
-    settings
-        .get("window")
-        .filter(Map.class::isInstance)
-        .map(Map.class::cast)
-        .ifPresent(kept -> place(stage, kept));
+    place(stage, settings.map("window"));
     Runnable keep =
         () -> {
           if (stage.isShowing()
@@ -104,10 +50,11 @@ final class SettingsFeature implements ViewerFeature {
           }
         };
     // not while the stage is being shown, when its size comes in pieces
-    stage.xProperty().addListener((property, was, is) -> Platform.runLater(keep));
-    stage.yProperty().addListener((property, was, is) -> Platform.runLater(keep));
-    stage.widthProperty().addListener((property, was, is) -> Platform.runLater(keep));
-    stage.heightProperty().addListener((property, was, is) -> Platform.runLater(keep));
+    for (ReadOnlyDoubleProperty size :
+        List.of(
+            stage.xProperty(), stage.yProperty(), stage.widthProperty(), stage.heightProperty())) {
+      size.subscribe((was, is) -> Platform.runLater(keep));
+    }
   }
 
   private static void place(Stage stage, Map<?, ?> kept) {

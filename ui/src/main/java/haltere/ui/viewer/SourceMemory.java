@@ -6,7 +6,6 @@ import haltere.core.json.JsonProblem;
 import haltere.core.json.internal.Json;
 import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.session.SessionRequest;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -33,12 +32,12 @@ final class SourceMemory {
 
   /** The chain of its own that something has, as JSON; empty where nobody has changed it. */
   Optional<String> chain(SessionRequest request) {
-    return Optional.ofNullable(map(CHAINS).get(request.chainKey())).map(Json::write);
+    return Optional.ofNullable(settings.map(CHAINS).get(request.chainKey())).map(Json::write);
   }
 
   /** Keeps a chain as saved JSON; empty where it is the one to begin with. */
   void keepChain(SessionRequest request, Optional<String> json) {
-    Map<String, Object> chains = map(CHAINS);
+    Map<String, Object> chains = settings.map(CHAINS);
     if (chains.remove(request.chainKey()) == null && json.isEmpty()) {
       return;
     }
@@ -48,7 +47,7 @@ final class SourceMemory {
 
   /** Keeps the sensor of a recording that does not name it. */
   void keepSensor(SessionRequest request, SensorGeometry sensor) {
-    Map<String, Object> sensors = map(SENSORS);
+    Map<String, Object> sensors = settings.map(SENSORS);
     sensors.remove(request.chainKey());
     sensors.put(
         request.chainKey(),
@@ -60,7 +59,7 @@ final class SourceMemory {
   SessionRequest withSensor(SessionRequest request) {
     if (request.file().isPresent()
         && request.options().sensor().isEmpty()
-        && map(SENSORS).get(request.chainKey()) instanceof List<?> kept
+        && settings.map(SENSORS).get(request.chainKey()) instanceof List<?> kept
         && kept.size() == 3
         && kept.get(0) instanceof Long width
         && kept.get(1) instanceof Long height) {
@@ -84,16 +83,6 @@ final class SourceMemory {
         .toList()
         .forEach(values::remove);
     settings.put(name, values);
-  }
-
-  private Map<String, Object> map(String name) {
-    Map<String, Object> values = new LinkedHashMap<>();
-    settings
-        .get(name)
-        .filter(Map.class::isInstance)
-        .map(kept -> (Map<?, ?>) kept)
-        .ifPresent(kept -> kept.forEach((key, value) -> values.put(key.toString(), value)));
-    return values;
   }
 
   private static Object parsed(String json) {

@@ -11,6 +11,7 @@ import haltere.ui.viewer.session.ViewerSession;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.geometry.Pos;
@@ -22,7 +23,6 @@ import javafx.geometry.Pos;
  * <p>Thread rule: JavaFX thread only.
  */
 final class UsualFiltersFeature implements ViewerFeature {
-  private static final String MENU = "Chain";
 
   private final Map<UsualFilter, BooleanProperty> on = new EnumMap<>(UsualFilter.class);
   private final FilterStrip strip = new FilterStrip(this::toggle);
@@ -40,21 +40,20 @@ final class UsualFiltersFeature implements ViewerFeature {
     for (UsualFilter filter : UsualFilter.values()) {
       BooleanProperty property = new SimpleBooleanProperty();
       on.put(filter, property);
-      property.addListener((observed, was, is) -> strip.show(filter, is));
+      property.subscribe((was, is) -> strip.show(filter, is));
       window.add(
-          ViewerAction.toggle(
-                  FilterStrip.id(filter),
-                  filter.words(),
-                  MENU,
-                  property,
-                  wanted -> window.editor().setUsual(filter, wanted))
-              .withHelp(filter.help()));
+          new ViewerAction(
+              FilterStrip.id(filter),
+              filter.words(),
+              "Chain",
+              "",
+              filter.help(),
+              () -> toggle(filter),
+              Optional.of(property),
+              () -> ""));
     }
-    window.add(
-        ViewerAction.of("usual-chain", "Usual chain", MENU, this::usualChain)
-            .withHelp("Puts the filters back that suit what is open."),
-        ViewerAction.toggle("all-events", "Show hidden events", "View", all)
-            .withHelp("Shows the events as they come, before the filters."));
+    window.actions().add("usual-chain", this::usualChain);
+    window.actions().add("all-events", all);
     window.editor().onChange(() -> window.editor().read(StageState::of, this::follow));
     window.onSession(
         made -> {

@@ -143,8 +143,8 @@ public final class ViewerApplication {
     ViewerWindow window = new ViewerWindow(stage, settings);
     stage
         .showingProperty()
-        .addListener(
-            (property, was, is) -> {
+        .subscribe(
+            (was, is) -> {
               if (!is) {
                 closed.countDown();
               }

@@ -1,6 +1,5 @@
 package haltere.ui.viewer;
 
-import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.cameras.CameraFeature;
 import haltere.ui.viewer.compare.CompareFeature;
 import haltere.ui.viewer.feature.ViewerContext;
@@ -56,7 +55,6 @@ final class ViewerFeatures {
   }
 
   private static void quit(ViewerContext window) {
-    window.add(
-        ViewerAction.of("quit", "Quit", "File", window.stage()::close).withKey("Shortcut+Q"));
+    window.actions().add("quit", window.stage()::close);
   }
 }

@@ -185,15 +185,15 @@ public final class ViewerWindow implements SessionHost {
         });
     display
         .themeProperty()
-        .addListener(
-            (property, was, is) -> {
+        .subscribe(
+            (was, is) -> {
               is.apply();
               panels.setDark(is == Theme.DARK);
             });
     display
         .allEventsProperty()
-        .addListener((property, was, is) -> session().ifPresent(open -> showAllEvents(open, is)));
-    display.marksProperty().addListener((property, was, is) -> panels.view().setMarksVisible(is));
+        .subscribe((was, is) -> session().ifPresent(open -> showAllEvents(open, is)));
+    display.marksProperty().subscribe((was, is) -> panels.view().setMarksVisible(is));
   }
 
   private void showAllEvents(ViewerSession open, boolean all) {
@@ -281,7 +281,7 @@ public final class ViewerWindow implements SessionHost {
     if (files.isEmpty()) {
       return false;
     }
-    open(files.get(0).toPath(), ReadOptions.DEFAULT);
+    open(files.get(0).toPath());
     return true;
   }
 

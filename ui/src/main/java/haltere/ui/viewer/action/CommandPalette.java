@@ -1,6 +1,7 @@
 package haltere.ui.viewer.action;
 
 import atlantafx.base.theme.Styles;
+import haltere.ui.viewer.controls.Controls;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -12,7 +13,6 @@ import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import javafx.stage.Popup;
@@ -29,8 +29,9 @@ public final class CommandPalette {
 
   private final Stage stage;
   private final ViewerActions actions;
-  private final TextField search = new TextField();
-  private final ListView<ViewerAction> list = new ListView<>();
+  private final TextField search = Controls.named(new TextField(), "palette-search");
+  private final ListView<ViewerAction> list =
+      Controls.named(new ListView<ViewerAction>(), "palette-list");
   private final Popup popup = new Popup();
 
   /** A palette of actions over a window, not shown yet. */
@@ -51,11 +52,9 @@ public final class CommandPalette {
   }
 
   private void build() {
-    search.setId("palette-search");
     search.setPromptText("What do you want to do?");
     search.setAccessibleText("Search commands");
-    search.textProperty().addListener((property, was, is) -> filter(is));
-    list.setId("palette-list");
+    search.textProperty().subscribe((was, is) -> filter(is));
     list.setAccessibleText("Commands");
     list.setPrefSize(WIDTH, 380);
     list.setFixedCellSize(34);
@@ -63,7 +62,7 @@ public final class CommandPalette {
     list.setCellFactory(view -> new Cell());
     list.setOnMouseClicked(event -> choose());
     VBox box = new VBox(6, search, list);
-    box.getStyleClass().add("palette");
+    box.getStyleClass().addAll("palette");
     box.getStylesheets().addAll(stage.getScene().getStylesheets());
     box.addEventFilter(KeyEvent.KEY_PRESSED, this::pressed);
     popup.getContent().add(box);
@@ -130,8 +129,7 @@ public final class CommandPalette {
     Cell() {
       menu.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
       key.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
-      Region space = new Region();
-      HBox.setHgrow(space, Priority.ALWAYS);
+      Region space = Controls.growing(new Region());
       line = new HBox(10, words, menu, space, key);
       line.setAlignment(Pos.CENTER_LEFT);
     }

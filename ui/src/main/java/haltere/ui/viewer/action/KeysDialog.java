@@ -1,7 +1,10 @@
 package haltere.ui.viewer.action;
 
 import atlantafx.base.theme.Styles;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Windows;
+import java.util.List;
+import java.util.Map;
 import javafx.geometry.Insets;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -14,6 +17,14 @@ import javafx.stage.Window;
  * <p>Thread rule: JavaFX thread only.
  */
 public final class KeysDialog {
+  private static final List<Map.Entry<String, String>> OTHERS =
+      List.of(
+          Map.entry("Tab, Enter", "To the next control; press it, or open its list"),
+          Map.entry("Arrows, Enter", "With a tool in the hand: move it, hold it and let it go"),
+          Map.entry("Arrows, +, \u2212, End", "In plots and in space: move, more or less, newest"),
+          Map.entry("Ctrl+Shift+\u2191, \u2193", "Move the filter that has the focus up or down"),
+          Map.entry("Wheel, drag", "Zoom, move; a double click shows all"));
+
   private KeysDialog() {}
 
   /** Opens the list of the keys of actions over a window and returns at once. */
@@ -31,28 +42,14 @@ public final class KeysDialog {
       String own = action.menu().isEmpty() ? "Other" : action.menu();
       if (!own.equals(menu)) {
         menu = own;
-        Label heading = new Label(menu.replace("/", " > "));
-        heading.getStyleClass().add(Styles.TEXT_MUTED);
+        Label heading = Controls.label(menu.replace("/", " > "), Styles.TEXT_MUTED);
         grid.add(heading, 0, row++, 2, 1);
       }
       row = add(grid, row, ViewerKeys.words(action.key()), action.words());
     }
-    row = add(grid, row, "Tab, Enter", "To the next control; press it, or open its list");
-    row =
-        add(grid, row, "Arrows, Enter", "With a tool in the hand: move it, hold it and let it go");
-    row =
-        add(
-            grid,
-            row,
-            "Arrows, +, \u2212, End",
-            "In plots and in space: move, more or less, newest");
-    row =
-        add(
-            grid,
-            row,
-            "Ctrl+Shift+\u2191, \u2193",
-            "Move the filter that has the focus up or down");
-    add(grid, row, "Wheel, drag", "Zoom, move; a double click shows all");
+    for (Map.Entry<String, String> other : OTHERS) {
+      row = add(grid, row, other.getKey(), other.getValue());
+    }
     ScrollPane scroll = new ScrollPane(grid);
     scroll.setPrefViewportHeight(520);
     scroll.setFitToWidth(true);
@@ -62,8 +59,7 @@ public final class KeysDialog {
   }
 
   private static int add(GridPane grid, int row, String key, String words) {
-    Label name = new Label(key);
-    name.getStyleClass().add(Styles.TEXT_BOLD);
+    Label name = Controls.label(key, Styles.TEXT_BOLD);
     name.setMinWidth(110);
     grid.addRow(row, name, new Label(words));
     return row + 1;

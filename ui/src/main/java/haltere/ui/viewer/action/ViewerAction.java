@@ -1,11 +1,8 @@
 package haltere.ui.viewer.action;
 
-import java.util.Objects;
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javafx.beans.binding.Bindings;
-import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.value.ObservableBooleanValue;
 
@@ -31,36 +28,24 @@ public record ViewerAction(
     Runnable work,
     Optional<ObservableBooleanValue> on,
     Supplier<String> obstacle) {
-  private static final Supplier<String> NONE = () -> "";
+  static final Supplier<String> NONE = () -> "";
 
-  /** Checks that nothing is missing. */
-  public ViewerAction {
-    Objects.requireNonNull(id, "id");
-    Objects.requireNonNull(words, "words");
-    Objects.requireNonNull(menu, "menu");
-    Objects.requireNonNull(key, "key");
-    Objects.requireNonNull(help, "help");
-    Objects.requireNonNull(work, "work");
-    Objects.requireNonNull(on, "on");
-    Objects.requireNonNull(obstacle, "obstacle");
+  /** Something to do, which the table of commands describes. */
+  public static ViewerAction of(String id, Runnable work) {
+    return listed(id, work, Optional.empty(), NONE);
   }
 
-  /** Something to do, without a key. */
+  /** Something to do that the table does not list, without a key. */
   public static ViewerAction of(String id, String words, String menu, Runnable work) {
     return new ViewerAction(id, words, menu, "", "", work, Optional.empty(), NONE);
   }
 
-  /** A switch: doing it turns a property over. */
-  public static ViewerAction toggle(String id, String words, String menu, BooleanProperty on) {
+  /** What the table lists under an id. */
+  static ViewerAction listed(
+      String id, Runnable work, Optional<ObservableBooleanValue> on, Supplier<String> obstacle) {
+    ActionTable.Line line = ActionTable.line(id);
     return new ViewerAction(
-        id, words, menu, "", "", () -> on.set(!on.get()), Optional.of(on), NONE);
-  }
-
-  /** A switch whose state somebody else keeps. */
-  public static ViewerAction toggle(
-      String id, String words, String menu, ObservableBooleanValue on, Consumer<Boolean> set) {
-    return new ViewerAction(
-        id, words, menu, "", "", () -> set.accept(!on.get()), Optional.of(on), NONE);
+        id, line.words(), line.menu(), line.key(), line.help(), work, on, obstacle);
   }
 
   /** One of several choices: on while a property has its value. */
@@ -85,11 +70,6 @@ public record ViewerAction(
   /** The same, explained by a sentence. */
   public ViewerAction withHelp(String sentence) {
     return new ViewerAction(id, words, menu, key, sentence, work, on, obstacle);
-  }
-
-  /** The same, which cannot be done while something tells why. */
-  public ViewerAction unless(Supplier<String> reason) {
-    return new ViewerAction(id, words, menu, key, help, work, on, reason);
   }
 
   /** Whether its key means nothing while text is entered. */

@@ -6,6 +6,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.value.ObservableBooleanValue;
 
 /**
  * All that a person can do in the window. Whoever brings something adds it here once; menus, keys,
@@ -23,6 +26,31 @@ public final class ViewerActions {
   public void add(ViewerAction... added) {
     put(added);
     listeners.forEach(Runnable::run);
+  }
+
+  /** What the table calls a command. */
+  public static String words(String id) {
+    return ActionTable.line(id).words();
+  }
+
+  /** Adds a command of the table. */
+  public void add(String id, Runnable work) {
+    add(ViewerAction.of(id, work));
+  }
+
+  /** Adds a command of the table, with why it cannot be done now; empty if it can. */
+  public void add(String id, Runnable work, Supplier<String> obstacle) {
+    add(ViewerAction.listed(id, work, Optional.empty(), obstacle));
+  }
+
+  /** Adds a switch of the table, which turns a property over. */
+  public void add(String id, BooleanProperty on) {
+    add(id, on, () -> on.set(!on.get()), ViewerAction.NONE);
+  }
+
+  /** Adds a switch of the table whose state somebody else keeps, with why it cannot be used now. */
+  public void add(String id, ObservableBooleanValue on, Runnable work, Supplier<String> obstacle) {
+    add(ViewerAction.listed(id, work, Optional.of(on), obstacle));
   }
 
   /** What is added from now on stands behind a line in its menu. */

@@ -1,5 +1,6 @@
 package haltere.ui.viewer.action;
 
+import haltere.ui.viewer.controls.Controls;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -135,8 +136,10 @@ public final class ViewerMenu extends MenuBar {
 
   private static MenuItem item(ViewerAction action) {
     MenuItem item =
-        action.on().<MenuItem>map(on -> check(action, on)).orElseGet(() -> plain(action));
-    item.setId(action.id());
+        action
+            .on()
+            .<MenuItem>map(on -> check(action, on))
+            .orElseGet(() -> Controls.item(action.id(), action.words(), action.work()));
     item.getProperties().put(ViewerAction.class, action);
     if (action.hasPlainKey()) {
       item.setAccelerator(new ShownKey(ViewerKeys.words(action.key())));
@@ -178,15 +181,9 @@ public final class ViewerMenu extends MenuBar {
     }
   }
 
-  private static MenuItem plain(ViewerAction action) {
-    MenuItem item = new MenuItem(action.words());
-    item.setMnemonicParsing(false);
-    item.setOnAction(event -> action.work().run());
-    return item;
-  }
-
   private static MenuItem check(ViewerAction action, ObservableBooleanValue on) {
     CheckMenuItem item = new CheckMenuItem(action.words());
+    item.setId(action.id());
     item.setMnemonicParsing(false);
     item.setSelected(on.get());
     ChangeListener<Boolean> shower = (property, was, is) -> item.setSelected(is);

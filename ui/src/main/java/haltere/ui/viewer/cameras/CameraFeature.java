@@ -13,7 +13,9 @@ import haltere.core.playback.CameraPlayable;
 import haltere.device.simulated.Plug;
 import haltere.filters.frequency.PixelRegion;
 import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.feature.BackgroundWork;
 import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
@@ -22,7 +24,7 @@ import haltere.ui.viewer.session.ViewerSession;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Callable;
+import java.util.function.Supplier;
 import javafx.animation.PauseTransition;
 import javafx.application.Platform;
 import javafx.beans.property.BooleanProperty;
@@ -55,7 +57,6 @@ public final class CameraFeature implements ViewerFeature {
   private boolean saidUnplugged;
   private Optional<CameraProvider.Watch> watch = Optional.empty();
   private boolean ended;
-  private long numbersNanos;
 
   /** One that has just come may not be ours to open yet, and several may come at once. */
   private final PauseTransition comingSoon = new PauseTransition(Duration.seconds(1));
@@ -74,24 +75,17 @@ public final class CameraFeature implements ViewerFeature {
     window = installed;
     panel = new CameraPanel(this::tell);
     comingSoon.setOnFinished(over -> list());
-    BooleanProperty shown =
-        window.addPanel("camera", "Camera", "Shortcut+Shift+C", PanelPlace.SIDE, () -> panel);
-    window.add(
-        ViewerAction.of("list-cameras", "Look for cameras", MENU, this::list)
-            .withHelp("Lists the cameras that are plugged in now, and the simulated ones."),
-        ViewerAction.of("camera-reset-time", "Reset time stamps", MENU, this::resetTime)
-            .unless(() -> open.isPresent() ? "" : "no camera is open")
-            .withHelp("Sets the camera's clock to 0; a recording goes on in a new part."),
-        ViewerAction.toggle("camera-region", "Draw the camera's region", MENU, drawing)
-            .unless(() -> open.isPresent() ? "" : "no camera is open")
-            .withHelp("Only events of a part of the sensor are sent; a click takes it away."),
-        ViewerAction.of("camera-plug", "Unplug or plug in", MENU, this::togglePlug)
-            .unless(() -> open.isPresent() ? "" : "no camera is open")
-            .withHelp("For simulated cameras: see what happens then."));
+    BooleanProperty shown = window.addPanel("camera", PanelPlace.SIDE, () -> panel);
+    ViewerActions actions = window.actions();
+    Supplier<String> obstacle = () -> open.isPresent() ? "" : "no camera is open";
+    actions.add("list-cameras", this::list);
+    actions.add("camera-reset-time", this::resetTime, obstacle);
+    actions.add("camera-region", drawing, () -> drawing.set(!drawing.get()), obstacle);
+    actions.add("camera-plug", this::togglePlug, obstacle);
     window.bindTool(
         drawing, new RegionTool(() -> open.orElseThrow().geometry(), region -> setRegion(region)));
-    window.sessions().sessionProperty().addListener((property, was, is) -> follow(is, shown));
-    window.panels().onPulse(this::pulse);
+    window.sessions().sessionProperty().subscribe((was, is) -> follow(is, shown));
+    window.every(NUMBERS_NANOS, this::pulse);
     window.stage().addEventHandler(WindowEvent.WINDOW_HIDDEN, event -> end());
   }
 
@@ -116,26 +110,29 @@ public final class CameraFeature implements ViewerFeature {
   void list() {
     boolean first = !everListed;
     everListed = true;
-    Thread looking =
-        new Thread(
-            () -> {
-              if (first) {
-                CameraProvider.Watch begun =
-                    cameras.watch(() -> Platform.runLater(comingSoon::playFromStart));
-                Platform.runLater(() -> keep(begun));
-              }
-              List<CameraInfo> seen = cameras.list();
-              Platform.runLater(() -> show(seen));
-            },
-            "haltere-cameras");
-    looking.setDaemon(true);
-    looking.start();
+    aside(
+        () -> {
+          if (first) {
+            CameraProvider.Watch begun =
+                cameras.watch(() -> Platform.runLater(comingSoon::playFromStart));
+            Platform.runLater(() -> keep(begun));
+          }
+          List<CameraInfo> seen = cameras.list();
+          Platform.runLater(() -> show(seen));
+        });
+  }
+
+  /** What listens to USB may take a moment, for which files do not wait. */
+  private static void aside(Runnable work) {
+    Thread thread = new Thread(work, "haltere-cameras");
+    thread.setDaemon(true);
+    thread.start();
   }
 
   /** Watches until the window is closed. */
   private void keep(CameraProvider.Watch begun) {
     if (ended) {
-      closeAside(begun);
+      aside(begun::close);
     } else {
       watch = Optional.of(begun);
     }
@@ -143,15 +140,8 @@ public final class CameraFeature implements ViewerFeature {
 
   private void end() {
     ended = true;
-    watch.ifPresent(CameraFeature::closeAside);
+    watch.ifPresent(begun -> aside(begun::close));
     watch = Optional.empty();
-  }
-
-  /** Ending what listens to USB may take a moment. */
-  private static void closeAside(CameraProvider.Watch ended) {
-    Thread closing = new Thread(ended::close, "haltere-cameras");
-    closing.setDaemon(true);
-    closing.start();
   }
 
   private void show(List<CameraInfo> seen) {
@@ -206,10 +196,8 @@ public final class CameraFeature implements ViewerFeature {
 
   /** Tells the camera something in the background. */
   private void tell(
-      Callable<?> telling, Runnable done, java.util.function.Consumer<String> refused) {
-    window
-        .background()
-        .file(telling, result -> done.run(), problem -> refused.accept(Texts.oneLine(problem)));
+      BackgroundWork.Action telling, Runnable done, java.util.function.Consumer<String> refused) {
+    window.background().file(telling, done, problem -> refused.accept(Texts.oneLine(problem)));
   }
 
   private <F> void tellFacet(Class<F> facet, String ability, Telling<F> telling) {
@@ -218,13 +206,7 @@ public final class CameraFeature implements ViewerFeature {
       window.status().showError("There is no camera open that " + ability);
       return;
     }
-    tell(
-        () -> {
-          telling.tell(there.get());
-          return telling;
-        },
-        panel::refresh,
-        window.status()::showError);
+    tell(() -> telling.tell(there.get()), panel::refresh, window.status()::showError);
   }
 
   private interface Telling<F> {
@@ -263,11 +245,9 @@ public final class CameraFeature implements ViewerFeature {
   // ---- What it says
 
   private void pulse() {
-    long now = System.nanoTime();
-    if (open.isEmpty() || now - numbersNanos < NUMBERS_NANOS) {
+    if (open.isEmpty()) {
       return;
     }
-    numbersNanos = now;
     Camera camera = open.get().camera();
     panel.update(camera.statistics());
     window.status().setLive(CameraPanel.line(camera.statistics()));

@@ -10,15 +10,14 @@ import haltere.core.settings.Parameter;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.SettingField;
 import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.feature.BackgroundWork;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import java.util.function.Consumer;
-import javafx.geometry.Pos;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -40,7 +39,7 @@ final class CameraPanel extends ScrollPane {
   /** Tells a camera something in the background. */
   interface Teller {
     /** Does it, then calls the one or the other on the JavaFX thread. */
-    void tell(Callable<?> telling, Runnable done, Consumer<String> refused);
+    void tell(BackgroundWork.Action telling, Runnable done, Consumer<String> refused);
   }
 
   private static final Map<BiasSliders.Slider, String> WORDS =
@@ -58,9 +57,11 @@ final class CameraPanel extends ScrollPane {
 
   private final Teller teller;
   private final VBox content = new VBox(10);
-  private final Label statistics = new Label();
-  private final Label region = new Label();
-  private final Label problem = new Label();
+  private final Label statistics =
+      Controls.named(new Label(), "camera-statistics", Styles.TEXT_SMALL);
+  private final Label region = Controls.named(new Label(), "camera-region-words");
+  private final Label problem =
+      Controls.named(new Label(), "camera-problem", Styles.TEXT_SMALL, Styles.DANGER);
   private final Map<BiasSliders.Slider, Slider> sliders = new EnumMap<>(BiasSliders.Slider.class);
   private final List<SettingField> fields = new ArrayList<>();
   private Optional<Camera> camera = Optional.empty();
@@ -72,13 +73,8 @@ final class CameraPanel extends ScrollPane {
     setFitToWidth(true);
     getStyleClass().add("settings");
     content.setStyle("-fx-padding: 10;");
-    statistics.setId("camera-statistics");
     statistics.setWrapText(true);
-    statistics.getStyleClass().add(Styles.TEXT_SMALL);
-    region.setId("camera-region-words");
-    problem.setId("camera-problem");
     problem.setWrapText(true);
-    problem.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.DANGER);
     setContent(content);
     setCamera(Optional.empty());
   }
@@ -93,17 +89,18 @@ final class CameraPanel extends ScrollPane {
     if (shown.isEmpty()) {
       Label none =
           new Label(
-              "No camera is open. Camera > Open lists those that are plugged in; then their biases and"
-                  + " losses stand here.");
+              "No camera is open. Camera > Open lists those that are plugged in; then their biases"
+                  + " and losses stand here.");
       none.setId("camera-none");
       none.setWrapText(true);
       content.getChildren().add(none);
       return;
     }
     Label name =
-        new Label(Texts.source(shown.get().info().id()) + "   " + shown.get().info().model());
-    name.setId("camera-name");
-    name.getStyleClass().add(Styles.TEXT_BOLD);
+        Controls.named(
+            new Label(Texts.source(shown.get().info().id()) + "   " + shown.get().info().model()),
+            "camera-name",
+            Styles.TEXT_BOLD);
     content.getChildren().addAll(name, statistics, problem);
     shown.get().facet(RegionOfInterest.class).ifPresent(roi -> content.getChildren().add(region));
     shown.get().facet(BiasSliders.class).ifPresent(this::addSliders);
@@ -113,22 +110,22 @@ final class CameraPanel extends ScrollPane {
 
   private void addSliders(BiasSliders facet) {
     for (BiasSliders.Slider which : BiasSliders.Slider.values()) {
-      Slider slider = new Slider(-1, 1, 0);
-      slider.setId("camera-slider-" + which.name().toLowerCase(Locale.ROOT).replace('_', '-'));
+      Slider slider =
+          Controls.slider(
+              "camera-slider-" + which.name().toLowerCase(Locale.ROOT).replace('_', '-'),
+              HELP.get(which),
+              -1,
+              1);
+      slider.setValue(0);
       slider.setAccessibleText(WORDS.get(which));
       slider.setBlockIncrement(0.05);
-      Controls.help(slider, HELP.get(which));
       slider
           .valueProperty()
-          .addListener(
-              (property, was, is) -> {
+          .subscribe(
+              (was, is) -> {
                 if (!showing) {
                   double value = is.doubleValue();
-                  tell(
-                      () -> {
-                        facet.set(which, value);
-                        return facet;
-                      });
+                  tell(() -> facet.set(which, value));
                 }
               });
       sliders.put(which, slider);
@@ -137,8 +134,7 @@ final class CameraPanel extends ScrollPane {
   }
 
   private void addBiases(Biases facet) {
-    ChoiceBox<String> sets = new ChoiceBox<>();
-    sets.setId("camera-bias-sets");
+    ChoiceBox<String> sets = Controls.named(new ChoiceBox<>(), "camera-bias-sets");
     sets.setAccessibleText("Sets of biases");
     sets.getItems().addAll(facet.sets());
     sets.setMaxWidth(Double.MAX_VALUE);
@@ -146,16 +142,11 @@ final class CameraPanel extends ScrollPane {
         event -> {
           String chosen = sets.getValue();
           if (chosen != null) {
-            tell(
-                () -> {
-                  facet.apply(chosen);
-                  return facet;
-                });
+            tell(() -> facet.apply(chosen));
           }
         });
     HBox.setHgrow(sets, Priority.ALWAYS);
-    HBox line = new HBox(6, new Label("Set"), sets);
-    line.setAlignment(Pos.CENTER_LEFT);
+    HBox line = Controls.row(6, new Label("Set"), sets);
     if (!sets.getItems().isEmpty()) {
       content.getChildren().add(line);
     }
@@ -166,11 +157,9 @@ final class CameraPanel extends ScrollPane {
               parameter,
               (value, refused) ->
                   teller.tell(
-                      () -> {
-                        facet.set(
-                            parameter.name(), ((Number) parameter.convert(value)).doubleValue());
-                        return facet;
-                      },
+                      () ->
+                          facet.set(
+                              parameter.name(), ((Number) parameter.convert(value)).doubleValue()),
                       this::refresh,
                       refused));
       fields.add(field);
@@ -178,7 +167,7 @@ final class CameraPanel extends ScrollPane {
     }
   }
 
-  private void tell(Callable<?> telling) {
+  private void tell(BackgroundWork.Action telling) {
     teller.tell(
         telling,
         () -> {

@@ -29,8 +29,7 @@ final class AddFilterMenu extends MenuButton {
     setAccessibleText(help);
     Controls.help(this, help);
     getStyleClass().addAll(Styles.SMALL, Styles.FLAT);
-    TextField wanted = new TextField();
-    wanted.setId(id + "-search");
+    TextField wanted = Controls.named(new TextField(), id + "-search");
     wanted.setPromptText("Search filters");
     wanted.setAccessibleText("Search filters");
     List<Item> items = new ArrayList<>();
@@ -44,9 +43,7 @@ final class AddFilterMenu extends MenuButton {
             "chain",
             "Filters of its own, which are switched on and off and measured together.",
             editor::addChain));
-    wanted
-        .textProperty()
-        .addListener((property, was, is) -> items.forEach(item -> item.narrow(is)));
+    wanted.textProperty().subscribe((was, is) -> items.forEach(item -> item.narrow(is)));
     wanted.setOnAction(
         event -> {
           // Enter adds the first that is left
@@ -68,12 +65,9 @@ final class AddFilterMenu extends MenuButton {
 
     Item(String name, String description, Runnable add) {
       words = (Texts.title(name) + " " + description).toLowerCase(Locale.ROOT);
-      Label title = new Label(Texts.title(name));
-      title.getStyleClass().add(Styles.TEXT_BOLD);
-      Label help = new Label(description);
-      help.setWrapText(true);
+      Label title = Controls.label(Texts.title(name), Styles.TEXT_BOLD);
+      Label help = Controls.paragraph(description, Styles.TEXT_SMALL, Styles.TEXT_MUTED);
       help.setMaxWidth(300);
-      help.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
       setContent(new VBox(2, title, help));
       setId("add-" + name);
       setOnAction(event -> add.run());

@@ -5,57 +5,30 @@ import haltere.core.playback.Player;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 
-/** Runs work on a chain between two packets, on the thread that the chain belongs to. */
-public interface ChainAccess {
-  /**
-   * Runs a change; in a pause the moment is shown anew. Completed when it has been made; fails with
-   * what it throws.
-   */
-  CompletableFuture<Void> edit(Consumer<FilterChain> change);
-
-  /**
-   * Runs a change by hand, with which what filters know at this moment stays. Completed as {@link
-   * #edit} is.
-   */
-  default CompletableFuture<Void> adjust(Consumer<FilterChain> change) {
-    return read(change);
+/**
+ * Runs work on a chain between two packets, on the thread that the chain belongs to.
+ *
+ * @param edit runs a change; in a pause the moment is shown anew
+ * @param adjust runs a change by hand, with which what filters know at this moment stays
+ * @param read looks at the chain
+ */
+public record ChainAccess(Work edit, Work adjust, Work read) {
+  /** A way to reach the chain. */
+  @FunctionalInterface
+  public interface Work {
+    /** Runs something. Completed when that is done; fails with what it throws. */
+    CompletableFuture<Void> run(Consumer<FilterChain> work);
   }
-
-  /** Looks at the chain. Completed when that is done; fails with what it throws. */
-  CompletableFuture<Void> read(Consumer<FilterChain> reader);
 
   /** The chain of a player. */
   static ChainAccess of(Player player) {
-    return new ChainAccess() {
-      @Override
-      public CompletableFuture<Void> edit(Consumer<FilterChain> change) {
-        return player.edit(change);
-      }
-
-      @Override
-      public CompletableFuture<Void> adjust(Consumer<FilterChain> change) {
-        return player.adjust(change);
-      }
-
-      @Override
-      public CompletableFuture<Void> read(Consumer<FilterChain> reader) {
-        return player.read(reader);
-      }
-    };
+    return new ChainAccess(player::edit, player::adjust, player::read);
   }
 
   /** A chain that is worked on wherever the first chain of a player is. */
-  static ChainAccess beside(Player player, FilterChain chain) {
-    return new ChainAccess() {
-      @Override
-      public CompletableFuture<Void> edit(Consumer<FilterChain> change) {
-        return player.read(first -> change.accept(chain)).thenCompose(done -> player.refresh());
-      }
-
-      @Override
-      public CompletableFuture<Void> read(Consumer<FilterChain> reader) {
-        return player.read(first -> reader.accept(chain));
-      }
-    };
+  public static ChainAccess beside(Player player, FilterChain chain) {
+    Work read = work -> player.read(first -> work.accept(chain));
+    return new ChainAccess(
+        work -> read.run(work).thenCompose(done -> player.refresh()), read, read);
   }
 }

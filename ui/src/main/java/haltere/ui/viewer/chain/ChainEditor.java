@@ -72,19 +72,11 @@ public final class ChainEditor {
             history,
             path(nested) + "/",
             outermost);
+    ChainAccess.Work read =
+        work -> run(access -> access.read().run(chain -> work.accept(find(chain, name))));
     inner.player =
         Optional.of(
-            new ChainAccess() {
-              @Override
-              public CompletableFuture<Void> edit(Consumer<FilterChain> change) {
-                return ChainEditor.this.edit(chain -> change.accept(find(chain, name)));
-              }
-
-              @Override
-              public CompletableFuture<Void> read(Consumer<FilterChain> reader) {
-                return run(access -> access.read(chain -> reader.accept(find(chain, name))));
-              }
-            });
+            new ChainAccess(work -> edit(chain -> work.accept(find(chain, name))), read, read));
     return inner;
   }
 
@@ -286,7 +278,7 @@ public final class ChainEditor {
    * Changes something inside the filters between two packets; tells in one line if that cannot be.
    */
   public void change(Consumer<FilterChain> work, Consumer<String> refused) {
-    player.ifPresent(open -> tell(open.edit(work), refused));
+    run(access -> access.edit().run(work), refused);
   }
 
   /**
@@ -294,15 +286,7 @@ public final class ChainEditor {
    * line if that cannot be.
    */
   public void adjust(Consumer<FilterChain> work, Consumer<String> refused) {
-    player.ifPresent(open -> tell(open.adjust(work), refused));
-  }
-
-  private static void tell(CompletableFuture<Void> done, Consumer<String> refused) {
-    done.exceptionally(
-        problem -> {
-          Platform.runLater(() -> refused.accept(Texts.oneLine(problem)));
-          return null;
-        });
+    run(access -> access.adjust().run(work), refused);
   }
 
   /**
@@ -316,9 +300,7 @@ public final class ChainEditor {
 
   /** Reads something off the chain between two packets and brings it to the JavaFX thread. */
   public <T> void read(Function<FilterChain, T> reading, Consumer<T> consumer) {
-    AtomicReference<T> result = new AtomicReference<>();
-    run(access -> access.read(chain -> result.set(reading.apply(chain))))
-        .thenRun(() -> Platform.runLater(() -> consumer.accept(result.get())));
+    read(reading, consumer, whileOpen());
   }
 
   /**
@@ -327,19 +309,8 @@ public final class ChainEditor {
   public <T> void read(
       Function<FilterChain, T> reading, Consumer<T> consumer, Consumer<String> refused) {
     AtomicReference<T> result = new AtomicReference<>();
-    player.ifPresent(
-        open ->
-            open.read(chain -> result.set(reading.apply(chain)))
-                .whenComplete(
-                    (done, problem) ->
-                        Platform.runLater(
-                            () -> {
-                              if (problem == null) {
-                                consumer.accept(result.get());
-                              } else {
-                                refused.accept(Texts.oneLine(problem));
-                              }
-                            })));
+    run(access -> access.read().run(chain -> result.set(reading.apply(chain))), refused)
+        .thenRun(() -> Platform.runLater(() -> consumer.accept(result.get())));
   }
 
   /**
@@ -384,26 +355,34 @@ public final class ChainEditor {
   }
 
   private CompletableFuture<Void> edit(Consumer<FilterChain> change) {
-    return run(access -> access.edit(change));
+    return run(access -> access.edit().run(change));
   }
 
   private CompletableFuture<Void> run(Function<ChainAccess, CompletableFuture<Void>> work) {
+    return run(work, whileOpen());
+  }
+
+  private CompletableFuture<Void> run(
+      Function<ChainAccess, CompletableFuture<Void>> work, Consumer<String> refused) {
     if (player.isEmpty()) {
       return new CompletableFuture<>();
     }
-    Optional<ChainAccess> edited = player;
     CompletableFuture<Void> done = work.apply(player.get());
     done.exceptionally(
         problem -> {
-          Platform.runLater(
-              () -> {
-                // what could not be done with a chain that is no longer open is nobody's loss
-                if (player.equals(edited)) {
-                  problems.accept(Texts.oneLine(problem));
-                }
-              });
+          Platform.runLater(() -> refused.accept(Texts.oneLine(problem)));
           return null;
         });
     return done;
+  }
+
+  /** What could not be done with a chain that is no longer open is nobody's loss. */
+  private Consumer<String> whileOpen() {
+    Optional<ChainAccess> asked = player;
+    return problem -> {
+      if (player.equals(asked)) {
+        problems.accept(problem);
+      }
+    };
   }
 }

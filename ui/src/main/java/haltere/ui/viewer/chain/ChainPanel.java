@@ -4,7 +4,6 @@ import atlantafx.base.theme.Styles;
 import haltere.ui.viewer.controls.Controls;
 import java.util.List;
 import java.util.concurrent.Executor;
-import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.HBox;
@@ -20,28 +19,26 @@ import javafx.scene.layout.VBox;
  */
 public final class ChainPanel extends VBox {
   private final StageList cards;
-  private final Label nothing = new Label("No setting matches.");
+  private final Label nothing =
+      Controls.named(
+          new Label("No setting matches."), "settings-none", Styles.TEXT_MUTED, "settings-none");
 
   /** A panel without stages, whose changes an editor makes. */
   public ChainPanel(ChainEditor editor) {
     getStyleClass().add("chain-panel");
     setId("chain-panel");
-    Label title = new Label("Chain");
-    title.getStyleClass().add(Styles.TITLE_4);
-    Region space = new Region();
-    HBox.setHgrow(space, Priority.ALWAYS);
-    HBox head = new HBox(title, space, new AddFilterMenu("add-filter", "Add a filter", editor));
-    head.setAlignment(Pos.CENTER_LEFT);
-    head.getStyleClass().add("chain-head");
+    Label title = Controls.label("Chain", Styles.TITLE_4);
+    Region space = Controls.growing(new Region());
+    HBox head =
+        Controls.row(0, title, space, new AddFilterMenu("add-filter", "Add a filter", editor));
+    head.getStyleClass().addAll("chain-head");
     Label empty =
-        new Label(
+        Controls.paragraph(
             "No filters: events are shown as they come. Add one with the button above, or press"
-                + " Denoise, Track objects or Track wings beside the picture.");
-    empty.setWrapText(true);
-    empty.getStyleClass().addAll(Styles.TEXT_MUTED, "chain-empty");
+                + " Denoise, Track objects or Track wings beside the picture.",
+            Styles.TEXT_MUTED,
+            "chain-empty");
     cards = new StageList(editor, empty);
-    nothing.setId("settings-none");
-    nothing.getStyleClass().addAll(Styles.TEXT_MUTED, "settings-none");
     narrow(SettingsSearch.ALL);
     editor.onSettings(cards::adopt);
     ScrollPane scroll = new ScrollPane(cards);

@@ -1,5 +1,6 @@
 package haltere.ui.viewer.chain;
 
+import haltere.ui.viewer.controls.Controls;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -27,24 +28,18 @@ final class PresetMenu extends Menu {
 
   private void follow() {
     List<MenuItem> items = new ArrayList<>();
-    MenuItem keep = item("Save as preset\u2026", presets -> presets.keep(chain));
-    keep.setId(getId() + "-keep");
-    items.add(keep);
+    items.add(item("keep", "Save as preset\u2026", presets -> presets.keep(chain)));
     List<String> names = chain.presets().map(ChainPresets::names).orElse(List.of());
     if (!names.isEmpty()) {
       items.add(new SeparatorMenuItem());
     }
     for (String name : names) {
-      MenuItem load = item(name, presets -> presets.load(name, chain));
-      load.setId(getId() + "-" + name);
-      items.add(load);
+      items.add(item(name, name, presets -> presets.load(name, chain)));
     }
     getItems().setAll(items);
   }
 
-  private MenuItem item(String words, Consumer<ChainPresets> work) {
-    MenuItem item = new MenuItem(words);
-    item.setOnAction(event -> chain.presets().ifPresent(work));
-    return item;
+  private MenuItem item(String end, String words, Consumer<ChainPresets> work) {
+    return Controls.item(getId() + "-" + end, words, () -> chain.presets().ifPresent(work));
   }
 }

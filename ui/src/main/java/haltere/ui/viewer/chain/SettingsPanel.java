@@ -53,8 +53,9 @@ final class SettingsPanel<S extends Record> extends VBox {
     for (Parameter parameter : schema.parameters()) {
       if (!parameter.group().equals(group)) {
         group = parameter.group();
-        Label heading = new Label(Texts.words(group, ""));
-        heading.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_BOLD, "settings-group");
+        Label heading =
+            Controls.label(
+                Texts.words(group, ""), Styles.TEXT_SMALL, Styles.TEXT_BOLD, "settings-group");
         headings.put(group, heading);
         getChildren().add(heading);
       }
@@ -91,9 +92,9 @@ final class SettingsPanel<S extends Record> extends VBox {
   }
 
   private Button startFrom(String id, String name, S preset) {
-    Button button = new Button("Preset: " + name);
-    button.setId("preset-" + name + "-" + id);
-    button.getStyleClass().addAll(Styles.SMALL, Styles.FLAT);
+    Button button =
+        Controls.named(
+            new Button("Preset: " + name), "preset-" + name + "-" + id, Styles.SMALL, Styles.FLAT);
     Controls.help(button, "Takes all settings of the preset " + name);
     button.setOnAction(event -> send(preset, "all settings", problem -> {}));
     return button;

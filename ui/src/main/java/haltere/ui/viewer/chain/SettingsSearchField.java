@@ -16,8 +16,9 @@ import javafx.scene.layout.Priority;
  * <p>Thread rule: JavaFX thread only.
  */
 final class SettingsSearchField extends HBox {
-  private final TextField words = new TextField();
-  private final ToggleButton changedOnly = new ToggleButton("Changed");
+  private final TextField words = Controls.named(new TextField(), "settings-search", Styles.SMALL);
+  private final ToggleButton changedOnly =
+      Controls.named(new ToggleButton("Changed"), "changed-only", Styles.SMALL);
   private final Consumer<SettingsSearch> consumer;
 
   SettingsSearchField(Consumer<SettingsSearch> consumer) {
@@ -25,17 +26,13 @@ final class SettingsSearchField extends HBox {
     this.consumer = consumer;
     getStyleClass().add("settings-search");
     setAlignment(Pos.CENTER_LEFT);
-    words.setId("settings-search");
     words.setPromptText("Search settings");
     words.setAccessibleText("Search settings");
-    words.getStyleClass().add(Styles.SMALL);
     HBox.setHgrow(words, Priority.ALWAYS);
-    words.textProperty().addListener((property, was, is) -> search());
-    changedOnly.setId("changed-only");
-    changedOnly.getStyleClass().add(Styles.SMALL);
+    words.textProperty().subscribe((was, is) -> search());
     changedOnly.setAccessibleText("Only the settings that I changed");
     Controls.help(changedOnly, "Only the settings that are not at their defaults");
-    changedOnly.selectedProperty().addListener((property, was, is) -> search());
+    changedOnly.selectedProperty().subscribe((was, is) -> search());
     getChildren().addAll(words, changedOnly);
   }
 

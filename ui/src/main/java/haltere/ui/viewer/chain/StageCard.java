@@ -90,8 +90,7 @@ final class StageCard extends VBox {
   }
 
   private Label name(String title) {
-    Label name = new Label(title);
-    name.getStyleClass().add(Styles.TEXT_BOLD);
+    Label name = Controls.label(title, Styles.TEXT_BOLD);
     name.setMaxWidth(Double.MAX_VALUE);
     name.setMinWidth(0);
     Controls.help(name, description());
@@ -106,8 +105,8 @@ final class StageCard extends VBox {
     power.setSelected(stage.isEnabled());
     power
         .selectedProperty()
-        .addListener(
-            (property, was, is) -> {
+        .subscribe(
+            (was, is) -> {
               pseudoClassStateChanged(OFF, !is);
               if (!followingStage) {
                 editor.setEnabled(stage, is);
@@ -146,8 +145,7 @@ final class StageCard extends VBox {
   /** The stages of a chain inside the chain, and a menu to add one. */
   private StageList insideOf(StageState state) {
     ChainEditor inner = editor.inside(stage);
-    Label empty = new Label("No filters yet.");
-    empty.getStyleClass().add(Styles.TEXT_MUTED);
+    Label empty = Controls.label("No filters yet.", Styles.TEXT_MUTED);
     StageList list = new StageList(inner, empty);
     list.show(state.inside());
     new VBox(
@@ -343,9 +341,6 @@ final class StageCard extends VBox {
   }
 
   private MenuItem item(String action, String words, Runnable work) {
-    MenuItem item = new MenuItem(words);
-    item.setId(action + id);
-    item.setOnAction(event -> work.run());
-    return item;
+    return Controls.item(action + id, words, work);
   }
 }

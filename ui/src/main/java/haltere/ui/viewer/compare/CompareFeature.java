@@ -6,7 +6,6 @@ import haltere.core.chain.FilterChain;
 import haltere.core.playback.Player;
 import haltere.ui.plot.PlotField;
 import haltere.ui.plot.PublishedMeans;
-import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.chain.ChainAccess;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.chain.ChainPanel;
@@ -54,10 +53,10 @@ public final class CompareFeature implements ViewerFeature {
       Map<PlotField, Double> first,
       Map<PlotField, Double> second) {}
 
-  private final EventView view = new EventView();
+  private final EventView view = Controls.named(new EventView(), "second-event-view");
   private final ComparisonTable table = new ComparisonTable();
-  private final Label firstName = new Label();
-  private final Label secondName = new Label();
+  private final Label firstName = Controls.named(new Label(), "first-chain-name");
+  private final Label secondName = Controls.named(new Label(), "second-chain-name");
   private ViewerContext window;
   private ChainEditor editor;
   private ChainPanel chainPanel;
@@ -78,14 +77,11 @@ public final class CompareFeature implements ViewerFeature {
     chainPanel = new ChainPanel(editor);
     chainPanel.setId("second-chain-panel");
     chainPanel.setSteps(window.steps());
-    view.setId("second-event-view");
     view.setAccessibleText("Events behind the second chain");
     SplitPane settings = new SplitPane(chainPanel, table);
     settings.setOrientation(Orientation.VERTICAL);
-    firstName.setId("first-chain-name");
-    secondName.setId("second-chain-name");
     Region bar = new Region();
-    bar.getStyleClass().add("view-bar");
+    bar.getStyleClass().addAll("view-bar");
     // as high as the first picture's bar, so that both pictures have the same height
     bar.minHeightProperty().bind(window.panels().viewBar().heightProperty());
     BorderPane named = new BorderPane(view);
@@ -101,20 +97,17 @@ public final class CompareFeature implements ViewerFeature {
     shown = window.panels().offer("compare", "Compare", PanelPlace.BESIDE, () -> named);
     firstName.visibleProperty().bind(shown);
     firstName.managedProperty().bind(shown);
-    window.add(
-        ViewerAction.toggle("compare", "Compare with a second chain", "Chain", shown)
-            .withKey("Shortcut+D")
-            .withHelp("Both work on the same events; their numbers stand side by side."));
+    window.actions().add("compare", shown);
     window
         .panels()
         .viewBar()
         .tool("tool-compare", Icons.COMPARE, "Compare with a second chain (Ctrl+D)", shown);
-    shown.addListener(
-        (property, was, is) -> {
+    shown.subscribe(
+        (was, is) -> {
           settingsShown.set(is);
           follow(window.sessions().session());
         });
-    window.sessions().sessionProperty().addListener((property, was, is) -> follow(is));
+    window.sessions().sessionProperty().subscribe((was, is) -> follow(is));
     window.editor().onChange(() -> running.ifPresent(this::listen));
     editor.onChange(() -> running.ifPresent(this::listen));
     window

@@ -2,6 +2,7 @@ package haltere.ui.viewer.compare;
 
 import atlantafx.base.theme.Styles;
 import haltere.ui.plot.PlotField;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Texts;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -96,14 +97,10 @@ final class ComparisonTable extends ScrollPane {
   }
 
   private static Label heading(String words) {
-    Label label = small(words);
-    label.getStyleClass().add(Styles.TEXT_BOLD);
-    return label;
+    return Controls.label(words, Styles.TEXT_SMALL, Styles.TEXT_BOLD);
   }
 
   private static Label small(String words) {
-    Label label = new Label(words);
-    label.getStyleClass().add(Styles.TEXT_SMALL);
-    return label;
+    return Controls.label(words, Styles.TEXT_SMALL);
   }
 }

@@ -2,21 +2,28 @@ package haltere.ui.viewer.controls;
 
 import atlantafx.base.theme.Styles;
 import java.util.Map;
+import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.MouseEvent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.shape.Rectangle;
 import javafx.util.Duration;
 import javafx.util.StringConverter;
 
-/** Makes the buttons of the window, all alike: an icon, a tooltip and a name for screen readers. */
+/** Makes the controls of the window, all alike, with a tooltip and a name for screen readers. */
 public final class Controls {
   private static final String HELP = "haltere.help";
   private static final String TOOLTIP = "haltere.tooltip";
@@ -42,6 +49,96 @@ public final class Controls {
     ToggleButton button = new ToggleButton();
     dress(button, id, icon, help);
     return button;
+  }
+
+  /** A button with words, as {@link #button(String, Icons, String, Runnable)}. */
+  public static Button button(
+      String id, String words, String help, Runnable action, String... styles) {
+    Button button = named(new Button(words), id, styles);
+    help(button, help);
+    button.setOnAction(event -> action.run());
+    return button;
+  }
+
+  /** A line of a menu, whose words stand there as they are. */
+  public static MenuItem item(String id, String words, Runnable action) {
+    MenuItem item = new MenuItem(words);
+    item.setId(id);
+    item.setMnemonicParsing(false);
+    item.setOnAction(event -> action.run());
+    return item;
+  }
+
+  /** A slider between two values, with words for the mouse and for screen readers. */
+  public static Slider slider(String id, String help, double least, double most) {
+    Slider slider = named(new Slider(least, most, least), id);
+    slider.setAccessibleText(help);
+    help(slider, help);
+    return slider;
+  }
+
+  /** A small entry of text, with its name for screen readers and its width in characters. */
+  public static TextField entry(String id, String name, int columns) {
+    TextField entry = named(new TextField(), id, Styles.SMALL);
+    entry.setAccessibleText(name);
+    entry.setPrefColumnCount(columns);
+    return entry;
+  }
+
+  /** Words in one line, in some classes of the style sheet. */
+  public static Label label(String words, String... styles) {
+    Label label = new Label(words);
+    label.getStyleClass().addAll(styles);
+    return label;
+  }
+
+  /** Words that are never cut off, in some classes of the style sheet. */
+  public static Label whole(String words, String... styles) {
+    Label label = label(words, styles);
+    label.setMinWidth(Region.USE_PREF_SIZE);
+    return label;
+  }
+
+  /** Words in as many lines as they take, in some classes of the style sheet. */
+  public static Label paragraph(String words, String... styles) {
+    Label label = label(words, styles);
+    label.setWrapText(true);
+    label.setMinHeight(Region.USE_PREF_SIZE);
+    return label;
+  }
+
+  /** Nodes in a line, with gaps between them. */
+  public static HBox row(double gap, Node... nodes) {
+    HBox row = new HBox(gap, nodes);
+    row.setAlignment(Pos.CENTER_LEFT);
+    return row;
+  }
+
+  /** Lets a node take the room that a row leaves. */
+  public static <T extends Region> T growing(T node) {
+    node.setMaxWidth(Double.MAX_VALUE);
+    HBox.setHgrow(node, Priority.ALWAYS);
+    return node;
+  }
+
+  /** A view of a column that scrolls up and down only. */
+  public static ScrollPane scrolling(Node content) {
+    return scrolling(new ScrollPane(), content);
+  }
+
+  /** Lets a view show a column, which scrolls up and down only. */
+  public static ScrollPane scrolling(ScrollPane view, Node content) {
+    view.setContent(content);
+    view.setFitToWidth(true);
+    view.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
+    return view;
+  }
+
+  /** Gives a node the id by which style sheet and tests find it, and classes of the style sheet. */
+  public static <T extends Node> T named(T node, String id, String... styles) {
+    node.setId(id);
+    node.getStyleClass().addAll(styles);
+    return node;
   }
 
   /**
@@ -123,8 +220,8 @@ public final class Controls {
     entry.setOnAction(event -> taken.run());
     entry
         .focusedProperty()
-        .addListener(
-            (property, was, is) -> {
+        .subscribe(
+            (was, is) -> {
               if (!is) {
                 taken.run();
               }

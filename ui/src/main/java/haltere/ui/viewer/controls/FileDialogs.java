@@ -18,7 +18,6 @@ import javafx.stage.Window;
  */
 public final class FileDialogs {
   private static final ExtensionFilter ALL_FILES = new ExtensionFilter("All files", "*");
-  private static final ExtensionFilter CHAINS = new ExtensionFilter("Chains", "*.json");
 
   private final Window owner;
   private File folder;
@@ -38,57 +37,19 @@ public final class FileDialogs {
         "Open recording", new ExtensionFilter("Recordings", List.copyOf(endings)), ALL_FILES);
   }
 
-  /** A chain to be read. */
-  public Optional<Path> chainToLoad() {
-    return open("Load chain", CHAINS);
-  }
-
-  /** Where a chain is to be written. */
-  public Optional<Path> chainToSave() {
-    return save("Save chain", "chain.json", CHAINS);
-  }
-
   /** Where a picture is to be written. */
   public Optional<Path> picture() {
-    return save("Save picture", "haltere.png", new ExtensionFilter("Pictures", "*.png"));
-  }
-
-  /** Where a recording is to be written. */
-  public Optional<Path> recordingToWrite() {
-    return save("Record to", "recording.aedat4", new ExtensionFilter("AEDAT-4", "*.aedat4"));
-  }
-
-  /** Where a film is to be written. */
-  public Optional<Path> film() {
-    return save("Export film", "haltere.gif", new ExtensionFilter("Films", "*.gif", "*.mp4"));
-  }
-
-  /** Where events that a chain left are to be written. */
-  public Optional<Path> recordingToExport() {
-    return save("Export recording", "part.aedat4", ALL_FILES);
-  }
-
-  /** Where numbers, or a picture of plots, are to be written. */
-  public Optional<Path> table() {
-    return save("Save plots as table", "plots.csv", new ExtensionFilter("Tables", "*.csv"));
-  }
-
-  /** Where a log of wings is to be written. */
-  public Optional<Path> log() {
-    return save("Log wings to", "wings.txt", new ExtensionFilter("Logs", "*.txt"));
-  }
-
-  /** What several cameras saw of a body, to be read. */
-  public Optional<Path> observations() {
-    return open(
-        "Open observations of several cameras",
-        new ExtensionFilter("Observations", "*.csv", "*.braidz", "*.h5", "*.hdf5"),
-        ALL_FILES);
+    return save("Save picture", "haltere.png", "Pictures", "*.png");
   }
 
   /** A file with several cameras and where they stand, to be read. */
   public Optional<Path> cameras() {
     return open("Open their cameras", new ExtensionFilter("Cameras", "*.json", "*.xml"), ALL_FILES);
+  }
+
+  /** A file to be read, of a kind that is called by words and has certain endings. */
+  public Optional<Path> open(String title, String kind, String... endings) {
+    return open(title, new ExtensionFilter(kind, endings));
   }
 
   private Optional<Path> open(String title, ExtensionFilter... filters) {
@@ -97,9 +58,10 @@ public final class FileDialogs {
     return remembered(chooser.showOpenDialog(owner));
   }
 
-  private Optional<Path> save(String title, String name, ExtensionFilter... filters) {
+  /** Where a file is to be written, with the usual name, the words for its kind and its endings. */
+  public Optional<Path> save(String title, String name, String kind, String... endings) {
     FileChooser chooser = chooser(title);
-    chooser.getExtensionFilters().addAll(filters);
+    chooser.getExtensionFilters().addAll(new ExtensionFilter(kind, endings));
     chooser.setInitialFileName(name);
     return remembered(chooser.showSaveDialog(owner));
   }

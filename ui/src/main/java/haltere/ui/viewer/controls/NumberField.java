@@ -7,7 +7,6 @@ import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
-import javafx.scene.layout.Region;
 
 /**
  * A number: a slider for finding a value, an entry for an exact one.
@@ -23,22 +22,18 @@ final class NumberField extends SettingField {
   NumberField(String stage, Parameter parameter, Change change) {
     super(stage, parameter, change);
     scale = SliderScale.of(parameter);
-    String words = Texts.label(parameter);
-    slider.setId("slider-" + controlId());
-    slider.setAccessibleText(words);
-    Controls.help(slider, help());
+    control(slider, "slider-");
     slider.setBlockIncrement(0.01);
     slider.getStyleClass().add(Styles.SMALL);
     slider
         .valueProperty()
-        .addListener(
-            (property, old, now) -> {
+        .subscribe(
+            (old, now) -> {
               if (!showing) {
                 set(scale.value(now.doubleValue()));
               }
             });
-    entry.setId("entry-" + controlId());
-    entry.setAccessibleText(words + " exactly");
+    control(entry, "entry-").setAccessibleText(Texts.label(parameter) + " exactly");
     entry.setPrefColumnCount(6);
     entry.setAlignment(Pos.CENTER_RIGHT);
     entry.getStyleClass().add(Styles.SMALL);
@@ -50,9 +45,7 @@ final class NumberField extends SettingField {
             event.consume();
           }
         });
-    Label unit = new Label(unit());
-    unit.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED, "unit");
-    unit.setMinWidth(Region.USE_PREF_SIZE);
+    Label unit = Controls.whole(unit(), Styles.TEXT_SMALL, Styles.TEXT_MUTED, "unit");
     slider.setMaxWidth(Double.MAX_VALUE);
     layOutBelow(slider, entry, unit);
   }

@@ -25,8 +25,8 @@ public final class Questions {
     dialog.getEditor().setAccessibleText(words);
     dialog
         .resultProperty()
-        .addListener(
-            (property, was, is) -> {
+        .subscribe(
+            (was, is) -> {
               if (is != null && !is.isBlank()) {
                 answer.accept(is.strip());
               }

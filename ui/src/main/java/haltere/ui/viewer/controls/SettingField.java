@@ -3,11 +3,15 @@ package haltere.ui.viewer.controls;
 import atlantafx.base.theme.Styles;
 import haltere.core.settings.Parameter;
 import java.math.BigDecimal;
+import java.util.Optional;
 import java.util.function.Consumer;
-import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
+import javafx.scene.control.CheckBox;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Control;
 import javafx.scene.control.Label;
+import javafx.scene.control.TextField;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
@@ -18,7 +22,7 @@ import javafx.scene.layout.VBox;
  *
  * <p>Thread rule: JavaFX thread only.
  */
-public abstract class SettingField extends VBox {
+public class SettingField extends VBox {
   /** Takes a value that a person has set. */
   public interface Change {
     /** Tries a text or a value of the setting's type; tells in one line why it cannot be. */
@@ -31,6 +35,7 @@ public abstract class SettingField extends VBox {
   private final Label problem = new Label();
   private final Label name = new Label();
   private final String id;
+  private Consumer<Object> shower = value -> {};
 
   SettingField(String stage, Parameter parameter, Change change) {
     this.parameter = parameter;
@@ -58,11 +63,48 @@ public abstract class SettingField extends VBox {
     if (parameter.isNumber()) {
       return new NumberField(stage, parameter, change);
     }
-    return parameter.type() == boolean.class
-        ? new FlagField(stage, parameter, change)
-        : parameter.type().isEnum()
-            ? new ChoiceField(stage, parameter, change)
-            : new TextSettingField(stage, parameter, change);
+    SettingField field = new SettingField(stage, parameter, change);
+    if (parameter.type() == boolean.class) {
+      field.addCheckBox();
+    } else if (parameter.type().isEnum()) {
+      field.addChoice();
+    } else {
+      field.addText();
+    }
+    return field;
+  }
+
+  private void addCheckBox() {
+    CheckBox box = control(new CheckBox(), "check-");
+    box.setOnAction(event -> set(box.isSelected()));
+    shower = value -> box.setSelected((Boolean) value);
+    getChildren().addAll(line(name, reset, box), problem);
+  }
+
+  private void addChoice() {
+    ChoiceBox<String> box = control(new ChoiceBox<>(), "choice-");
+    box.getItems().setAll(parameter.choices());
+    box.setOnAction(event -> Optional.ofNullable(box.getValue()).ifPresent(this::set));
+    box.setMaxWidth(Double.MAX_VALUE);
+    shower = value -> box.setValue(text(value));
+    layOutBelow(box);
+  }
+
+  private void addText() {
+    TextField entry = control(new TextField(), "entry-");
+    entry.setPrefColumnCount(12);
+    entry.getStyleClass().add(Styles.SMALL);
+    Controls.onEntered(entry, () -> set(entry.getText()));
+    shower = value -> entry.setText(text(value));
+    layOutBelow(entry);
+  }
+
+  /** A control of the setting, whose id begins with its kind. */
+  final <T extends Control> T control(T made, String kind) {
+    made.setId(kind + id);
+    made.setAccessibleText(Texts.label(parameter));
+    Controls.help(made, help());
+    return made;
   }
 
   /** Which setting it is. */
@@ -78,14 +120,11 @@ public abstract class SettingField extends VBox {
   }
 
   /** Puts a value into the control; the control's own listeners must not take it for a change. */
-  abstract void showValue(Object value);
-
-  /** What can be set by. */
-  final String controlId() {
-    return id;
+  void showValue(Object value) {
+    shower.accept(value);
   }
 
-  final String help() {
+  private String help() {
     String range =
         parameter.isNumber()
             ? "\n" + text(parameter.min()) + " to " + text(parameter.max()) + " " + unit()
@@ -97,11 +136,6 @@ public abstract class SettingField extends VBox {
     return Texts.unit(parameter.unit());
   }
 
-  /** Name and a small control in one line. */
-  final void layOutBeside(Node control) {
-    getChildren().addAll(line(name, reset, control), problem);
-  }
-
   /** The name, and below it controls that take the whole width. */
   final void layOutBelow(Node... controls) {
     HBox.setHgrow(controls[0], Priority.ALWAYS);
@@ -109,11 +143,8 @@ public abstract class SettingField extends VBox {
   }
 
   private HBox line(Node... nodes) {
-    HBox.setHgrow(name, Priority.ALWAYS);
-    name.setMaxWidth(Double.MAX_VALUE);
-    HBox line = new HBox(6, nodes);
-    line.setAlignment(Pos.CENTER_LEFT);
-    return line;
+    Controls.growing(name);
+    return Controls.row(6, nodes);
   }
 
   /** A person has set a value. */

@@ -36,15 +36,27 @@ public final class BackgroundWork implements AutoCloseable {
     files.submit(() -> run(work, done, failed));
   }
 
-  /** Closes something; what that throws has no one to tell. */
-  public void close(AutoCloseable something) {
+  /** Work without a result. */
+  @FunctionalInterface
+  public interface Action {
+    /** In the background. */
+    void run() throws Exception;
+  }
+
+  /** Does something with files that has no result. */
+  public void file(Action work, Runnable done, Consumer<Exception> failed) {
     file(
         () -> {
-          something.close();
-          return something;
+          work.run();
+          return work;
         },
-        closed -> {},
-        failed -> {});
+        finished -> done.run(),
+        failed);
+  }
+
+  /** Closes something; what that throws has no one to tell. */
+  public void close(AutoCloseable something) {
+    file(something::close, () -> {}, failed -> {});
   }
 
   /**

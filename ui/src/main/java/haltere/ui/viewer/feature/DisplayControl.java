@@ -11,6 +11,7 @@ import haltere.ui.viewer.picture.MeasuredLine;
 import haltere.ui.viewer.picture.Overlays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
@@ -19,33 +20,56 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleDoubleProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import javafx.beans.value.ObservableValue;
 
 /**
  * How window and events look, as a person has chosen; whoever shows them listens.
  *
  * <p>Thread rule: JavaFX thread only.
+ *
+ * @param themeProperty how the window looks; a change brings the colours that go with it
+ * @param coloursProperty the colours of polarities
+ * @param decayUsProperty as {@link DisplayOptions#decayUs()}
+ * @param modeProperty what the colour of a pixel says about its events
+ * @param gradientProperty the colours of ages and counts
+ * @param marksProperty whether marks of the filters are drawn over the events
+ * @param framesProperty whether the camera's frames are drawn below the events
+ * @param frameOpacityProperty how much of a frame is seen: 0 nothing, 1 all of it
+ * @param allEventsProperty whether events are shown as they come, before the filters
+ * @param regionProperty the region of interest
+ * @param tapeProperty what was measured
  */
-public final class DisplayControl {
+public record DisplayControl(
+    ObjectProperty<Theme> themeProperty,
+    ObjectProperty<ColourMap> coloursProperty,
+    ObjectProperty<Long> decayUsProperty,
+    ObjectProperty<DisplayMode> modeProperty,
+    ObjectProperty<Gradient> gradientProperty,
+    BooleanProperty marksProperty,
+    BooleanProperty framesProperty,
+    DoubleProperty frameOpacityProperty,
+    BooleanProperty allEventsProperty,
+    ObjectProperty<Optional<PixelRegion>> regionProperty,
+    ObjectProperty<Optional<MeasuredLine>> tapeProperty) {
   /** Time constants of the fading that are offered, and what a menu calls them. */
   public static final Map<Long, String> DECAYS = decays();
 
-  private final ObjectProperty<Theme> theme = new SimpleObjectProperty<>(Theme.DARK);
-  private final ObjectProperty<ColourMap> colours =
-      new SimpleObjectProperty<>(DisplayOptions.DEFAULT.colours());
-  private final ObjectProperty<Long> decayUs =
-      new SimpleObjectProperty<>(DisplayOptions.DEFAULT.decayUs());
-  private final ObjectProperty<DisplayMode> mode =
-      new SimpleObjectProperty<>(DisplayOptions.DEFAULT.mode());
-  private final ObjectProperty<Gradient> gradient =
-      new SimpleObjectProperty<>(DisplayOptions.DEFAULT.gradient());
-  private final BooleanProperty marks = new SimpleBooleanProperty(true);
-  private final BooleanProperty frames = new SimpleBooleanProperty(true);
-  private final DoubleProperty frameOpacity = new SimpleDoubleProperty(0.6);
-  private final BooleanProperty allEvents = new SimpleBooleanProperty();
-  private final ObjectProperty<Optional<PixelRegion>> region =
-      new SimpleObjectProperty<>(Optional.empty());
-  private final ObjectProperty<Optional<MeasuredLine>> tape =
-      new SimpleObjectProperty<>(Optional.empty());
+  /** Looks as in a new window. */
+  public DisplayControl() {
+    this(
+        new SimpleObjectProperty<>(Theme.DARK),
+        new SimpleObjectProperty<>(DisplayOptions.DEFAULT.colours()),
+        new SimpleObjectProperty<>(DisplayOptions.DEFAULT.decayUs()),
+        new SimpleObjectProperty<>(DisplayOptions.DEFAULT.mode()),
+        new SimpleObjectProperty<>(DisplayOptions.DEFAULT.gradient()),
+        new SimpleBooleanProperty(true),
+        new SimpleBooleanProperty(true),
+        new SimpleDoubleProperty(0.6),
+        new SimpleBooleanProperty(),
+        new SimpleObjectProperty<>(Optional.empty()),
+        new SimpleObjectProperty<>(Optional.empty()));
+    themeProperty.subscribe((was, is) -> coloursProperty.set(is.colours()));
+  }
 
   private static Map<Long, String> decays() {
     Map<Long, String> decays = new LinkedHashMap<>();
@@ -58,82 +82,22 @@ public final class DisplayControl {
     return Collections.unmodifiableMap(decays);
   }
 
-  /** Looks as in a new window. */
-  public DisplayControl() {
-    // a theme brings the colours that go with it
-    theme.addListener((property, was, is) -> colours.set(is.colours()));
-  }
-
-  /** How the window looks; a change brings the colours that go with it. */
-  public ObjectProperty<Theme> themeProperty() {
-    return theme;
-  }
-
-  /** The colours of polarities. */
-  public ObjectProperty<ColourMap> coloursProperty() {
-    return colours;
-  }
-
-  /** What the colour of a pixel says about its events. */
-  public ObjectProperty<DisplayMode> modeProperty() {
-    return mode;
-  }
-
-  /** The colours of ages and counts. */
-  public ObjectProperty<Gradient> gradientProperty() {
-    return gradient;
-  }
-
-  /** As {@link DisplayOptions#decayUs()}. */
-  public ObjectProperty<Long> decayUsProperty() {
-    return decayUs;
-  }
-
-  /** Whether marks of the filters are drawn over the events. */
-  public BooleanProperty marksProperty() {
-    return marks;
-  }
-
-  /** Whether the camera's frames are drawn below the events. */
-  public BooleanProperty framesProperty() {
-    return frames;
-  }
-
-  /** How much of a frame is seen: 0 nothing, 1 all of it. */
-  public DoubleProperty frameOpacityProperty() {
-    return frameOpacity;
-  }
-
-  /** Whether events are shown as they come, before the filters. */
-  public BooleanProperty allEventsProperty() {
-    return allEvents;
-  }
-
-  /** The region of interest. */
-  public ObjectProperty<Optional<PixelRegion>> regionProperty() {
-    return region;
-  }
-
-  /** What was measured. */
-  public ObjectProperty<Optional<MeasuredLine>> tapeProperty() {
-    return tape;
-  }
-
   /** What lies over the events. */
   public Overlays overlays() {
-    return new Overlays(marks.get(), region.get(), tape.get());
+    return new Overlays(marksProperty.get(), regionProperty.get(), tapeProperty.get());
   }
 
   /** What the painter of events needs to know. */
   public DisplayOptions options() {
-    return new DisplayOptions(mode.get(), colours.get(), gradient.get(), decayUs.get());
+    return new DisplayOptions(
+        modeProperty.get(), coloursProperty.get(), gradientProperty.get(), decayUsProperty.get());
   }
 
   /** Calls something after each change of {@link #options()}. */
   public void onChange(Runnable listener) {
-    colours.addListener((property, was, is) -> listener.run());
-    mode.addListener((property, was, is) -> listener.run());
-    gradient.addListener((property, was, is) -> listener.run());
-    decayUs.addListener((property, was, is) -> listener.run());
+    for (ObservableValue<?> shown :
+        List.of(coloursProperty, modeProperty, gradientProperty, decayUsProperty)) {
+      shown.subscribe((was, is) -> listener.run());
+    }
   }
 }

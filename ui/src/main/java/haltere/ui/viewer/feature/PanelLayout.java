@@ -1,5 +1,6 @@
 package haltere.ui.viewer.feature;
 
+import haltere.ui.viewer.controls.Controls;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
@@ -40,7 +41,7 @@ final class PanelLayout {
   /** All of that, and the column at the right. */
   private final SplitPane middle = new SplitPane();
 
-  private final TabPane tabs = new TabPane();
+  private final TabPane tabs = Controls.named(new TabPane(), "side-tabs");
   private final List<Tab> shownTabs = new ArrayList<>();
 
   PanelLayout(Node events, Node chain) {
@@ -52,7 +53,6 @@ final class PanelLayout {
     middle.setDividerPositions(0.72);
     SplitPane.setResizableWithParent(chain, false);
     SplitPane.setResizableWithParent(tabs, false);
-    tabs.setId("side-tabs");
     tabs.setAccessibleText("Panels at the side");
   }
 
@@ -87,8 +87,8 @@ final class PanelLayout {
           place.run();
           pane.getDividers().forEach(divider -> divider.positionProperty().addListener(keeper));
         };
-    share.addListener(
-        (property, was, is) -> {
+    share.subscribe(
+        (was, is) -> {
           boolean isThere =
               !pane.getDividers().isEmpty()
                   && Math.abs(pane.getDividerPositions()[0] - is.doubleValue()) < 0.001;
@@ -129,14 +129,13 @@ final class PanelLayout {
       String id, String title, PanelPlace place, Supplier<? extends Node> content) {
     BooleanProperty shown = new SimpleBooleanProperty();
     if (place == PanelPlace.SIDE) {
-      Tab tab = new Tab(title);
-      tab.setId("tab-" + id);
+      Tab tab = tab(id, title, null);
       tab.setOnClosed(event -> shown.set(false));
-      shown.addListener((property, was, is) -> showTab(tab, is, content));
+      shown.subscribe((was, is) -> showTab(tab, is, content));
     } else {
       Node[] made = new Node[1];
-      shown.addListener(
-          (property, was, is) -> {
+      shown.subscribe(
+          (was, is) -> {
             if (made[0] == null) {
               made[0] = content.get();
             }
@@ -148,6 +147,12 @@ final class PanelLayout {
           });
     }
     return shown;
+  }
+
+  private static Tab tab(String id, String title, Node content) {
+    Tab tab = new Tab(title, content);
+    tab.setId("tab-" + id);
+    return tab;
   }
 
   private void showTab(Tab tab, boolean show, Supplier<? extends Node> content) {
@@ -168,8 +173,7 @@ final class PanelLayout {
     } else if (show) {
       if (tabs.getTabs().isEmpty()) {
         middle.getItems().remove(chain);
-        Tab first = new Tab("Chain", chain);
-        first.setId("tab-chain");
+        Tab first = tab("chain", "Chain", chain);
         first.setClosable(false);
         tabs.getTabs().setAll(first);
         middle.getItems().add(tabs);

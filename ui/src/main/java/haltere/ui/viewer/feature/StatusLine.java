@@ -31,7 +31,7 @@ public final class StatusLine extends HBox {
 
   private static final String SPEED_HELP = "Recording time per real time that playback reaches.";
 
-  private final Label message = new Label();
+  private final Label message = Controls.named(new Label(), "status-message");
   private final Button dismiss;
   private final Button more;
   private final Label time = number("status-time", 150, "Time on the recording's own clock");
@@ -64,7 +64,6 @@ public final class StatusLine extends HBox {
     getStyleClass().add("status-line");
     setId("status-line");
     setAlignment(Pos.CENTER_LEFT);
-    message.setId("status-message");
     message.setAccessibleRole(AccessibleRole.TEXT);
     message.setMinWidth(0);
     message.setMaxWidth(Double.MAX_VALUE);
@@ -178,8 +177,7 @@ public final class StatusLine extends HBox {
   }
 
   private void showDetails() {
-    TextArea text = new TextArea(details);
-    text.setId("problem-details");
+    TextArea text = Controls.named(new TextArea(details), "problem-details");
     text.setAccessibleText("Details of the problem");
     text.setEditable(false);
     text.setPrefSize(640, 300);
@@ -187,8 +185,7 @@ public final class StatusLine extends HBox {
   }
 
   private static Label number(String id, double width, String help) {
-    Label label = new Label();
-    label.setId(id);
+    Label label = Controls.named(new Label(), id);
     label.setMinWidth(width);
     label.setAlignment(Pos.CENTER_RIGHT);
     Controls.help(label, help);

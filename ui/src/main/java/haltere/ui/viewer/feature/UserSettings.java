@@ -3,7 +3,6 @@ package haltere.ui.viewer.feature;
 import haltere.core.format.AtomicFile;
 import haltere.core.json.internal.Json;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -70,6 +69,15 @@ public final class UserSettings {
     return Optional.ofNullable(values.get(name));
   }
 
+  /** A copy of a value that is a map; empty if it is none. */
+  public Map<String, Object> map(String name) {
+    Map<String, Object> copy = new LinkedHashMap<>();
+    if (values.get(name) instanceof Map<?, ?> kept) {
+      kept.forEach((key, value) -> copy.put(key.toString(), value));
+    }
+    return copy;
+  }
+
   /** Sets a value that JSON can hold. */
   public void put(String name, Object value) {
     if (!value.equals(values.put(name, value))) {
@@ -90,7 +98,7 @@ public final class UserSettings {
             () -> write.apply(property.getValue()), value -> property.setValue(read.apply(value)));
     properties.put(name, made);
     get(name).ifPresent(value -> choose(Map.of(name, value)));
-    property.addListener((observed, was, is) -> put(name, write.apply(is)));
+    property.subscribe((was, is) -> put(name, write.apply(is)));
   }
 
   /**
@@ -138,10 +146,7 @@ public final class UserSettings {
       return;
     }
     Files.createDirectories(file.get().toAbsolutePath().getParent());
-    try (AtomicFile output = AtomicFile.create(file.get(), true)) {
-      output.stream().write((Json.write(changed.get()) + "\n").getBytes(StandardCharsets.UTF_8));
-      output.commit();
-    }
+    AtomicFile.write(file.get(), Json.write(changed.get()) + "\n", true);
     if (unsaved.equals(changed)) {
       unsaved = Optional.empty();
     }

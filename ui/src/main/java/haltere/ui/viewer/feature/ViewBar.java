@@ -17,11 +17,9 @@ import javafx.beans.value.ObservableBooleanValue;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.ChoiceBox;
-import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 
 /**
@@ -41,8 +39,7 @@ public final class ViewBar extends HBox {
             .collect(
                 Collectors.toMap(
                     Function.identity(), DisplayMode::words, (a, b) -> a, LinkedHashMap::new));
-    Region space = new Region();
-    HBox.setHgrow(space, Priority.ALWAYS);
+    Region space = Controls.growing(new Region());
     tools.setAlignment(Pos.CENTER_RIGHT);
     getChildren()
         .addAll(
@@ -51,7 +48,7 @@ public final class ViewBar extends HBox {
                 "What the colour of a pixel says about its events",
                 display.modeProperty(),
                 modes),
-            muted("Fading"),
+            Controls.whole("Fading", Styles.TEXT_MUTED, Styles.TEXT_SMALL),
             choice(
                 "fading",
                 "How fast events fade, or that only those of the last slice are shown",
@@ -61,21 +58,13 @@ public final class ViewBar extends HBox {
             tools);
   }
 
-  /** Adds the buttons of the measuring tape and of the region. */
-  public void addTools(BooleanProperty measuring, BooleanProperty drawingRegion) {
-    tool("tool-measure", Icons.TAPE, "Measure a length and an angle (T)", measuring);
-    tool("tool-region", Icons.REGION, "Draw the region of interest (G)", drawingRegion);
-  }
-
   /** Adds the switch of the camera's frames and their opacity, where what is open has frames. */
   public void addFrames(BooleanProperty on, DoubleProperty opacity, ObservableBooleanValue seen) {
     ToggleButton button = Controls.toggle("frames", Icons.FRAME, "Frames below the events");
     button.getStyleClass().add(Styles.SMALL);
     button.selectedProperty().bindBidirectional(on);
-    Slider slider = new Slider(0.1, 1, opacity.get());
-    slider.setId("frame-opacity");
-    slider.setAccessibleText("Opacity of the frames");
-    Controls.help(slider, "Opacity of the frames");
+    Slider slider = Controls.slider("frame-opacity", "Opacity of the frames", 0.1, 1);
+    slider.setValue(opacity.get());
     slider.setPrefWidth(80);
     slider.setMinWidth(40);
     slider.valueProperty().bindBidirectional(opacity);
@@ -93,13 +82,6 @@ public final class ViewBar extends HBox {
     button.getStyleClass().add(Styles.SMALL);
     button.selectedProperty().bindBidirectional(on);
     tools.getChildren().add(button);
-  }
-
-  private static Label muted(String words) {
-    Label label = new Label(words);
-    label.getStyleClass().addAll(Styles.TEXT_MUTED, Styles.TEXT_SMALL);
-    label.setMinWidth(Region.USE_PREF_SIZE);
-    return label;
   }
 
   private static <T> Node choice(

@@ -59,18 +59,21 @@ public record ViewerContext(
    * Offers a panel that can be shown and hidden, with an action for it in the View menu.
    *
    * @param id of the panel and, with {@code show-} before it, of the action
-   * @param words its title
-   * @param key of the action, or empty
    * @param place where it is shown
    * @param content makes it when it is shown for the first time
    * @return whether it is shown
    */
-  public BooleanProperty addPanel(
-      String id, String words, String key, PanelPlace place, Supplier<? extends Node> content) {
-    BooleanProperty shown = panels.offer(id, words, place, content);
+  public BooleanProperty addPanel(String id, PanelPlace place, Supplier<? extends Node> content) {
+    String action = "show-" + id;
+    BooleanProperty shown = panels.offer(id, ViewerActions.words(action), place, content);
     settings.keep("panel." + id, shown);
-    actions.add(ViewerAction.toggle("show-" + id, words, "View", shown).withKey(key));
+    actions.add(action, shown);
     return shown;
+  }
+
+  /** Calls something at the first pulse of JavaFX after each time span, while something is open. */
+  public void every(long nanos, Runnable listener) {
+    panels.every(nanos, listener);
   }
 
   /**
@@ -80,9 +83,8 @@ public record ViewerContext(
   public void onSession(Consumer<ViewerSession> listener) {
     sessions
         .sessionProperty()
-        .addListener(
-            (property, was, is) ->
-                is.ifPresent(made -> steps.execute(() -> callWhileShown(made, listener))));
+        .subscribe(
+            (was, is) -> is.ifPresent(made -> steps.execute(() -> callWhileShown(made, listener))));
   }
 
   /** Adds what a person can do. */
@@ -100,6 +102,11 @@ public record ViewerContext(
     background.file(work, done, status::showProblem);
   }
 
+  /** Does something with files in the background; what goes wrong the bottom line says. */
+  public void run(BackgroundWork.Action work) {
+    background.file(work, () -> {}, status::showProblem);
+  }
+
   private void callWhileShown(ViewerSession made, Consumer<ViewerSession> listener) {
     sessions.session().filter(shown -> shown == made).ifPresent(listener);
   }
@@ -109,20 +116,19 @@ public record ViewerContext(
    * of an earlier version is shown in the bottom line.
    */
   public void loadChain(Path file, ChainEditor chain) {
-    sessions.session().ifPresent(open -> loadChain(file, open.chain().geometry(), chain));
+    ifOpen(open -> loadChain(file, open.chain().geometry(), chain));
   }
 
   private void loadChain(Path file, SensorGeometry geometry, ChainEditor chain) {
     List<String> notes = new ArrayList<>();
-    background.file(
+    file(
         () -> ChainFile.read(file, geometry, notes::add),
         loaded -> {
           chain.replaceAll(loaded);
           if (!notes.isEmpty()) {
             status.showError(String.join("; ", notes));
           }
-        },
-        status::showProblem);
+        });
   }
 
   /**
@@ -132,8 +138,8 @@ public record ViewerContext(
   public void bindTool(BooleanProperty on, ViewTool tool) {
     EventView view = panels.view();
     String hint = tool.hint() + BY_KEYS;
-    on.addListener(
-        (property, was, is) -> {
+    on.subscribe(
+        (was, is) -> {
           if (is) {
             view.setTool(Optional.of(tool));
             status.setActivity(hint);

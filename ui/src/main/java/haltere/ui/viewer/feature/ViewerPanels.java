@@ -207,6 +207,19 @@ public final class ViewerPanels extends BorderPane {
     pulseListeners.add(listener);
   }
 
+  /** Calls something at the first pulse of JavaFX after each time span, while something is open. */
+  void every(long nanos, Runnable listener) {
+    long[] lastNanos = {System.nanoTime() - nanos};
+    onPulse(
+        () -> {
+          long now = System.nanoTime();
+          if (now - lastNanos[0] >= nanos) {
+            lastNanos[0] = now;
+            listener.run();
+          }
+        });
+  }
+
   /** Draws what is painted here, and not by the style sheet, dark or light. */
   public void setDark(boolean dark) {
     seekBar.setDark(dark);

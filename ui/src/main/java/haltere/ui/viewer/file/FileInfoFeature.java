@@ -22,11 +22,10 @@ public final class FileInfoFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window.addPanel(
-        "file-information", "File information", "Shortcut+I", PanelPlace.SIDE, () -> panel);
+    window.addPanel("file-information", PanelPlace.SIDE, () -> panel);
     window.panels().addAbovePicture(banner);
     window.onSession(this::begin);
-    window.sessions().factsProperty().addListener((property, was, is) -> is.ifPresent(this::show));
+    window.sessions().factsProperty().subscribe((was, is) -> is.ifPresent(this::show));
   }
 
   private void begin(ViewerSession made) {

@@ -4,6 +4,7 @@ import atlantafx.base.theme.Styles;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.summary.RecordingSummary;
 import haltere.ui.command.terminal.Quantities;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.session.RecordingFacts;
 import java.util.List;
 import java.util.Locale;
@@ -41,9 +42,7 @@ final class FileInfoPanel extends ScrollPane {
 
   /** Shows a sentence in place of facts. */
   void say(String sentence) {
-    Label words = new Label(sentence);
-    words.setWrapText(true);
-    words.getStyleClass().add(Styles.TEXT_MUTED);
+    Label words = Controls.paragraph(sentence, Styles.TEXT_MUTED);
     grid.getChildren().clear();
     grid.add(words, 0, 0, 2, 1);
   }
@@ -102,11 +101,8 @@ final class FileInfoPanel extends ScrollPane {
 
   private void line(String name, String value) {
     int row = grid.getRowCount();
-    Label left = new Label(name);
-    left.getStyleClass().add(Styles.TEXT_MUTED);
-    Label right = new Label(value);
-    right.setWrapText(true);
-    right.setMinHeight(Region.USE_PREF_SIZE);
+    Label left = Controls.label(name, Styles.TEXT_MUTED);
+    Label right = Controls.paragraph(value);
     left.setLabelFor(right);
     GridPane.setValignment(left, VPos.TOP);
     grid.addRow(row, left, right);

@@ -4,7 +4,7 @@ import haltere.core.event.Frame;
 import haltere.core.playback.Playable;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.stream.StreamHandler;
-import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.DisplayControl;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
@@ -34,7 +34,7 @@ public final class SamplesFeature implements ViewerFeature {
   private static final int MAX_NAMES = 3;
 
   private final BooleanProperty hasFrames = new SimpleBooleanProperty();
-  private final Label trigger = new Label();
+  private final Label trigger = Controls.named(new Label(), "trigger-mark", "readout");
   private ViewerContext window;
   private Optional<RecordingFacts> facts = Optional.empty();
   private boolean reading;
@@ -55,22 +55,18 @@ public final class SamplesFeature implements ViewerFeature {
             display.frameOpacityProperty(),
             value -> value.doubleValue(),
             kept -> Math.max(0.1, Math.min(1, ((Number) kept).doubleValue())));
-    window.add(
-        ViewerAction.toggle("show-frames", "Frames", "View", display.framesProperty())
-            .withHelp("Draws the camera's frames below the events."));
-    display.framesProperty().addListener((property, was, is) -> follow());
-    display.frameOpacityProperty().addListener((property, was, is) -> follow());
-    trigger.setId("trigger-mark");
-    trigger.getStyleClass().add("readout");
+    window.actions().add("show-frames", display.framesProperty());
+    display.framesProperty().subscribe((was, is) -> follow());
+    display.frameOpacityProperty().subscribe((was, is) -> follow());
     trigger.setMouseTransparent(true);
     trigger.setVisible(false);
     window.panels().addOverPicture(trigger, Pos.TOP_RIGHT);
-    window.sessions().sessionProperty().addListener((property, was, is) -> follow());
+    window.sessions().sessionProperty().subscribe((was, is) -> follow());
     window
         .sessions()
         .factsProperty()
-        .addListener(
-            (property, was, is) -> {
+        .subscribe(
+            (was, is) -> {
               facts = is;
               hasFrames.set(is.filter(found -> !found.frames().isEmpty()).isPresent());
               window

@@ -39,10 +39,10 @@ final class WarningBanner extends VBox {
           "1280x720", "Gen4, IMX636");
 
   private final Consumer<SensorGeometry> chosen;
-  private final Label first = new Label();
-  private final Hyperlink more = new Hyperlink();
+  private final Label first = Controls.named(new Label(), "warning-first");
+  private final Hyperlink more = Controls.named(new Hyperlink(), "warnings-more");
   private final VBox all = new VBox(2);
-  private final ChoiceBox<String> sizes = new ChoiceBox<>();
+  private final ChoiceBox<String> sizes = Controls.named(new ChoiceBox<String>(), "camera-choice");
   private final HBox question;
   private List<String> warnings = List.of();
   private List<SensorGeometry> offered = List.of();
@@ -52,27 +52,21 @@ final class WarningBanner extends VBox {
     this.chosen = chosen;
     setId("warnings");
     getStyleClass().add("warning-banner");
-    first.setId("warning-first");
     first.setMinWidth(0);
     first.setMaxWidth(Double.MAX_VALUE);
     HBox.setHgrow(first, Priority.ALWAYS);
-    more.setId("warnings-more");
     more.setAccessibleText("Show all warnings");
     more.setMinWidth(Region.USE_PREF_SIZE);
     more.setOnAction(event -> open(!all.isVisible()));
     HBox head =
-        new HBox(
+        Controls.row(
             8,
             first,
             more,
             Controls.button("warnings-dismiss", Icons.REMOVE, "Dismiss the warnings", this::hide));
-    head.setAlignment(Pos.CENTER_LEFT);
     Label asked = new Label("Camera:");
-    sizes.setId("camera-choice");
     sizes.setAccessibleText("Camera that made the recording");
-    Button use = new Button("Use and remember");
-    use.setId("camera-use");
-    use.getStyleClass().add(Styles.SMALL);
+    Button use = Controls.named(new Button("Use and remember"), "camera-use", Styles.SMALL);
     use.setMinWidth(Region.USE_PREF_SIZE);
     use.setOnAction(event -> answer());
     question = new HBox(8, asked, sizes, use);
@@ -101,10 +95,7 @@ final class WarningBanner extends VBox {
   }
 
   private static Label line(String warning) {
-    Label label = new Label(sentence(warning));
-    label.setWrapText(true);
-    label.setMinHeight(Region.USE_PREF_SIZE);
-    return label;
+    return Controls.paragraph(sentence(warning));
   }
 
   private static String sentence(String warning) {

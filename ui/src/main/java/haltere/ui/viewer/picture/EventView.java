@@ -40,7 +40,7 @@ public final class EventView extends Region implements ArrowKeys {
   private final SensorPicture picture =
       new SensorPicture(!Platform.isSupported(ConditionalFeature.SCENE3D));
   private final Rectangle frame = new Rectangle();
-  private final Label readout = new Label();
+  private final Label readout = Controls.named(new Label(), "cursor-readout", "readout");
   private final ScaleLegend legend = new ScaleLegend();
   private PointerListener pointer = (x, y, over) -> {};
   private int pointedX;
@@ -66,15 +66,13 @@ public final class EventView extends Region implements ArrowKeys {
     frame.getStyleClass().add("sensor-frame");
     frame.setManaged(false);
     frame.setMouseTransparent(true);
-    readout.getStyleClass().add("readout");
-    readout.setId("cursor-readout");
     readout.setMouseTransparent(true);
     readout.setManaged(false);
     readout.setVisible(false);
     getChildren().addAll(picture.nodes());
     getChildren().addAll(frame, readout, legend);
-    widthProperty().addListener(changed -> viewpoint.setSize(getWidth(), getHeight()));
-    heightProperty().addListener(changed -> viewpoint.setSize(getWidth(), getHeight()));
+    widthProperty().subscribe(() -> viewpoint.setSize(getWidth(), getHeight()));
+    heightProperty().subscribe(() -> viewpoint.setSize(getWidth(), getHeight()));
     Controls.clip(this);
     setOnScroll(this::scrolled);
     setOnMousePressed(this::pressed);

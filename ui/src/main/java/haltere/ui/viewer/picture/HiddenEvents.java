@@ -1,6 +1,7 @@
 package haltere.ui.viewer.picture;
 
 import haltere.core.playback.PlayerStatus;
+import haltere.ui.viewer.controls.Controls;
 import java.util.OptionalInt;
 import javafx.beans.property.BooleanProperty;
 import javafx.geometry.Pos;
@@ -21,8 +22,8 @@ public final class HiddenEvents extends HBox {
   private static final long MIN_EVENTS = 200;
 
   private final BooleanProperty shown;
-  private final Label share = new Label();
-  private final Hyperlink change = new Hyperlink();
+  private final Label share = Controls.named(new Label(), "hidden-share");
+  private final Hyperlink change = Controls.named(new Hyperlink(), "show-hidden");
   private PlayerStatus from;
   private long fromNanos;
   private OptionalInt percent = OptionalInt.empty();
@@ -38,12 +39,10 @@ public final class HiddenEvents extends HBox {
     getStyleClass().addAll("readout", "hidden-events");
     setAlignment(Pos.CENTER_LEFT);
     setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
-    share.setId("hidden-share");
-    change.setId("show-hidden");
     change.setAccessibleText("Show or hide the events that filters remove");
     change.setOnAction(event -> shown.set(!shown.get()));
     getChildren().addAll(share, change);
-    shown.addListener((property, was, is) -> say());
+    shown.subscribe((was, is) -> say());
     say();
   }
 

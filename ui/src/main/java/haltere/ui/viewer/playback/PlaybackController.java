@@ -64,8 +64,8 @@ public final class PlaybackController {
   /** A controller without a player; tells what went wrong in one line. */
   public PlaybackController(Consumer<String> problems) {
     this.problems = problems;
-    beats.addListener(
-        (property, was, is) -> {
+    beats.subscribe(
+        (was, is) -> {
           if (is) {
             setBeat(USUAL_BEAT_US);
           }

@@ -91,7 +91,7 @@ public final class SeekBar extends Region {
 
   private final Rectangle playedClip = new Rectangle();
   private final Region needle = new Region();
-  private final Label hover = new Label();
+  private final Label hover = Controls.label("", "readout");
   private Ink ink = Ink.DARK;
   private Optional<RateProfile> profile = Optional.empty();
   private final RateHistory history = new RateHistory();
@@ -128,7 +128,6 @@ public final class SeekBar extends Region {
     needle.getStyleClass().add("needle");
     needle.setMouseTransparent(true);
     needle.setManaged(false);
-    hover.getStyleClass().add("readout");
     hover.setMouseTransparent(true);
     hover.setManaged(false);
     hover.setVisible(false);
@@ -168,13 +167,13 @@ public final class SeekBar extends Region {
     setOnMouseExited(event -> hover.setVisible(false));
     playback
         .loopProperty()
-        .addListener(
-            (property, old, now) -> {
+        .subscribe(
+            (old, now) -> {
               loop = now;
               dirty = true;
             });
     loop = playback.loopProperty().get();
-    logarithmic.addListener(changed -> dirty = true);
+    logarithmic.subscribe(() -> dirty = true);
   }
 
   /** Forgets the recording that was shown. */

@@ -49,8 +49,8 @@ final class SlicingField extends HBox {
           "What one step holds: what passes in 1/120 s at the present speed, a fixed time, a fixed"
               + " number of events, or one beat of the wings that are tracked.",
           Mode.words());
-  private final TextField size = new TextField();
-  private final Label unit = new Label();
+  private final TextField size = Controls.named(new TextField(), "slice-size", Styles.SMALL);
+  private final Label unit = Controls.label("", Styles.TEXT_MUTED);
 
   SlicingField(PlaybackController playback) {
     this.playback = playback;
@@ -61,8 +61,8 @@ final class SlicingField extends HBox {
     showSize();
     playback
         .beatsProperty()
-        .addListener(
-            (property, was, is) -> {
+        .subscribe(
+            (was, is) -> {
               if (is) {
                 mode.setValue(Mode.BEAT);
               } else if (mode.getValue() == Mode.BEAT) {
@@ -76,8 +76,8 @@ final class SlicingField extends HBox {
     mode.setAccessibleText("Slices");
     mode.setValue(Mode.SMOOTH);
     mode.valueProperty()
-        .addListener(
-            (property, old, now) -> {
+        .subscribe(
+            (old, now) -> {
               size.setText(Integer.toString(now.usual));
               showSize();
               if (now == Mode.BEAT) {
@@ -89,11 +89,8 @@ final class SlicingField extends HBox {
   }
 
   private void setUpSize() {
-    size.setId("slice-size");
     size.setPrefColumnCount(6);
     size.setAccessibleText("Size of a slice");
-    size.getStyleClass().add(Styles.SMALL);
-    unit.getStyleClass().add(Styles.TEXT_MUTED);
     Controls.onEntered(size, this::commit);
   }
 

@@ -15,11 +15,9 @@ import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
-import javafx.scene.control.MenuItem;
 import javafx.scene.control.Separator;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 
 /**
@@ -37,7 +35,7 @@ public final class TransportBar extends HBox {
   private final Button play;
   private final Node playIcon = Icons.PLAY.node();
   private final Node pauseIcon = Icons.PAUSE.node();
-  private final MenuButton speed = new MenuButton();
+  private final MenuButton speed = Controls.named(new MenuButton(), "speed");
   private final ToggleButton loop = Controls.toggle("loop", Icons.LOOP, "Repeat at the end (L)");
   private final Button back;
   private final Button markIn;
@@ -45,8 +43,9 @@ public final class TransportBar extends HBox {
   private final ToggleButton backwards =
       Controls.toggle("play-backwards", Icons.BACKWARDS, "Play backwards (Shift+Space)");
   private final HBox tools = new HBox();
-  private final Label elapsed = new Label();
-  private final Label remaining = new Label();
+  private final Label elapsed = Controls.named(new Label(), "elapsed", "time");
+  private final Label remaining =
+      Controls.named(new Label(), "remaining", "time", "time-remaining");
 
   /** The buttons of a controller. */
   public TransportBar(PlaybackController playback) {
@@ -61,35 +60,28 @@ public final class TransportBar extends HBox {
     markIn = Controls.button("mark-in", Icons.MARK_IN, "Start the loop here (I)", playback::markIn);
     markOut =
         Controls.button("mark-out", Icons.MARK_OUT, "End the loop here (O)", playback::markOut);
-    speed.setId("speed");
     speed.setAccessibleText("Speed");
     Controls.help(
         speed, "Recording time per real time. F and S take the next higher and lower speed.");
     List<Double> speeds = new ArrayList<>(PlaybackController.SPEEDS);
     speeds.add(Double.POSITIVE_INFINITY);
     for (double preset : speeds) {
-      MenuItem item = new MenuItem(Texts.speed(preset));
-      item.setOnAction(event -> playback.setSpeed(preset));
-      speed.getItems().add(item);
+      Runnable choose = () -> playback.setSpeed(preset);
+      speed.getItems().add(Controls.item(null, Texts.speed(preset), choose));
     }
     backwards.setOnAction(event -> playback.toggleReverse());
-    playback.reverseProperty().addListener((property, was, is) -> backwards.setSelected(is));
-    playback.speedProperty().addListener((property, old, now) -> showSpeed(now));
+    playback.reverseProperty().subscribe((was, is) -> backwards.setSelected(is));
+    playback.speedProperty().subscribe((old, now) -> showSpeed(now));
     showSpeed(playback.speedProperty().get());
     for (Region kept : List.of(speed, elapsed, remaining)) {
       kept.setMinWidth(Region.USE_PREF_SIZE);
     }
     loop.setOnAction(event -> playback.setLooping(loop.isSelected()));
-    playback.loopProperty().addListener((property, old, now) -> showLoop(now));
+    playback.loopProperty().subscribe((old, now) -> showLoop(now));
     showLoop(playback.loopProperty().get());
-    elapsed.setId("elapsed");
-    elapsed.getStyleClass().add("time");
     Controls.help(elapsed, "Time since the start");
-    remaining.setId("remaining");
-    remaining.getStyleClass().addAll("time", "time-remaining");
     Controls.help(remaining, "Time until the end, or until what comes just now");
-    Region space = new Region();
-    HBox.setHgrow(space, Priority.ALWAYS);
+    Region space = Controls.growing(new Region());
     getChildren()
         .addAll(
             Controls.button("rewind", Icons.REWIND, "Back to the start (R)", playback::rewind),

@@ -4,6 +4,9 @@ import haltere.ui.plot.Curve;
 import haltere.ui.plot.Lane;
 import haltere.ui.plot.Ticks;
 import haltere.ui.plot.TimeWindow;
+import haltere.ui.rendering.LinePainter;
+import haltere.ui.viewer.controls.PixelImage;
+import java.util.Arrays;
 import java.util.List;
 import javafx.geometry.VPos;
 import javafx.scene.canvas.GraphicsContext;
@@ -37,7 +40,15 @@ final class LanePicture {
 
   private final Lane lane;
   private final TimeWindow window;
-  private final CurvePixels pixels = new CurvePixels();
+
+  /**
+   * Pixels of the curves. JavaFX's own shapes take several times as long for a curve that goes up
+   * and down a hundred times, and keep the whole window waiting.
+   */
+  private final PixelImage pixels = new PixelImage();
+
+  private final LinePainter painter = new LinePainter();
+  private double density;
   private final Columns columns = new Columns();
   private double lowest;
   private double highest;
@@ -45,6 +56,7 @@ final class LanePicture {
   LanePicture(Lane lane, TimeWindow window) {
     this.lane = lane;
     this.window = window;
+    pixels.setMouseTransparent(true);
   }
 
   /** Place in the window, 0 to 1 within it, of a horizontal coordinate. */
@@ -59,7 +71,7 @@ final class LanePicture {
 
   /** Shows the curves, over the canvas that has axes and grid. */
   ImageView curves() {
-    return pixels.view();
+    return pixels;
   }
 
   /**
@@ -78,13 +90,37 @@ final class LanePicture {
     List<Curve> curves = lane.curves();
     range(wide);
     grid(graphics, width, height, ink, startUs);
-    pixels.begin(LEFT, wide, height, density);
+    begin(wide, height, density);
     for (Curve curve : curves) {
       columns.begin(argb(ink.curve(curve)), width, height);
       curve.paint(window.fromUs(), window.toUs(), wide, columns);
       columns.end();
     }
-    pixels.end();
+    pixels.repaint();
+  }
+
+  /** Makes all pixels of the curves transparent. */
+  private void begin(double width, double height, double newDensity) {
+    density = newDensity;
+    int columns = Math.max(1, (int) Math.ceil(width * density));
+    int rows = Math.max(1, (int) Math.ceil(height * density));
+    pixels.allocate(columns, rows);
+    Arrays.fill(pixels.pixels(), 0);
+    painter.setTarget(pixels.pixels(), columns, rows);
+    pixels.setX(LEFT);
+    pixels.setFitWidth(columns / density);
+    pixels.setFitHeight(rows / density);
+  }
+
+  private void line(double x1, double y1, double x2, double y2, int argb) {
+    painter.line(
+        (x1 - LEFT) * density,
+        y1 * density,
+        (x2 - LEFT) * density,
+        y2 * density,
+        THICKNESS * density,
+        argb,
+        x1 == x2 && y1 == y2);
   }
 
   private static int argb(Color colour) {
@@ -179,7 +215,7 @@ final class LanePicture {
 
     private void lineTo(double toX, double value) {
       double toY = y(value, height);
-      pixels.line(penX - LEFT, penY, toX - LEFT, toY, THICKNESS, argb);
+      line(penX, penY, toX, toY, argb);
       penX = toX;
       penY = toY;
       isDot = false;
@@ -188,7 +224,7 @@ final class LanePicture {
     /** A sample by itself is a dot. */
     private void endDot() {
       if (isDot) {
-        pixels.line(penX - LEFT, penY, penX - LEFT, penY, THICKNESS, argb);
+        line(penX, penY, penX, penY, argb);
       }
     }
 

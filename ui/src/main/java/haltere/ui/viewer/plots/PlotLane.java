@@ -40,9 +40,9 @@ final class PlotLane extends BorderPane {
   private final Line now = new Line();
   private final KeyPane stack;
   private final HBox values = new HBox(10);
-  private final Label title = new Label();
+  private final Label title = Controls.label("", "plot-title");
   private final Label more = new Label();
-  private final Label note = new Label();
+  private final Label note = Controls.named(new Label(), "plot-note", "plot-note");
 
   /** A lane without a plot yet, with buttons at the right of its head. */
   PlotLane(Lane lane, TimeWindow window, List<Button> actions) {
@@ -51,7 +51,6 @@ final class PlotLane extends BorderPane {
     picture = new LanePicture(lane, window);
     stack = new KeyPane(canvas, picture.curves(), now, cursor);
     getStyleClass().add("plot-lane");
-    title.getStyleClass().add("plot-title");
     title.setMinWidth(Region.USE_PREF_SIZE);
     values.setAlignment(Pos.CENTER_LEFT);
     values.setMinWidth(0);
@@ -62,10 +61,9 @@ final class PlotLane extends BorderPane {
     values.setClip(clip);
     values.getStyleClass().add("plot-values");
     HBox.setHgrow(values, Priority.ALWAYS);
-    HBox head = new HBox(8, title, values);
+    HBox head = Controls.row(8, title, values);
+    head.getStyleClass().addAll("plot-head");
     head.getChildren().addAll(actions);
-    head.setAlignment(Pos.CENTER_LEFT);
-    head.getStyleClass().add("plot-head");
     setTop(head);
     cursor.setVisible(false);
     now.setVisible(false);
@@ -74,9 +72,7 @@ final class PlotLane extends BorderPane {
       line.setMouseTransparent(true);
     }
     canvas.setManaged(false);
-    note.setId("plot-note");
     note.relocate(LanePicture.LEFT + 10, 8);
-    note.getStyleClass().add("plot-note");
     note.setVisible(false);
     stack.getChildren().add(note);
     stack.setMinHeight(48);
@@ -160,9 +156,8 @@ final class PlotLane extends BorderPane {
       // The latest: tracks of before playback went back have not ended within the window either.
       Curve curve = curves.get(curves.size() - shown + i);
       if (values.getChildren().size() <= i) {
-        Label label = new Label();
+        Label label = Controls.whole("");
         label.setGraphic(new Circle(4));
-        label.setMinWidth(Region.USE_PREF_SIZE);
         values.getChildren().add(label);
       }
       Label label = (Label) values.getChildren().get(i);

@@ -2,6 +2,7 @@ package haltere.ui.viewer.plots;
 
 import haltere.ui.plot.PlotField;
 import haltere.ui.plot.PlotSet;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Texts;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,10 +19,8 @@ final class PlotMenu {
   static List<MenuItem> sets(List<PlotField> fields, Consumer<PlotSet> chosen) {
     List<MenuItem> items = new ArrayList<>();
     for (PlotSet set : PlotSet.of(fields)) {
-      MenuItem item = new MenuItem(Texts.title(set.stage()) + ": " + set.title());
-      item.setMnemonicParsing(false);
-      item.setOnAction(event -> chosen.accept(set));
-      items.add(item);
+      String words = Texts.title(set.stage()) + ": " + set.title();
+      items.add(Controls.item(null, words, () -> chosen.accept(set)));
     }
     if (!items.isEmpty()) {
       items.add(new SeparatorMenuItem());
@@ -50,11 +49,7 @@ final class PlotMenu {
   }
 
   private static MenuItem item(String words, PlotField field, Consumer<PlotField> chosen) {
-    // a MenuItem takes an underscore for the mark of a mnemonic unless it is told not to
-    MenuItem item = new MenuItem(words);
-    item.setMnemonicParsing(false);
-    item.setId("plot-" + field.toString().replace(" / ", "-"));
-    item.setOnAction(event -> chosen.accept(field));
-    return item;
+    String id = "plot-" + field.toString().replace(" / ", "-");
+    return Controls.item(id, words, () -> chosen.accept(field));
   }
 }

@@ -16,7 +16,6 @@ import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.playback.PlaybackController;
 import java.util.ArrayList;
 import java.util.List;
-import javafx.geometry.Pos;
 import javafx.geometry.Side;
 import javafx.scene.control.Button;
 import javafx.scene.control.ContextMenu;
@@ -47,14 +46,15 @@ public final class PlotPanel extends BorderPane {
   private List<PlotField> first = List.of();
   private final VBox laneBox = new VBox();
   private final PlotTimeAxis axis = new PlotTimeAxis(window);
-  private final MenuButton add = new MenuButton("Add plot");
+  private final MenuButton add = Controls.named(new MenuButton("Add plot"), "add-plot");
   private final ToggleButton follow = Controls.toggle("plot-follow", Icons.PLAY, "");
-  private final Label span = new Label();
+  private final Label span = Controls.label("", "status-number");
   private final Label empty =
-      new Label(
+      Controls.label(
           "Nothing is plotted. Add plot offers the event rate, what filters publish, and samples"
-              + " of an inertial sensor.");
-  private final Label lost = new Label();
+              + " of an inertial sensor.",
+          "chain-empty");
+  private final Label lost = Controls.label("", "problem");
   private List<PlotField> offered = List.of();
   private InertialFeed inertial = new InertialFeed();
   private boolean offersInertial;
@@ -72,18 +72,14 @@ public final class PlotPanel extends BorderPane {
     feeds = new PlotFeeds(editor, this::offer);
     setId("plots");
     getStyleClass().add("plots");
-    add.setId("add-plot");
     Controls.help(add, "What filters publish, over time");
     Controls.help(follow, "Follow the newest values");
     follow.setAccessibleText("Follow the newest values");
     follow.setSelected(true);
     follow.setOnAction(event -> setFollowing(follow.isSelected()));
-    span.getStyleClass().add("status-number");
-    lost.getStyleClass().add("problem");
-    Region space = new Region();
-    HBox.setHgrow(space, Priority.ALWAYS);
+    Region space = Controls.growing(new Region());
     HBox head =
-        new HBox(
+        Controls.row(
             6,
             add,
             follow,
@@ -93,8 +89,7 @@ public final class PlotPanel extends BorderPane {
             lost,
             space,
             Controls.button("plot-clear", Icons.RESET, "Forget what was plotted", this::clear));
-    head.setAlignment(Pos.CENTER_LEFT);
-    head.getStyleClass().add("plots-head");
+    head.getStyleClass().addAll("plots-head");
     laneBox.setFillWidth(true);
     ScrollPane lanesView = new ScrollPane(laneBox);
     lanesView.setFitToWidth(true);
@@ -102,7 +97,6 @@ public final class PlotPanel extends BorderPane {
     lanesView.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
     lanesView.setFocusTraversable(false);
     VBox.setVgrow(lanesView, Priority.ALWAYS);
-    empty.getStyleClass().add("chain-empty");
     empty.setWrapText(true);
     setTop(head);
     setCenter(new VBox(empty, lanesView, axis));

@@ -6,7 +6,6 @@ import haltere.core.settings.SettingsProblem;
 import haltere.filters.plane.VanishingPoint;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
-import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.util.List;
@@ -59,7 +58,7 @@ public final class VanishingPointFeature implements ViewerFeature {
     window.bindTool(marking, tool);
     window.editor().onChange(this::look);
     // Whoever takes the tool into the hand sees the mark as it is by then, however it was set.
-    marking.addListener((property, was, is) -> look());
+    marking.subscribe((was, is) -> look());
     window.editor().onSettings((stage, settings) -> look());
   }
 
@@ -70,9 +69,7 @@ public final class VanishingPointFeature implements ViewerFeature {
   private void offer(Optional<Tracks> tracks) {
     boolean offered = window.actions().find(ID).isPresent();
     if (tracks.isPresent() && !offered) {
-      window.add(
-          ViewerAction.toggle(ID, "Set the vanishing point", "Tools", marking)
-              .withHelp("A click marks where the road vanishes; tracks are on the road then."));
+      window.actions().add(ID, marking);
     } else if (tracks.isEmpty() && offered) {
       marking.set(false);
       window.actions().removeAll(List.of(ID));

@@ -12,7 +12,7 @@ import haltere.core.playback.Playable;
 import haltere.ui.export.FilmWriter;
 import haltere.ui.export.GifWriter;
 import haltere.ui.export.Mp4Writer;
-import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.FileDialogs;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.StatusLine;
@@ -94,20 +94,20 @@ public final class ExportFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     FileDialogs dialogs = window.dialogs();
-    window.add(
-        ViewerAction.of(
-                "export-film",
-                "Export the marked part as film\u2026",
-                "File",
-                () -> dialogs.film().ifPresent(this::exportFilm))
-            .withHelp("GIF or MP4, with overlays, at the speed of playback."),
-        ViewerAction.of(
-                "export-data",
-                "Export the marked part as recording\u2026",
-                "File",
-                () -> dialogs.recordingToExport().ifPresent(this::exportData))
-            .withHelp("What the chain leaves of the events, in any format that is written."),
-        ViewerAction.of("stop-export", "Stop all exports", "File", this::stop));
+    ViewerActions actions = window.actions();
+    actions.add(
+        "export-film",
+        () ->
+            dialogs
+                .save("Export film", "haltere.gif", "Films", "*.gif", "*.mp4")
+                .ifPresent(this::exportFilm));
+    actions.add(
+        "export-data",
+        () ->
+            dialogs
+                .save("Export recording", "part.aedat4", "All files", "*")
+                .ifPresent(this::exportData));
+    actions.add("stop-export", this::stop);
   }
 
   private static String exporting(String name) {

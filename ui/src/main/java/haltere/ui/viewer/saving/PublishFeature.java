@@ -3,16 +3,16 @@ package haltere.ui.viewer.saving;
 import haltere.core.pipeline.LiveResults;
 import haltere.core.playback.Player;
 import haltere.core.sink.LineOutputs;
-import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.controls.Questions;
 import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.feature.PlayedOutput;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
-import haltere.ui.viewer.session.ViewerSession;
+import java.io.IOException;
 import java.time.Clock;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import javafx.application.Platform;
-import javafx.beans.property.ReadOnlyBooleanWrapper;
 
 /**
  * Sends what the filters publish to other programs while they run.
@@ -20,30 +20,34 @@ import javafx.beans.property.ReadOnlyBooleanWrapper;
  * <p>Thread rule: JavaFX thread only; what waits is done in the background.
  */
 public final class PublishFeature implements ViewerFeature {
-  private record Under(Player player, LiveResults results) {}
+  private record Sending(LiveResults sink) implements PlayedOutput.Output {
+    @Override
+    public String begun() {
+      return "Sending results at " + sink.address();
+    }
 
-  private final ReadOnlyBooleanWrapper publishing = new ReadOnlyBooleanWrapper();
+    @Override
+    public String finish() {
+      sink.close();
+      long lost = sink.lost();
+      return lost > 0 ? Texts.count(lost) + " results were not sent: too slow" : "";
+    }
+  }
+
   private ViewerContext window;
-  private Optional<Under> under = Optional.empty();
+  private PlayedOutput<Sending> sending;
   private String address = "tcp://127.0.0.1:5555";
 
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window.sessions().sessionProperty().addListener((property, was, is) -> stop());
-    window.add(
-        ViewerAction.toggle(
-                "publish",
-                "Send results to other programs\u2026",
-                "Tools",
-                publishing.getReadOnlyProperty(),
-                on -> toggle())
-            .withHelp("A line of JSON for each result, over TCP, UDP or ZeroMQ."));
+    sending = new PlayedOutput<>(window);
+    window.actions().add("publish", sending.runningProperty(), this::toggle, () -> "");
   }
 
   private void toggle() {
-    if (publishing.get()) {
-      stop();
+    if (sending.runningProperty().get()) {
+      sending.stop();
       return;
     }
     Questions.ask(
@@ -56,78 +60,33 @@ public final class PublishFeature implements ViewerFeature {
 
   /** Begins to send. */
   public void start(String where) {
-    stop();
     address = where;
-    window.ifOpen(session -> start(where, session));
+    sending.start(open -> send(where.strip(), open.player()));
   }
 
-  private void start(String where, ViewerSession session) {
-    Player player = session.player();
-    publishing.set(true);
-    window
-        .background()
-        .file(
-            () -> {
-              var output = LineOutputs.open(where.strip());
-              LiveResults[] made = new LiveResults[1];
-              player
-                  .read(
-                      chain ->
-                          made[0] =
-                              LiveResults.open(chain, output, name -> true, Clock.systemUTC()))
-                  .whenComplete(
-                      (done, problem) -> {
-                        if (made[0] == null) {
-                          output.close();
-                        }
-                      })
-                  .join();
-              player.addSink(made[0]);
-              return new Under(player, made[0]);
-            },
-            this::started,
-            problem -> {
-              publishing.set(false);
-              window.status().showError(Texts.oneLine(problem));
-            });
-  }
-
-  private void started(Under started) {
-    if (!publishing.get()) {
-      end(started);
-      return;
-    }
-    under = Optional.of(started);
-    started.results().onFailure(words -> Platform.runLater(() -> window.status().showError(words)));
-    window.status().setActivity("Sending results at " + started.results().address());
+  private Sending send(String where, Player player) throws IOException {
+    var output = LineOutputs.open(where);
+    AtomicReference<LiveResults> made = new AtomicReference<>();
+    player
+        .read(chain -> made.set(LiveResults.open(chain, output, name -> true, Clock.systemUTC())))
+        .whenComplete(
+            (done, problem) -> {
+              if (made.get() == null) {
+                output.close();
+              }
+            })
+        .join();
+    made.get().onFailure(words -> Platform.runLater(() -> window.status().showError(words)));
+    return new Sending(made.get());
   }
 
   /** Ends the sending, if there is any. */
   public void stop() {
-    publishing.set(false);
-    under.ifPresent(this::end);
-    under = Optional.empty();
-  }
-
-  private void end(Under ended) {
-    window
-        .background()
-        .file(
-            () -> {
-              ended.player().removeSink(ended.results()).exceptionally(closed -> null).join();
-              ended.results().close();
-              return ended.results().lost();
-            },
-            lost ->
-                window
-                    .status()
-                    .setActivity(
-                        lost > 0 ? Texts.count(lost) + " results were not sent: too slow" : ""),
-            problem -> window.status().showError(Texts.oneLine(problem)));
+    sending.stop();
   }
 
   /** Where results are being sent. */
   public Optional<String> address() {
-    return under.map(open -> open.results().address());
+    return sending.output().map(now -> now.sink().address());
   }
 }

@@ -22,7 +22,7 @@ final class RecordButton extends HBox {
 
   private final ToggleButton button =
       Controls.toggle("record-button", Icons.RECORD, "Record what comes out of the chain (Ctrl+E)");
-  private final Label numbers = new Label();
+  private final Label numbers = Controls.named(new Label(), "record-numbers", "time");
   private final BackgroundWork background;
   private long startNanos;
   private long shownNanos;
@@ -35,8 +35,6 @@ final class RecordButton extends HBox {
     this.background = background;
     setAlignment(Pos.CENTER_LEFT);
     button.getStyleClass().add("record-button");
-    numbers.setId("record-numbers");
-    numbers.getStyleClass().add("time");
     button.setOnAction(
         event -> {
           button.setSelected(!button.isSelected());

@@ -1,8 +1,8 @@
 package haltere.ui.viewer.saving;
 
-import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.FileDialogs;
-import haltere.ui.viewer.feature.StatusLine;
+import haltere.ui.viewer.feature.PlayedOutput;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.Overlays;
@@ -15,55 +15,33 @@ import java.nio.file.Path;
  * <p>Thread rule: JavaFX thread only.
  */
 public final class SavingFeature implements ViewerFeature {
-  private static final String MENU = "File";
 
   private ViewerContext window;
   private Saving saving;
-  private RecordingControl recording;
+  private PlayedOutput<RecordedFile> recording;
 
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    StatusLine status = window.status();
-    saving = new Saving(window.background(), window.editor(), status::showError);
-    recording = new RecordingControl(window.background(), status::showError, status::setActivity);
-    // what is open is about to be closed, or is closed with the window
-    window.sessions().sessionProperty().addListener((property, was, is) -> recording.stop());
+    saving = new Saving(window);
+    recording = new PlayedOutput<>(window);
     FileDialogs dialogs = window.dialogs();
-    window.add(
-        ViewerAction.of(
-                "load-chain",
-                "Load chain\u2026",
-                MENU,
-                () -> dialogs.chainToLoad().ifPresent(this::loadChain))
-            .withKey("Shortcut+L"),
-        ViewerAction.of(
-                "save-chain",
-                "Save chain\u2026",
-                MENU,
-                () -> dialogs.chainToSave().ifPresent(this::saveChain))
-            .withKey("Shortcut+S")
-            .unless(this::obstacle),
-        ViewerAction.toggle(
-                "record",
-                "Record\u2026",
-                MENU,
-                recording.recordingProperty(),
-                on -> toggleRecording())
-            .withKey("Shortcut+E")
-            .unless(this::obstacle)
-            .withHelp("Writes what comes out of the chain to a file while it plays."),
-        ViewerAction.of(
-                "save-picture",
-                "Save picture\u2026",
-                MENU,
-                () -> dialogs.picture().ifPresent(this::savePicture))
-            .withKey("Shortcut+P")
-            .unless(this::obstacle));
+    ViewerActions actions = window.actions();
+    actions.add(
+        "load-chain",
+        () -> dialogs.open("Load chain", "Chains", "*.json").ifPresent(this::loadChain));
+    actions.add(
+        "save-chain",
+        () ->
+            dialogs.save("Save chain", "chain.json", "Chains", "*.json").ifPresent(this::saveChain),
+        this::obstacle);
+    actions.add("record", recording.runningProperty(), this::toggleRecording, this::obstacle);
+    actions.add(
+        "save-picture", () -> dialogs.picture().ifPresent(this::savePicture), this::obstacle);
     RecordButton button = new RecordButton(this::toggleRecording, window.background());
-    recording.recordingProperty().addListener((property, was, is) -> button.setOn(is));
+    recording.runningProperty().subscribe((was, is) -> button.setOn(is));
     window.panels().transport().addTool(button);
-    window.panels().onPulse(() -> button.pulse(recording.file()));
+    window.panels().onPulse(() -> button.pulse(recording.output().map(RecordedFile::file)));
   }
 
   private String obstacle() {
@@ -88,20 +66,23 @@ public final class SavingFeature implements ViewerFeature {
 
   /** Stops the recording that is under way, or asks where the next one goes. */
   public void toggleRecording() {
-    if (recording.recordingProperty().get()) {
+    if (recording.runningProperty().get()) {
       recording.stop();
     } else if (window.sessions().session().isPresent()) {
-      window.dialogs().recordingToWrite().ifPresent(this::record);
+      window
+          .dialogs()
+          .save("Record to", "recording.aedat4", "AEDAT-4", "*.aedat4")
+          .ifPresent(this::record);
     }
   }
 
   /** Records what comes out of the chain. */
   public void record(Path file) {
-    window.ifOpen(open -> recording.start(file, open));
+    recording.start(open -> RecordedFile.of(file, open));
   }
 
   /** Whether a recording is under way. */
   boolean isRecording() {
-    return recording.recordingProperty().get();
+    return recording.runningProperty().get();
   }
 }

@@ -33,6 +33,11 @@ public interface SessionHost {
    */
   void open(SessionRequest request);
 
+  /** Opens a recording, which tells all that there is to know of it. */
+  default void open(Path file) {
+    open(file, ReadOptions.DEFAULT);
+  }
+
   /** Opens a recording. */
   default void open(Path file, ReadOptions options) {
     open(SessionRequest.recording(file, options));

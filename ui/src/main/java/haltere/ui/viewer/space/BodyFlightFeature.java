@@ -2,7 +2,6 @@ package haltere.ui.viewer.space;
 
 import haltere.filters.orientation.camera.ObservationFile;
 import haltere.ui.space.BodyFlight;
-import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
@@ -21,30 +20,27 @@ public final class BodyFlightFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window.add(
-        ViewerAction.of("body-flight", "Orientation in space\u2026", "File", this::choose)
-            .withHelp(
-                "Shows a body's axis in space, how sure it is, and the cameras; from a table"
-                    + " of observations (CSV, or HDF5 of Flydra) and a file of cameras, or a"
-                    + " .braidz file."));
+    window.actions().add("body-flight", this::choose);
   }
 
   private void choose() {
-    Optional<Path> observations = window.dialogs().observations();
-    observations.ifPresent(
-        file ->
-            window
-                .background()
-                .file(
-                    () -> ObservationFile.hasCameras(file), own -> open(file, own), this::failed));
+    window
+        .dialogs()
+        .open(
+            "Open observations of several cameras",
+            "Observations",
+            "*.csv",
+            "*.braidz",
+            "*.h5",
+            "*.hdf5")
+        .ifPresent(
+            file -> window.file(() -> ObservationFile.hasCameras(file), own -> open(file, own)));
   }
 
   private void open(Path observations, boolean hasCameras) {
     Optional<Path> cameras = hasCameras ? Optional.empty() : window.dialogs().cameras();
     if (hasCameras || cameras.isPresent()) {
-      window
-          .background()
-          .file(() -> BodyFlight.load(observations, cameras), this::show, this::failed);
+      window.file(() -> BodyFlight.load(observations, cameras), this::show);
     }
   }
 
@@ -52,9 +48,5 @@ public final class BodyFlightFeature implements ViewerFeature {
     BodyFlightPane pane = new BodyFlightPane(flight);
     pane.setTheme(window.display().themeProperty().get());
     Windows.beside(window.stage(), "Orientation in space", pane, 800, 600).show();
-  }
-
-  private void failed(Exception problem) {
-    window.status().showProblem(problem);
   }
 }

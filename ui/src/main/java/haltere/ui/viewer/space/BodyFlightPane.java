@@ -2,6 +2,7 @@ package haltere.ui.viewer.space;
 
 import haltere.ui.space.BodyFlight;
 import haltere.ui.space.BodyFlightDrawing;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Theme;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
@@ -17,20 +18,18 @@ final class BodyFlightPane extends BorderPane {
   private final BodyFlight flight;
   private final BodyFlightDrawing drawing;
   private final SpaceCanvas canvas = new SpaceCanvas();
-  private final Slider slider = new Slider();
-  private final Label words = new Label();
+  private final Slider slider = Controls.named(new Slider(), "flight-time");
+  private final Label words = Controls.named(new Label(), "flight-words");
 
   BodyFlightPane(BodyFlight flight) {
     this.flight = flight;
     drawing = new BodyFlightDrawing(flight);
     setCenter(canvas);
-    slider.setId("flight-time");
     slider.setAccessibleText("Time of the flight");
     slider.setMax(Math.max(0, flight.moments().size() - 1));
-    slider.valueProperty().addListener((property, was, is) -> show());
-    words.setId("flight-words");
+    slider.valueProperty().subscribe((was, is) -> show());
     VBox controls = new VBox(4, slider, words);
-    controls.getStyleClass().add("flight-controls");
+    controls.getStyleClass().addAll("flight-controls");
     setBottom(controls);
     show();
   }

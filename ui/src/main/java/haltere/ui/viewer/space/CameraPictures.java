@@ -5,6 +5,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.playback.Playable;
 import haltere.ui.space.CameraLine;
 import haltere.ui.space.CameraLineOverlay;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.picture.DisplayFrame;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.DisplaySink;
@@ -37,7 +38,7 @@ final class CameraPictures extends GridPane {
     setHgap(2);
     setVgap(2);
     setMinSize(0, 0);
-    linesShown.addListener(changed -> views.forEach(EventView::redrawMarks));
+    linesShown.subscribe(() -> views.forEach(EventView::redrawMarks));
   }
 
   /** Begins with other cameras; returns what takes the events of each. */
@@ -47,8 +48,7 @@ final class CameraPictures extends GridPane {
     for (int i = 0; i < cameras.size(); i++) {
       int index = i;
       SensorGeometry geometry = cameras.get(i).geometry();
-      EventView view = new EventView();
-      view.setId("camera-picture-" + (i + 1));
+      EventView view = Controls.named(new EventView(), "camera-picture-" + (i + 1));
       view.setAccessibleText("Events of camera " + (i + 2));
       view.setGeometry(geometry, options.colours());
       view.addLayer(canvas -> line(index).ifPresent(line -> OVERLAY.draw(line, canvas)));

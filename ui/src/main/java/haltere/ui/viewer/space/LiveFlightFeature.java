@@ -9,7 +9,7 @@ import haltere.filters.orientation.camera.CameraModel;
 import haltere.ui.space.CameraLineOverlay;
 import haltere.ui.space.CameraRig;
 import haltere.ui.space.LiveFlight;
-import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
@@ -43,38 +43,20 @@ public final class LiveFlightFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    shown =
-        window.addPanel(
-            "live-flight", "Orientation in space, live", "", PanelPlace.BESIDE, () -> pane);
-    window.add(
-        ViewerAction.of("open-flight", "Flight before several cameras", "File", this::openScene)
-            .withHelp("A simulated insect in free flight; its axis is found from all cameras."),
-        ViewerAction.of(
-                "open-camera-recordings",
-                "Recordings of several cameras\u2026",
-                "File",
-                () -> chooseCalibration(this::chooseRecordings))
-            .withHelp(
-                "Asks for the calibrated cameras and for one recording of each, in the same"
-                    + " order, on one clock."),
-        ViewerAction.of(
-                "open-calibrated-cameras",
-                "Several cameras at once\u2026",
-                "Camera",
-                () -> chooseCalibration(calibrated -> openCameras(calibrated, Cameras.installed())))
-            .withHelp(
-                "Asks for calibrated cameras, each with the id under which it is plugged in,"
-                    + " and finds a body's axis from all of them live."),
-        ViewerAction.toggle("camera-lines", "Lines of several cameras", "View", linesShown)
-            .withHelp(
-                "Draws accepted and gated lines and the axis over the picture of each camera"
-                    + " of a flight."));
+    shown = window.addPanel("live-flight", PanelPlace.BESIDE, () -> pane);
+    ViewerActions actions = window.actions();
+    actions.add("open-flight", this::openScene);
+    actions.add("open-camera-recordings", () -> chooseCalibration(this::chooseRecordings));
+    actions.add(
+        "open-calibrated-cameras",
+        () -> chooseCalibration(calibrated -> openCameras(calibrated, Cameras.installed())));
+    actions.add("camera-lines", linesShown);
     window.settings().keep("space.cameraLines", linesShown);
     window.panels().view().addLayer(this::drawFirst);
-    linesShown.addListener(changed -> window.panels().view().redrawMarks());
+    linesShown.subscribe(() -> window.panels().view().redrawMarks());
     window.display().onChange(() -> pane.setOptions(window.display().options()));
-    window.sessions().sessionProperty().addListener((property, was, is) -> follow(was, is));
-    window.display().themeProperty().addListener((property, was, is) -> pane.setTheme(is));
+    window.sessions().sessionProperty().subscribe((was, is) -> follow(was, is));
+    window.display().themeProperty().subscribe((was, is) -> pane.setTheme(is));
     window.panels().onPulse(() -> flight.ifPresent(live -> pane.update(live.latest())));
   }
 

@@ -30,7 +30,7 @@ final class LiveFlightPane extends BorderPane {
   private final SpaceCanvas canvas = new SpaceCanvas();
   private final CameraPictures pictures;
   private final SplitPane both;
-  private final Label words = new Label(NOTHING);
+  private final Label words = Controls.named(new Label(NOTHING), "live-flight-words");
   private Optional<CameraLine> first = Optional.empty();
 
   /** Nothing is open; lines are drawn over the pictures while they are shown. */
@@ -40,16 +40,14 @@ final class LiveFlightPane extends BorderPane {
     both = new SplitPane(canvas);
     both.setOrientation(Orientation.VERTICAL);
     setCenter(both);
-    CheckBox lines = new CheckBox("Lines over the pictures");
-    lines.setId("camera-lines");
+    CheckBox lines = Controls.named(new CheckBox("Lines over the pictures"), "camera-lines");
     lines.selectedProperty().bindBidirectional(linesShown);
     Controls.help(
         lines, "Accepted lines are green, gated ones red and broken, the estimated axis white.");
-    words.setId("live-flight-words");
     words.setWrapText(true);
     words.setMinHeight(USE_PREF_SIZE);
     VBox controls = new VBox(4, lines, words);
-    controls.getStyleClass().add("flight-controls");
+    controls.getStyleClass().addAll("flight-controls");
     setBottom(controls);
   }
 

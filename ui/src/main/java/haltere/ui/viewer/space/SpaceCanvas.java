@@ -31,8 +31,8 @@ final class SpaceCanvas extends TurnPane {
     getChildren().add(canvas);
     canvas.widthProperty().bind(widthProperty());
     canvas.heightProperty().bind(heightProperty());
-    canvas.widthProperty().addListener((property, was, is) -> redraw());
-    canvas.heightProperty().addListener((property, was, is) -> redraw());
+    canvas.widthProperty().subscribe((was, is) -> redraw());
+    canvas.heightProperty().subscribe((was, is) -> redraw());
     setAccessibleText("The body and the cameras in space");
     setMinSize(0, 0);
   }

@@ -24,19 +24,17 @@ public final class SpaceTimeFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     panel = new SpaceTimePanel(window.display().marksProperty());
-    shown =
-        window.addPanel(
-            "space-time", "Space and time", "Shortcut+T", PanelPlace.BESIDE, () -> panel);
+    shown = window.addPanel("space-time", PanelPlace.BESIDE, () -> panel);
     window
         .panels()
         .viewBar()
         .tool("tool-space-time", Icons.CUBE, "Events in space and time (Ctrl+T)", shown);
-    shown.addListener((property, was, is) -> follow(window.sessions().session()));
+    shown.subscribe((was, is) -> follow(window.sessions().session()));
     window
         .sessions()
         .sessionProperty()
-        .addListener(
-            (property, was, is) -> {
+        .subscribe(
+            (was, is) -> {
               was.ifPresent(this::leave);
               follow(is);
             });

@@ -15,7 +15,6 @@ import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.controls.TurnPane;
 import java.util.function.DoubleConsumer;
 import javafx.beans.property.ReadOnlyBooleanProperty;
-import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
@@ -36,14 +35,14 @@ final class SpaceTimePanel extends BorderPane {
 
   private final SpaceTimePainter painter = new SpaceTimePainter();
   private final PixelImage image = new PixelImage();
-  private final TurnPane picture = new Picture();
+  private final TurnPane picture = Controls.named(new Picture(), "space-time-picture");
   private final Slider turn = slider("space-time-turn", "Turn, degrees", -180, 180);
   private final Slider tilt = slider("space-time-tilt", "Tilt, degrees", -90, 90);
   private final Slider size = slider("space-time-size", "Size, in doublings", -2, 4.5);
   private final Slider span = slider("space-time-span", "Time shown, as a power of ten", 3, 7);
   private final Slider slice = slider("space-time-slice", "Where the slice begins", 0, 1);
   private final Slider thickness = slider("space-time-thickness", "How thick the slice is", 0, 1);
-  private final Label words = new Label();
+  private final Label words = Controls.label("", Styles.TEXT_SMALL, Styles.TEXT_MUTED);
   private final ReadOnlyBooleanProperty marksShown;
   private FontLetters letters;
   private PixelOverlayCanvas canvas;
@@ -56,17 +55,15 @@ final class SpaceTimePanel extends BorderPane {
   /** A panel that shows no events yet, and marks of filters while they are shown. */
   SpaceTimePanel(ReadOnlyBooleanProperty marksShown) {
     this.marksShown = marksShown;
-    marksShown.addListener(changed -> dirty = true);
+    marksShown.subscribe(() -> dirty = true);
     setId("space-time");
     getStyleClass().add("space-time");
-    picture.setId("space-time-picture");
     picture.setAccessibleText("Events in space and time");
     picture.setMinSize(120, 120);
     Controls.clip(picture);
-    picture.widthProperty().addListener((property, was, is) -> dirty = true);
-    picture.heightProperty().addListener((property, was, is) -> dirty = true);
+    picture.widthProperty().subscribe((was, is) -> dirty = true);
+    picture.heightProperty().subscribe((was, is) -> dirty = true);
     setCenter(picture);
-    words.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
     FlowPane controls =
         new FlowPane(
             10,
@@ -78,7 +75,7 @@ final class SpaceTimePanel extends BorderPane {
             named("Slice", slice),
             named("Thick", thickness),
             words);
-    controls.getStyleClass().add("space-time-controls");
+    controls.getStyleClass().addAll("space-time-controls");
     setBottom(controls);
     goBack();
   }
@@ -109,7 +106,7 @@ final class SpaceTimePanel extends BorderPane {
 
   /** Calls something with the time that is shown, whenever that changes. */
   void onSpan(DoubleConsumer listener) {
-    span.valueProperty().addListener((property, was, is) -> listener.accept(view().spanUs()));
+    span.valueProperty().subscribe((was, is) -> listener.accept(view().spanUs()));
   }
 
   /** Shows newer events, or the same ones from elsewhere; null if there are no newer ones. */
@@ -195,22 +192,15 @@ final class SpaceTimePanel extends BorderPane {
   }
 
   private Slider slider(String id, String help, double least, double most) {
-    Slider slider = new Slider(least, most, least);
-    slider.setId(id);
-    slider.setAccessibleText(help);
-    Controls.help(slider, help);
+    Slider slider = Controls.slider(id, help, least, most);
     slider.getStyleClass().add(Styles.SMALL);
     slider.setPrefWidth(90);
     slider.setBlockIncrement((most - least) / 50);
-    slider.valueProperty().addListener((property, was, is) -> dirty = true);
+    slider.valueProperty().subscribe((was, is) -> dirty = true);
     return slider;
   }
 
   private static HBox named(String name, Node control) {
-    Label label = new Label(name);
-    label.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
-    HBox box = new HBox(4, label, control);
-    box.setAlignment(Pos.CENTER_LEFT);
-    return box;
+    return Controls.row(4, Controls.label(name, Styles.TEXT_SMALL, Styles.TEXT_MUTED), control);
   }
 }

@@ -1,6 +1,5 @@
 package haltere.ui.viewer.start;
 
-import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.ViewerContext;
@@ -24,11 +23,9 @@ public final class StartFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window.add(
-        ViewerAction.of("start-page", "Start page", "File", () -> show(""))
-            .withHelp("Recent recordings, scenes and cameras."));
+    window.actions().add("start-page", () -> show(""));
     window.actions().onChange(() -> page.ifPresent(this::offer));
-    window.sessions().sessionProperty().addListener((property, was, is) -> hide());
+    window.sessions().sessionProperty().subscribe((was, is) -> hide());
     window
         .sessions()
         .onProblem(

@@ -34,8 +34,8 @@ final class StartPage extends ScrollPane {
   private static final double SENTENCE_HEIGHT = 84;
   private static final int MAX_RECENT = 6;
 
-  private final Label problem = new Label();
-  private final Button back = new Button();
+  private final Label problem = Controls.named(new Label(), "start-problem", "start-problem");
+  private final Button back = Controls.named(new Button(), "start-back");
   private final VBox recent = new VBox(2);
   private final FlowPane scenes = new FlowPane(12, 12);
   private final VBox cameras = new VBox(4);
@@ -46,24 +46,21 @@ final class StartPage extends ScrollPane {
     getStyleClass().add("start-page");
     setFitToWidth(true);
     setHbarPolicy(ScrollBarPolicy.NEVER);
-    Label title = new Label("Haltere");
-    title.getStyleClass().add(Styles.TITLE_2);
-    Label purpose = muted("Plays, filters and tracks the events of event cameras.");
-    problem.setId("start-problem");
-    problem.getStyleClass().add("start-problem");
+    Label title = Controls.label("Haltere", Styles.TITLE_2);
+    Label purpose =
+        Controls.label("Plays, filters and tracks the events of event cameras.", Styles.TEXT_MUTED);
     problem.setWrapText(true);
     problem.setMinHeight(Region.USE_PREF_SIZE);
     problem.setMaxWidth(Double.MAX_VALUE);
     setProblem("");
-    Button opening = new Button("Open recording\u2026");
-    opening.setId("start-open");
-    opening.getStyleClass().add(Styles.ACCENT);
+    Button opening =
+        Controls.named(new Button("Open recording\u2026"), "start-open", Styles.ACCENT);
     opening.setOnAction(event -> open.run());
-    back.setId("start-back");
     back.setOnAction(event -> close.run());
     setBack(Optional.empty());
-    HBox actions = new HBox(10, opening, back, muted("or drop a file on the window"));
-    actions.setAlignment(Pos.CENTER_LEFT);
+    HBox actions =
+        Controls.row(
+            10, opening, back, Controls.label("or drop a file on the window", Styles.TEXT_MUTED));
     VBox page =
         new VBox(
             10,
@@ -71,13 +68,13 @@ final class StartPage extends ScrollPane {
             purpose,
             problem,
             actions,
-            heading("Recent"),
+            Controls.label("Recent", Styles.TITLE_4),
             recent,
-            heading("Scenes"),
+            Controls.label("Scenes", Styles.TITLE_4),
             scenes,
-            heading("Cameras"),
+            Controls.label("Cameras", Styles.TITLE_4),
             cameras);
-    page.getStyleClass().add("start-content");
+    page.getStyleClass().addAll("start-content");
     page.setMaxWidth(1080);
     setContent(page);
   }
@@ -99,21 +96,21 @@ final class StartPage extends ScrollPane {
     List<Node> lines = actions.stream().limit(MAX_RECENT).<Node>map(StartPage::recentLine).toList();
     recent
         .getChildren()
-        .setAll(lines.isEmpty() ? List.of(muted("Recordings that you open stand here.")) : lines);
+        .setAll(
+            lines.isEmpty()
+                ? List.of(Controls.label("Recordings that you open stand here.", Styles.TEXT_MUTED))
+                : lines);
   }
 
   private static Node recentLine(ViewerAction action) {
-    Hyperlink link = new Hyperlink(action.words());
-    link.setId("start-" + action.id());
+    Hyperlink link = Controls.named(new Hyperlink(action.words()), "start-" + action.id());
     link.setAccessibleText(action.help());
     link.setMinWidth(Region.USE_PREF_SIZE);
     link.setMnemonicParsing(false);
     link.setOnAction(event -> action.work().run());
-    Label folder = muted(action.help());
+    Label folder = Controls.label(action.help(), Styles.TEXT_MUTED);
     folder.setMinWidth(0);
-    HBox line = new HBox(8, link, folder);
-    line.setAlignment(Pos.CENTER_LEFT);
-    return line;
+    return Controls.row(8, link, folder);
   }
 
   /** Offers scenes. */
@@ -122,21 +119,18 @@ final class StartPage extends ScrollPane {
   }
 
   private static Node tile(ViewerAction action) {
-    Label name = new Label(action.words());
-    name.getStyleClass().add(Styles.TEXT_BOLD);
-    Label sentence = muted(action.help());
+    Label name = Controls.label(action.words(), Styles.TEXT_BOLD);
+    Label sentence = Controls.label(action.help(), Styles.TEXT_MUTED);
     sentence.setWrapText(true);
     sentence.getStyleClass().add(Styles.TEXT_SMALL);
     sentence.setPrefSize(PICTURE_WIDTH, SENTENCE_HEIGHT);
     sentence.setAlignment(Pos.TOP_LEFT);
     VBox content = new VBox(4, picture(action.id()), name, sentence);
     content.setPrefWidth(PICTURE_WIDTH);
-    Button tile = new Button();
-    tile.setId("start-" + action.id());
+    Button tile = Controls.named(new Button(), "start-" + action.id(), "start-tile");
     tile.setAccessibleText(action.words() + ". " + action.help());
     tile.setContentDisplay(ContentDisplay.GRAPHIC_ONLY);
     tile.setGraphic(content);
-    tile.getStyleClass().add("start-tile");
     tile.setOnAction(event -> action.work().run());
     return tile;
   }
@@ -144,7 +138,7 @@ final class StartPage extends ScrollPane {
   /** The picture of a scene, in a frame that is there before it is loaded; empty without one. */
   private static Node picture(String id) {
     StackPane frame = new StackPane();
-    frame.getStyleClass().add("start-picture");
+    frame.getStyleClass().addAll("start-picture");
     frame.setMinSize(PICTURE_WIDTH, PICTURE_HEIGHT);
     URL resource = StartPage.class.getResource(id + ".png");
     if (resource != null) {
@@ -162,8 +156,8 @@ final class StartPage extends ScrollPane {
         actions.stream()
             .<Node>map(
                 action -> {
-                  Hyperlink link = new Hyperlink(action.words());
-                  link.setId("start-" + action.id());
+                  Hyperlink link =
+                      Controls.named(new Hyperlink(action.words()), "start-" + action.id());
                   link.setAccessibleText("Open the camera " + action.words());
                   link.setOnAction(event -> action.work().run());
                   Controls.help(link, action.help());
@@ -171,20 +165,8 @@ final class StartPage extends ScrollPane {
                 })
             .toList();
     Button again = Controls.button("start-look", Icons.RESET, "Look for cameras", look);
-    HBox none = new HBox(8, muted("No camera is plugged in."), again);
-    none.setAlignment(Pos.CENTER_LEFT);
+    HBox none =
+        Controls.row(8, Controls.label("No camera is plugged in.", Styles.TEXT_MUTED), again);
     cameras.getChildren().setAll(lines.isEmpty() ? List.of(none) : lines);
-  }
-
-  private static Label heading(String words) {
-    Label label = new Label(words);
-    label.getStyleClass().add(Styles.TITLE_4);
-    return label;
-  }
-
-  private static Label muted(String words) {
-    Label label = new Label(words);
-    label.getStyleClass().add(Styles.TEXT_MUTED);
-    return label;
   }
 }

@@ -26,7 +26,6 @@ import javafx.scene.layout.ColumnConstraints;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Priority;
-import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
 /**
@@ -65,8 +64,10 @@ final class FilterTables extends VBox {
   private final List<Cell> cells = new ArrayList<>();
   private final List<SourceButton> sources = new ArrayList<>();
   private final List<Derived> derived = new ArrayList<>();
-  private final ChoiceBox<String> column = new ChoiceBox<>();
-  private final Label summary = new Label();
+  private final ChoiceBox<String> column =
+      Controls.named(new ChoiceBox<String>(), "covariance-column");
+  private final Label summary =
+      Controls.named(new Label(), "filter-summary", Styles.TEXT_SMALL, Styles.TEXT_MUTED);
   private WingFilterState shown;
 
   /**
@@ -80,10 +81,7 @@ final class FilterTables extends VBox {
     setSpacing(6);
     getStyleClass().add("filter-tables");
     setAccessibleText("State and noise of the filter");
-    summary.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
-    summary.setId("filter-summary");
     shown = first;
-    column.setId("covariance-column");
     column.setAccessibleText("State whose column of the covariance is shown");
     column.getItems().setAll(first.names());
     column.getSelectionModel().select(0);
@@ -95,10 +93,7 @@ final class FilterTables extends VBox {
   }
 
   private static Label heading(String words) {
-    Label label = new Label(words);
-    label.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_BOLD);
-    label.setMinWidth(Region.USE_PREF_SIZE);
-    return label;
+    return Controls.whole(words, Styles.TEXT_SMALL, Styles.TEXT_BOLD);
   }
 
   /** Columns of names, of entries and of what follows from them. */
@@ -110,16 +105,11 @@ final class FilterTables extends VBox {
   }
 
   private static Label name(String words) {
-    Label label = new Label(words);
-    label.getStyleClass().add(Styles.TEXT_SMALL);
-    label.setWrapText(true);
-    return label;
+    return Controls.paragraph(words, Styles.TEXT_SMALL);
   }
 
   private Label derived(ToDoubleFunction<WingFilterState> number) {
-    Label label = new Label();
-    label.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
-    label.setMinWidth(Region.USE_PREF_SIZE);
+    Label label = Controls.whole("", Styles.TEXT_SMALL, Styles.TEXT_MUTED);
     derived.add(new Derived(label, number));
     return label;
   }
@@ -151,16 +141,16 @@ final class FilterTables extends VBox {
 
   /** An entry of the noise, with its unit and its source below. */
   private Node noise(Table table, int row, String unit) {
-    Label label = new Label(unit);
-    label.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
-    label.setMinWidth(Region.USE_PREF_SIZE);
+    Label label = Controls.whole(unit, Styles.TEXT_SMALL, Styles.TEXT_MUTED);
     return new VBox(cell(table, row, 0), new FlowPane(4, 0, label, source(table, row)));
   }
 
   private Hyperlink source(Table table, int row) {
-    Hyperlink button = new Hyperlink();
-    button.setId("source-" + table.name().toLowerCase(Locale.ROOT).replace('_', '-') + "-" + row);
-    button.getStyleClass().add(Styles.TEXT_SMALL);
+    Hyperlink button =
+        Controls.named(
+            new Hyperlink(),
+            "source-" + table.name().toLowerCase(Locale.ROOT).replace('_', '-') + "-" + row,
+            Styles.TEXT_SMALL);
     button.setAccessibleText("Source of " + name(table, row, 0));
     Controls.help(
         button,
@@ -203,10 +193,12 @@ final class FilterTables extends VBox {
   }
 
   private TextField cell(Table table, int row, int column) {
-    TextField entry = new TextField();
+    TextField entry =
+        Controls.named(
+            new TextField(),
+            table.name().toLowerCase(Locale.ROOT).replace('_', '-') + "-" + row + "-" + column,
+            Styles.SMALL);
     entry.setPrefColumnCount(6);
-    entry.getStyleClass().add(Styles.SMALL);
-    entry.setId(table.name().toLowerCase(Locale.ROOT).replace('_', '-') + "-" + row + "-" + column);
     entry.setAccessibleText(name(table, row, column));
     Cell cell = new Cell(entry, table, row, column);
     entry.setOnAction(event -> take(cell));

@@ -8,8 +8,10 @@ import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTracker;
 import haltere.filters.wing.tracker.WingTrackerFilter;
 import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.PlayedOutput;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.wing.WingLogFormat;
@@ -18,11 +20,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
-import javafx.scene.control.Button;
 
 /**
  * What a person can do with the wing tracker: see and change its filters while they run, say where
@@ -39,43 +41,33 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
       new SimpleObjectProperty<>(
           new WingLogFormat(WingLogFormat.Rows.TICK, WingLogFormat.Layout.TABLE));
   private ViewerContext window;
-  private WingLogControl log;
+  private PlayedOutput<WrittenLog> log;
   private BooleanProperty shown;
   private WingsPanel panel;
   private Optional<WingsView> seen = Optional.empty();
   private boolean looking;
-  private long lookedNanos;
 
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    log = new WingLogControl(window);
-    shown = window.addPanel("wings", "Wing filters", "Shortcut+W", PanelPlace.SIDE, this::panel);
-    window.panels().onPulse(this::pulse);
+    log = new PlayedOutput<>(window);
+    shown = window.addPanel("wings", PanelPlace.SIDE, this::panel);
+    window.every(LOOK_NANOS, this::pulse);
     window
         .sessions()
         .sessionProperty()
-        .addListener(
-            (property, was, is) -> {
-              log.leave();
+        .subscribe(
+            (was, is) -> {
               placing.set(false);
               seen = Optional.empty();
             });
     window.bindTool(placing, new FlyTool(() -> seen, this::place));
-    window
-        .actions()
-        .add(
-            ViewerAction.toggle("wings-place", "Place the fly", MENU, placing)
-                .unless(this::obstacle)
-                .withHelp("A click sets the body; drags turn the head or set the region."),
-            ViewerAction.of("wings-flip", "Exchange head and tail", MENU, this::flip)
-                .unless(this::obstacle),
-            ViewerAction.of("wings-search", "Search the fly anew", MENU, this::search)
-                .unless(this::obstacle)
-                .withHelp("What was said of the fly's place stays."),
-            ViewerAction.toggle("wings-log", "Log\u2026", MENU, log.writing(), on -> toggleLog())
-                .unless(this::obstacle)
-                .withHelp("Writes what is tracked to a file that explains itself."));
+    ViewerActions actions = window.actions();
+    Supplier<String> obstacle = this::obstacle;
+    actions.add("wings-place", placing, () -> placing.set(!placing.get()), obstacle);
+    actions.add("wings-flip", this::flip, obstacle);
+    actions.add("wings-search", this::search, obstacle);
+    actions.add("wings-log", log.runningProperty(), this::toggleLog, obstacle);
     for (WingLogFormat format : formats()) {
       window
           .actions()
@@ -123,40 +115,39 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
     panel =
         new WingsPanel(
             List.of(
-                button("wings-panel-flip", "Flip", "Exchanges head and tail", this::flip),
-                button(
+                Controls.button(
+                    "wings-panel-flip",
+                    "Flip",
+                    "Exchanges head and tail",
+                    this::flip,
+                    Styles.SMALL),
+                Controls.button(
                     "wings-panel-place",
                     "Place",
                     "Click the body, drag the head or the circle",
-                    () -> placing.set(!placing.get())),
-                button("wings-panel-search", "Search", "Searches the fly anew", this::search),
-                button("wings-panel-log", "Log\u2026", "Starts or ends a log", this::toggleLog)),
+                    () -> placing.set(!placing.get()),
+                    Styles.SMALL),
+                Controls.button(
+                    "wings-panel-search",
+                    "Search",
+                    "Searches the fly anew",
+                    this::search,
+                    Styles.SMALL),
+                Controls.button(
+                    "wings-panel-log",
+                    "Log\u2026",
+                    "Starts or ends a log",
+                    this::toggleLog,
+                    Styles.SMALL)),
             this);
     return panel;
-  }
-
-  private static Button button(String id, String words, String help, Runnable action) {
-    Button button = new Button(words);
-    button.setId(id);
-    button.getStyleClass().add(Styles.SMALL);
-    Controls.help(button, help);
-    button.setOnAction(event -> action.run());
-    return button;
   }
 
   private void pulse() {
     if ((!shown.get() && !placing.get()) || looking) {
       return;
     }
-    long now = System.nanoTime();
-    if (now - lookedNanos >= LOOK_NANOS) {
-      looking = true;
-      lookedNanos = now;
-      look();
-    }
-  }
-
-  private void look() {
+    looking = true;
     window
         .editor()
         .read(
@@ -225,25 +216,21 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
   }
 
   private static Consumer<FilterChain> work(Change change) {
-    return chain ->
-        change.make(
-            chain,
-            WingsView.of(chain)
-                .orElseThrow(
-                    () -> new IllegalArgumentException("there is no wing tracker in the chain")));
+    return chain -> change.make(chain, WingsView.orRefuse(chain));
   }
 
   private void toggleLog() {
-    if (log.writing().get()) {
+    if (log.runningProperty().get()) {
       log.stop();
     } else {
-      window.dialogs().log().ifPresent(this::log);
+      window.dialogs().save("Log wings to", "wings.txt", "Logs", "*.txt").ifPresent(this::log);
     }
   }
 
   /** Starts a log; a file that is there is replaced. */
   void log(Path file) {
-    log.start(file, logFormat.get());
+    WingLogFormat format = logFormat.get();
+    log.start(open -> WrittenLog.begin(file, format, open.player()));
   }
 
   /** The fly and its filters as they were seen last. */

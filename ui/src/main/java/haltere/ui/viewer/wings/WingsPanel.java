@@ -45,10 +45,11 @@ final class WingsPanel extends ScrollPane {
   private static final double CHOICE_WIDTH = 130;
 
   private final Actions actions;
-  private final ChoiceBox<WingPart> choice = new ChoiceBox<>();
+  private final ChoiceBox<WingPart> choice =
+      Controls.named(new ChoiceBox<WingPart>(), "wings-filter");
   private final List<CheckBox> edges = EDGES.stream().map(this::edge).toList();
-  private final Label empty = new Label();
-  private final Label search = new Label();
+  private final Label empty = Controls.label("", Styles.TEXT_MUTED);
+  private final Label search = Controls.named(new Label(), "wings-search", Styles.TEXT_SMALL);
   private final VBox body = new VBox(8);
   private Optional<FilterTables> tables = Optional.empty();
   private boolean showing;
@@ -63,40 +64,35 @@ final class WingsPanel extends ScrollPane {
     this.actions = actions;
     setId("wings-panel");
     setFitToWidth(true);
-    choice.setId("wings-filter");
     choice.setAccessibleText("Which filter is shown");
     choice.setMinWidth(CHOICE_WIDTH);
     choice.setOnAction(event -> tables.ifPresent(shown -> rebuild()));
-    Button restart = new Button("Reset filter");
-    restart.setId("wings-restart");
-    restart.getStyleClass().add(Styles.SMALL);
-    Controls.help(
-        restart, "Begins the filter anew: where it is, but unsure, with the noise of the settings");
-    restart.setOnAction(
-        event -> Optional.ofNullable(choice.getValue()).ifPresent(actions::restart));
+    Button restart =
+        Controls.button(
+            "wings-restart",
+            "Reset filter",
+            "Begins the filter anew: where it is, but unsure, with the noise of the settings",
+            () -> Optional.ofNullable(choice.getValue()).ifPresent(actions::restart),
+            Styles.SMALL);
     FlowPane head = new FlowPane(6, 6);
     head.getChildren().addAll(buttons);
     FlowPane taken = new FlowPane(10, 4);
     taken.getChildren().addAll(edges);
     FlowPane chosen = new FlowPane(6, 6, choice, restart);
     empty.setWrapText(true);
-    empty.getStyleClass().add(Styles.TEXT_MUTED);
     body.getStyleClass().add("settings");
-    search.setId("wings-search");
     search.setWrapText(true);
-    search.getStyleClass().add(Styles.TEXT_SMALL);
     body.getChildren().addAll(head, search, taken, chosen, empty);
     setContent(body);
     show(Optional.empty());
   }
 
   private CheckBox edge(WingPart part) {
-    CheckBox box = new CheckBox(part.toString());
-    box.setId("wings-edge-" + part);
-    box.getStyleClass().add(Styles.TEXT_SMALL);
+    CheckBox box =
+        Controls.named(new CheckBox(part.toString()), "wings-edge-" + part, Styles.TEXT_SMALL);
     box.selectedProperty()
-        .addListener(
-            (property, was, is) -> {
+        .subscribe(
+            (was, is) -> {
               if (!showing) {
                 actions.takeEdge(part, is);
               }

@@ -48,4 +48,10 @@ record WingsView(
     }
     return Optional.empty();
   }
+
+  /** The same of a chain that must have a wing tracker. */
+  static WingsView orRefuse(FilterChain chain) {
+    return of(chain)
+        .orElseThrow(() -> new IllegalArgumentException("there is no wing tracker in the chain"));
+  }
 }

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Recording while it plays, in the real window. */
-class RecordingControlTest {
+class RecordedFileTest {
   @TempDir Path folder;
   private ViewerHarness viewer;
 

@@ -1,0 +1,42 @@
+package haltere.ui.viewer.action;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.Map;
+
+/** The commands of the window, by id: what {@code actions.txt} says of each. */
+final class ActionTable {
+  /** A line of the table; the components are those of {@link ViewerAction}. */
+  record Line(String id, String key, String menu, String words, String help) {}
+
+  private static final Map<String, Line> LINES = read();
+
+  private ActionTable() {}
+
+  /** The line of an id. */
+  static Line line(String id) {
+    Line line = LINES.get(id);
+    if (line == null) {
+      throw new IllegalArgumentException("actions.txt does not have " + id);
+    }
+    return line;
+  }
+
+  private static Map<String, Line> read() {
+    Map<String, Line> lines = new HashMap<>();
+    try (InputStream table = ActionTable.class.getResourceAsStream("actions.txt")) {
+      String text = new String(table.readAllBytes(), StandardCharsets.UTF_8);
+      text.lines()
+          .filter(line -> !line.isBlank() && !line.startsWith("#"))
+          .map(line -> line.split("\\s*\\|\\s*", -1))
+          .forEach(
+              cell -> lines.put(cell[0], new Line(cell[0], cell[1], cell[2], cell[3], cell[4])));
+    } catch (IOException unreadable) {
+      throw new UncheckedIOException(unreadable);
+    }
+    return lines;
+  }
+}
