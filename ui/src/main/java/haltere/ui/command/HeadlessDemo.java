@@ -8,7 +8,6 @@ import haltere.core.simulation.Scene;
 import haltere.core.simulation.Scenes;
 import haltere.core.sink.CsvSink;
 import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
 import haltere.filters.DefaultChain;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.tracker.WingTrackerFilter;
@@ -103,11 +102,6 @@ final class HeadlessDemo {
         bar.events(counters.get(PipelineCounters.Counter.EVENTS_IN));
         bar.progress(packet.lastTimeUs() - scene.startUs(), DURATION_S * 1_000_000L);
       }
-    }
-
-    @Override
-    public void notified(StreamNotification notification) {
-      // nothing to show of it
     }
   }
 }

@@ -9,7 +9,6 @@ import haltere.core.sink.TableMetadata;
 import haltere.core.sink.TableSink;
 import haltere.core.sink.Tables;
 import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
 import haltere.ui.command.results.FlightFiles;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
@@ -83,10 +82,6 @@ final class SimulateCommand extends Subcommand {
   Double durationS;
 
   @Mixin RecordingWritingOptions writing;
-
-  SimulateCommand(Surroundings surroundings) {
-    super(surroundings);
-  }
 
   @Override
   public Integer call() throws IOException {
@@ -243,11 +238,6 @@ final class SimulateCommand extends Subcommand {
       } catch (IOException problem) {
         throw new UncheckedIOException(problem);
       }
-    }
-
-    @Override
-    public void notified(StreamNotification notification) {
-      // a scene runs without a break
     }
   }
 }

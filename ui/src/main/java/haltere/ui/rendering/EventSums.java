@@ -37,7 +37,6 @@ final class EventSums implements Gathered {
   private final float[] samples;
   private final int sampling;
   private final int[] table = new int[ENTRIES];
-  private int[] rankedTable = table;
   private final int[] row;
   private PictureStyle style;
   private long referenceUs;
@@ -85,7 +84,7 @@ final class EventSums implements Gathered {
               ? Gradient.GREY.colour(share)
               : style.gradient().colour(share);
     }
-    rankedTable = Ranks.ranked(table, style.background());
+    Ranks.rank(table, style.background());
   }
 
   @Override
@@ -172,11 +171,7 @@ final class EventSums implements Gathered {
   }
 
   @Override
-  public void paint(long nowUs, int[] argb, boolean ranked) {
-    paint(nowUs, argb, ranked ? rankedTable : table);
-  }
-
-  private void paint(long nowUs, int[] argb, int[] colours) {
+  public void paint(long nowUs, int[] ranked) {
     double present =
         style.sharp() || empty
             ? 1
@@ -195,7 +190,7 @@ final class EventSums implements Gathered {
       indices(sums, y * width, width, gain, middle, row);
       int to = (height - 1 - y) * width;
       for (int x = 0; x < width; x++) {
-        argb[to + x] = colours[row[x]];
+        ranked[to + x] = table[row[x]];
       }
     }
   }
