@@ -15,6 +15,7 @@ import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
 import picocli.CommandLine.Command;
@@ -93,10 +94,7 @@ final class SimulateCommand extends Subcommand {
     }
     try (Scene<?> scene = scene()) {
       writing.checkRecording(out);
-      if (truth != null) {
-        writing.check(truth);
-        WritingOptions.checkDifferent(out, truth);
-      }
+      writing.check(List.of(out), Arrays.asList(truth, observations, cameras));
       FlightFiles flight = flight(scene);
       write(scene);
       if (flight != null) {
@@ -109,19 +107,13 @@ final class SimulateCommand extends Subcommand {
   }
 
   /** What is written of several cameras, or null if nothing. */
-  private FlightFiles flight(Scene<?> scene) throws IOException {
+  private FlightFiles flight(Scene<?> scene) {
     if (observations == null && cameras == null) {
       return null;
     }
     if (!(scene instanceof FlightScene several)) {
       throw wrongArguments(
           "--observations and --cameras are of the scene flight; " + sceneName + " has one camera");
-    }
-    for (Path output : new Path[] {observations, cameras}) {
-      if (output != null) {
-        writing.check(output);
-        WritingOptions.checkDifferent(out, output);
-      }
     }
     return new FlightFiles(several, observations, cameras);
   }

@@ -215,40 +215,9 @@ final class EventSums implements Gathered {
     double now = 1;
     if (found > 0) {
       int place = Math.min(found - 1, (int) (SHARE_BELOW_FULL * found));
-      now = Math.max(1, quantile(samples, found, place) * present);
+      Arrays.sort(samples, 0, found);
+      now = Math.max(1, samples[place] * present);
     }
     fullCount = fullCount == 0 || style.sharp() ? now : fullCount + SMOOTHING * (now - fullCount);
-  }
-
-  /** The value that stands at a place when the first values are sorted; changes their order. */
-  private static float quantile(float[] values, int count, int place) {
-    int low = 0;
-    int high = count - 1;
-    while (low < high) {
-      float pivot = values[(low + high) >>> 1];
-      int left = low;
-      int right = high;
-      while (left <= right) {
-        while (values[left] < pivot) {
-          left++;
-        }
-        while (values[right] > pivot) {
-          right--;
-        }
-        if (left <= right) {
-          float swapped = values[left];
-          values[left++] = values[right];
-          values[right--] = swapped;
-        }
-      }
-      if (place <= right) {
-        high = right;
-      } else if (place >= left) {
-        low = left;
-      } else {
-        break;
-      }
-    }
-    return values[place];
   }
 }
