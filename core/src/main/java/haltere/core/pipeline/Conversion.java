@@ -3,6 +3,7 @@ package haltere.core.pipeline;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorSample;
 import haltere.core.format.ProgressListener;
+import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.SampleCounts;
@@ -87,6 +88,21 @@ public final class Conversion {
    * @throws IOException if reading or writing fails; nothing is written then
    */
   public Result run(RecordingReader reader, RecordingWriter writer) throws IOException {
+    return run(reader, writer, false);
+  }
+
+  /**
+   * Copies everything, as {@link #run(RecordingReader, RecordingWriter)} does.
+   *
+   * @param reader at its start; at its end, or behind the stretch, afterwards
+   * @param writer empty; finished afterwards, not closed
+   * @param whole whether a recording that is cut off or damaged is an error
+   * @return what was done
+   * @throws RecordingProblem if it is damaged and has to be whole; nothing is written then
+   * @throws IOException as the other
+   */
+  public Result run(RecordingReader reader, RecordingWriter writer, boolean whole)
+      throws IOException {
     boolean last = false;
     if (reader.isSeekable() && (fromUs != Long.MIN_VALUE || toUs != Long.MAX_VALUE)) {
       last = reader.segments().size() <= 1;
@@ -110,6 +126,7 @@ public final class Conversion {
       throw failure.getCause();
     }
     copy.end();
+    RecordingJob.requireWhole(reader, whole);
     writer.finish();
     List<String> warnings = new java.util.ArrayList<>(reader.remarks());
     boolean told = !copy.samplesWritten.isEmpty() || !copy.samplesLeftOut.isEmpty();

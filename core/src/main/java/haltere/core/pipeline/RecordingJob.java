@@ -14,7 +14,6 @@ import haltere.core.format.ViolationCounts;
 import haltere.core.pipeline.PipelineCounters.Counter;
 import haltere.core.stream.EventSource;
 import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -213,12 +212,7 @@ public final class RecordingJob {
       List<StreamHandler> sinks = new ArrayList<>(written.sinks());
       sinks.add(watch);
       Pipeline.run(pace.apply(reader), filters, sinks, counters);
-      if (strict) {
-        Optional<RecordingProblem> damage = damage(recording, reader.violations());
-        if (damage.isPresent()) {
-          throw damage.get();
-        }
-      }
+      requireWhole(reader, strict);
       written.finish();
       List<String> warnings = new ArrayList<>(reader.remarks());
       warnings.addAll(
@@ -237,6 +231,13 @@ public final class RecordingJob {
           JobReport.stages(filters),
           written.files(),
           (System.nanoTime() - startNanos) / 1e9);
+    }
+  }
+
+  static void requireWhole(RecordingReader reader, boolean whole) throws RecordingProblem {
+    Optional<RecordingProblem> damage = damage(reader.path(), reader.violations());
+    if (whole && damage.isPresent()) {
+      throw damage.get();
     }
   }
 
@@ -290,11 +291,6 @@ public final class RecordingJob {
     @Override
     public void sample(SensorSample sample) {
       samples = samples.plus(sample.kind());
-    }
-
-    @Override
-    public void notified(StreamNotification notification) {
-      // the report has the counters
     }
   }
 }

@@ -23,7 +23,7 @@ public interface StreamHandler {
    *
    * @param notification what happened between the last packet and the next one
    */
-  void notified(StreamNotification notification);
+  default void notified(StreamNotification notification) {}
 
   /**
    * Takes a frame, an inertial sample or a trigger: it comes after all events before its time and
@@ -44,11 +44,6 @@ public interface StreamHandler {
     return new StreamHandler() {
       @Override
       public void packet(EventPacket packet) {
-        // only what stands between the events is wanted
-      }
-
-      @Override
-      public void notified(StreamNotification notification) {
         // only what stands between the events is wanted
       }
 

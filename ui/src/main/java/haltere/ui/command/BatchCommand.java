@@ -42,9 +42,9 @@ import picocli.CommandLine.Parameters;
     description = {
       "Run one chain over many recordings, several at once.",
       "DIR gets a folder for each recording, with a table for each outlet of the chain"
-          + " (STAGE.OUTLET.csv or .parquet) and done.json, which comes last: what was read, with which chain,"
-          + " and checksums. A recording that fails stops nothing; failed.json names all that did,"
-          + " and the status is 1."
+          + " (STAGE.OUTLET.csv or .parquet) and done.json, which comes last: what was read, with"
+          + " which chain, and checksums. A recording that fails stops nothing; failed.json names"
+          + " all that did, and the status is 1."
     })
 final class BatchCommand extends Subcommand {
   private static final Pattern SHARD = Pattern.compile("(\\d{1,6})/(\\d{1,6})");
@@ -127,10 +127,6 @@ final class BatchCommand extends Subcommand {
 
   @Mixin SourceOptions source;
   @Mixin ReportOptions reporting;
-
-  BatchCommand(Surroundings surroundings) {
-    super(surroundings);
-  }
 
   @Override
   public Integer call() throws IOException {

@@ -67,10 +67,6 @@ final class BenchCommand extends Subcommand {
     long run() throws IOException;
   }
 
-  BenchCommand(Surroundings surroundings) {
-    super(surroundings);
-  }
-
   @Override
   public Integer call() throws IOException {
     if (!(seconds >= 0 && seconds <= 3600)) {
@@ -112,19 +108,19 @@ final class BenchCommand extends Subcommand {
   private void measure(Path recording) throws IOException {
     Held held = new Held(MAX_EVENTS);
     SensorGeometry geometry;
-    long decoded = 0;
+    long[] skipped = new long[1];
     String format;
     try (RecordingReader reader = reading.open(recording)) {
       geometry = reader.geometry();
       format = reader.formatName();
-      Count count = new Count();
+      StreamHandler count = packet -> skipped[0] += packet.size();
       while (reader.next(held.full() ? count : held)) {
         checkInterrupted("measuring");
       }
       reading.requireWhole(reader);
       warnings(reader);
-      decoded = held.events + count.events;
     }
+    long decoded = held.events + skipped[0];
     if (held.events == 0) {
       throw new CommandProblem(recording + ": there are no events in it to measure with");
     }
@@ -180,7 +176,7 @@ final class BenchCommand extends Subcommand {
   private long decode(Path recording) throws IOException {
     long start = System.nanoTime();
     try (RecordingReader reader = reading.open(recording)) {
-      reader.drainTo(new Count());
+      reader.drainTo(packet -> {});
     }
     return System.nanoTime() - start;
   }
@@ -224,21 +220,6 @@ final class BenchCommand extends Subcommand {
     @Override
     public void notified(StreamNotification notification) {
       broken |= notification.endsContinuity() && events > 0;
-    }
-  }
-
-  /** Counts events. */
-  private static final class Count implements StreamHandler {
-    private long events;
-
-    @Override
-    public void packet(EventPacket packet) {
-      events += packet.size();
-    }
-
-    @Override
-    public void notified(StreamNotification notification) {
-      // only events count
     }
   }
 }

@@ -8,17 +8,13 @@ import haltere.core.camera.CameraProblem;
 import haltere.core.camera.Cameras;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** Options of every command that can take its events from a camera. */
-final class CameraOptionsGroup {
-  @Spec(Spec.Target.MIXEE)
-  CommandSpec command;
-
+final class CameraOptionsGroup extends OptionGroup {
   @Option(
       names = "--device",
       paramLabel = "ID",
@@ -41,7 +37,7 @@ final class CameraOptionsGroup {
       names = "--bias",
       paramLabel = "NAME=VALUE",
       description = "Set a bias of the camera. May be repeated.")
-  List<String> biases = List.of();
+  Map<String, Double> biases = Map.of();
 
   @Option(
       names = "--when-full",
@@ -50,17 +46,19 @@ final class CameraOptionsGroup {
       description =
           "Which events are lost where this computer cannot keep up: those that come (newest, the"
               + " default), or those that have waited longest (oldest).")
-  String whenFull = "newest";
+  Loss whenFull = Loss.NEWEST;
+
+  /** Which events are lost. */
+  enum Loss {
+    NEWEST,
+    OLDEST
+  }
 
   /** Refuses, by a {@link ParameterException}, what can be told to be wrong before any work. */
   void check() {
     if (durationS != null && !(durationS > 0 && durationS <= 1e9)) {
       throw wrong("--duration is " + durationS + ", it must be above 0 s");
     }
-    for (String bias : biases) {
-      value(bias);
-    }
-    whenFull();
   }
 
   /**
@@ -82,32 +80,8 @@ final class CameraOptionsGroup {
     return !devices.isEmpty();
   }
 
-  private ParameterException wrong(String message) {
-    return new ParameterException(command.commandLine(), message);
-  }
-
   OptionalDouble durationS() {
     return durationS == null ? OptionalDouble.empty() : OptionalDouble.of(durationS);
-  }
-
-  private WhenFull whenFull() {
-    return switch (whenFull) {
-      case "newest" -> WhenFull.DROP_NEWEST;
-      case "oldest" -> WhenFull.DROP_OLDEST;
-      default -> throw wrong("--when-full is " + whenFull + "; there are newest and oldest");
-    };
-  }
-
-  private double value(String bias) {
-    int equals = bias.indexOf('=');
-    try {
-      if (equals > 0) {
-        return Double.parseDouble(bias.substring(equals + 1).strip());
-      }
-    } catch (NumberFormatException notANumber) {
-      // told below
-    }
-    throw wrong("--bias " + bias + " is not NAME=VALUE with a number");
   }
 
   /**
@@ -122,7 +96,7 @@ final class CameraOptionsGroup {
                 CameraOptions.DEFAULT
                     .withReconnect(true)
                     .withSamples(samples)
-                    .withWhenFull(whenFull()));
+                    .withWhenFull(WhenFull.valueOf("DROP_" + whenFull)));
     try {
       setBiases(camera);
       return camera;
@@ -146,8 +120,8 @@ final class CameraOptionsGroup {
     if (set != null) {
       all.apply(set);
     }
-    for (String bias : biases) {
-      all.set(bias.substring(0, bias.indexOf('=')).strip(), value(bias));
+    for (Map.Entry<String, Double> bias : biases.entrySet()) {
+      all.set(bias.getKey().strip(), bias.getValue());
     }
   }
 }

@@ -32,8 +32,7 @@ final class CompletionCommand extends Subcommand {
   private final Supplier<CommandLine> program;
 
   /** The program is made when it is asked for: it has all commands. */
-  CompletionCommand(Surroundings surroundings, Supplier<CommandLine> program) {
-    super(surroundings);
+  CompletionCommand(Supplier<CommandLine> program) {
     this.program = program;
   }
 

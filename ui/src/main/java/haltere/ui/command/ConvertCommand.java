@@ -2,12 +2,9 @@ package haltere.ui.command;
 
 import haltere.core.chain.ChainProblem;
 import haltere.core.chain.FilterChain;
-import haltere.core.chain.FilterProvider;
 import haltere.core.chain.Filters;
-import haltere.core.event.EventPacket;
 import haltere.core.event.SampleKind;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorSample;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
@@ -107,10 +104,6 @@ final class ConvertCommand extends Subcommand {
 
   @Mixin ReadingOptions reading;
   @Mixin RecordingWritingOptions writing;
-
-  ConvertCommand(Surroundings surroundings) {
-    super(surroundings);
-  }
 
   @Override
   public Integer call() throws IOException {
@@ -246,7 +239,7 @@ final class ConvertCommand extends Subcommand {
   private void convert() throws IOException {
     Conversion.Result done;
     try (RecordingReader reader = reading.openWithReadings(in);
-        RecordingWriter writer = new StrictWriter(writer(reader), reader);
+        RecordingWriter writer = writer(reader);
         ProgressBar bar = progressBar("converting", in)) {
       FilterChain chain = chain(reader.geometry());
       Conversion conversion =
@@ -255,7 +248,7 @@ final class ConvertCommand extends Subcommand {
               toUs == null ? Long.MAX_VALUE : toUs,
               filters.isEmpty() ? Optional.empty() : Optional.of(chain),
               bar);
-      done = conversion.run(reader, writer);
+      done = conversion.run(reader, writer, reading.strict);
       chain.close();
     }
     for (String warning : done.warnings()) {
@@ -279,51 +272,8 @@ final class ConvertCommand extends Subcommand {
   private FilterChain chain(SensorGeometry geometry) {
     FilterChain chain = new FilterChain(geometry);
     for (String name : filters) {
-      FilterProvider<?> provider = Filters.named(name);
-      chain.add(provider);
+      chain.add(Filters.named(name));
     }
     return chain;
-  }
-
-  /** Completes nothing that a strict user objects to. */
-  private final class StrictWriter implements RecordingWriter {
-    private final RecordingWriter writer;
-    private final RecordingReader reader;
-
-    StrictWriter(RecordingWriter writer, RecordingReader reader) {
-      this.writer = writer;
-      this.reader = reader;
-    }
-
-    @Override
-    public void write(EventPacket packet) throws IOException {
-      writer.write(packet);
-    }
-
-    @Override
-    public boolean write(SensorSample given) throws IOException {
-      return writer.write(given);
-    }
-
-    @Override
-    public void writeThrough() throws IOException {
-      writer.writeThrough();
-    }
-
-    @Override
-    public List<String> losses() {
-      return writer.losses();
-    }
-
-    @Override
-    public void finish() throws IOException {
-      reading.requireWhole(reader);
-      writer.finish();
-    }
-
-    @Override
-    public void close() throws IOException {
-      writer.close();
-    }
   }
 }

@@ -4,7 +4,6 @@ import haltere.core.camera.CameraInfo;
 import haltere.core.camera.Cameras;
 import haltere.core.json.internal.Json;
 import haltere.ui.command.terminal.Quantities;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,19 +25,9 @@ final class DevicesCommand extends Subcommand {
               + " canOpen, note; obstacles says what keeps cameras from being seen.")
   boolean json;
 
-  private final Cameras cameras;
-
-  DevicesCommand(Surroundings surroundings) {
-    this(surroundings, Cameras.installed());
-  }
-
-  DevicesCommand(Surroundings surroundings, Cameras cameras) {
-    super(surroundings);
-    this.cameras = cameras;
-  }
-
   @Override
   public Integer call() {
+    Cameras cameras = Cameras.installed();
     List<CameraInfo> seen = cameras.list();
     if (json) {
       Map<String, Object> object = new LinkedHashMap<>();
@@ -46,10 +35,22 @@ final class DevicesCommand extends Subcommand {
       object.put("obstacles", cameras.obstacles());
       result(Json.write(object));
     } else {
-      print(seen);
+      if (seen.isEmpty()) {
+        result("no camera is seen");
+      }
+      Quantities.table("", seen.stream().map(DevicesCommand::row).toList()).forEach(this::result);
       cameras.obstacles().forEach(this::warning);
     }
     return OK;
+  }
+
+  private static List<String> row(CameraInfo camera) {
+    String note = camera.note().strip().replaceAll("\\s*\\R\\s*", " ");
+    return List.of(
+        camera.id(),
+        camera.model(),
+        camera.geometry().toString(),
+        camera.canOpen() ? note : "cannot be opened: " + note);
   }
 
   private static Map<String, Object> object(CameraInfo camera) {
@@ -62,36 +63,5 @@ final class DevicesCommand extends Subcommand {
     object.put("canOpen", camera.canOpen());
     object.put("note", camera.note());
     return object;
-  }
-
-  private void print(List<CameraInfo> seen) {
-    if (seen.isEmpty()) {
-      result("no camera is seen");
-      return;
-    }
-    List<String[]> rows = new ArrayList<>();
-    for (CameraInfo camera : seen) {
-      rows.add(new String[] {camera.id(), camera.model(), camera.geometry().toString()});
-    }
-    int[] widths = new int[3];
-    for (String[] row : rows) {
-      for (int i = 0; i < row.length; i++) {
-        widths[i] = Math.max(widths[i], row[i].length());
-      }
-    }
-    String form = "%-" + widths[0] + "s  %-" + widths[1] + "s  %-" + widths[2] + "s  %s";
-    for (int i = 0; i < rows.size(); i++) {
-      CameraInfo camera = seen.get(i);
-      Object[] row = rows.get(i);
-      String note = camera.note().strip().replaceAll("\\s*\\R\\s*", " ");
-      result(
-          Quantities.text(
-                  form,
-                  row[0],
-                  row[1],
-                  row[2],
-                  camera.canOpen() ? note : "cannot be opened: " + note)
-              .stripTrailing());
-    }
   }
 }

@@ -70,10 +70,6 @@ final class ExampleCommand extends Subcommand {
 
   @Mixin WritingOptions writing;
 
-  ExampleCommand(Surroundings surroundings) {
-    super(surroundings);
-  }
-
   @Override
   public Integer call() throws IOException {
     boolean falls = name.equals(FALLING_WEIGHT);

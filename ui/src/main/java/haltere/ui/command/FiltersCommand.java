@@ -10,10 +10,6 @@ import picocli.CommandLine.Command;
     name = "filters",
     description = "List the filters with their settings: unit, range, default and meaning.")
 final class FiltersCommand extends SettingsListing {
-  FiltersCommand(Surroundings surroundings) {
-    super(surroundings);
-  }
-
   @Override
   Set<String> all() {
     return Filters.all().keySet();

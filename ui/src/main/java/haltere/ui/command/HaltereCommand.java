@@ -26,10 +26,6 @@ final class HaltereCommand extends Subcommand {
       description = "Print the version.")
   boolean version;
 
-  HaltereCommand(Surroundings surroundings) {
-    super(surroundings);
-  }
-
   @Override
   public Integer call() throws IOException {
     WindowOpener window = surroundings().window();

@@ -112,12 +112,12 @@ public final class HaltereProgram {
   }
 
   private CommandLine commandLine(String... args) {
-    CommandLine program = inOrder(new CommandLine(new HaltereCommand(surroundings)));
+    CommandLine program = inOrder(new HaltereCommand());
     String wanted = firstWord(args);
     boolean known = COMMANDS.contains(wanted);
     for (String name : COMMANDS) {
       if (!known || name.equals(wanted)) {
-        program.addSubcommand(name, inOrder(new CommandLine(command(name))));
+        program.addSubcommand(name, inOrder(command(name)));
       }
     }
     program
@@ -167,9 +167,10 @@ public final class HaltereProgram {
   }
 
   /** Options are listed as they are declared, those that all commands have last. */
-  private static CommandLine inOrder(CommandLine command) {
-    command.getCommandSpec().usageMessage().sortOptions(false).sortSynopsis(false);
-    return command;
+  private CommandLine inOrder(Callable<Integer> command) {
+    CommandLine line = new CommandLine(((Subcommand) command).in(surroundings));
+    line.getCommandSpec().usageMessage().sortOptions(false).sortSynopsis(false);
+    return line;
   }
 
   private static String firstWord(String... args) {
@@ -186,22 +187,22 @@ public final class HaltereProgram {
    */
   private Callable<Integer> command(String name) {
     return switch (name) {
-      case "view" -> new ViewCommand(surroundings);
-      case "info" -> new InfoCommand(surroundings);
-      case "convert" -> new ConvertCommand(surroundings);
-      case "run" -> new RunCommand(surroundings);
-      case "track" -> new TrackCommand(surroundings);
-      case "wings" -> new WingsCommand(surroundings);
-      case "orient" -> new OrientCommand(surroundings);
-      case "batch" -> new BatchCommand(surroundings);
-      case "simulate" -> new SimulateCommand(surroundings);
-      case "scenes" -> new ScenesCommand(surroundings);
-      case "filters" -> new FiltersCommand(surroundings);
-      case "example" -> new ExampleCommand(surroundings);
-      case "devices" -> new DevicesCommand(surroundings);
-      case "record" -> new RecordCommand(surroundings);
-      case "completion" -> new CompletionCommand(surroundings, this::commandLine);
-      case "bench" -> new BenchCommand(surroundings);
+      case "view" -> new ViewCommand();
+      case "info" -> new InfoCommand();
+      case "convert" -> new ConvertCommand();
+      case "run" -> new RunCommand();
+      case "track" -> new TrackCommand();
+      case "wings" -> new WingsCommand();
+      case "orient" -> new OrientCommand();
+      case "batch" -> new BatchCommand();
+      case "simulate" -> new SimulateCommand();
+      case "scenes" -> new ScenesCommand();
+      case "filters" -> new FiltersCommand();
+      case "example" -> new ExampleCommand();
+      case "devices" -> new DevicesCommand();
+      case "record" -> new RecordCommand();
+      case "completion" -> new CompletionCommand(this::commandLine);
+      case "bench" -> new BenchCommand();
       default -> throw new IllegalArgumentException(name);
     };
   }

@@ -1,14 +1,12 @@
 package haltere.ui.command;
 
 import haltere.core.chain.FilterChain;
-import haltere.core.event.EventPacket;
 import haltere.core.pipeline.Pipeline;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.simulation.Scene;
 import haltere.core.simulation.Scenes;
 import haltere.core.sink.CsvSink;
 import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
 import haltere.filters.DefaultChain;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.tracker.WingTrackerFilter;
@@ -58,8 +56,14 @@ final class HeadlessDemo {
       try (CsvSink<WingEstimate> estimates = CsvSink.create(table, WingEstimate.class, true);
           ProgressBar bar = command.progressBar("fly scene")) {
         chain.outlet("wings", WingEstimate.class).subscribe(estimates);
-        Pipeline.run(
-            scene, chain, List.of(frame, new Progress(bar, scene, counters), summary), counters);
+        StreamHandler progress =
+            packet -> {
+              if (!packet.isEmpty()) {
+                bar.events(counters.get(PipelineCounters.Counter.EVENTS_IN));
+                bar.progress(packet.lastTimeUs() - scene.startUs(), DURATION_S * 1_000_000L);
+              }
+            };
+        Pipeline.run(scene, chain, List.of(frame, progress, summary), counters);
         double seconds = (System.nanoTime() - startNanos) / 1e9;
         Pictures.write(
             picture,
@@ -92,22 +96,5 @@ final class HeadlessDemo {
     command.result(
         "  speed      %s, %.1f times real time",
         Quantities.rate(in / seconds), DURATION_S / seconds);
-  }
-
-  /** Moves the bar. */
-  private record Progress(ProgressBar bar, Scene<?> scene, PipelineCounters counters)
-      implements StreamHandler {
-    @Override
-    public void packet(EventPacket packet) {
-      if (!packet.isEmpty()) {
-        bar.events(counters.get(PipelineCounters.Counter.EVENTS_IN));
-        bar.progress(packet.lastTimeUs() - scene.startUs(), DURATION_S * 1_000_000L);
-      }
-    }
-
-    @Override
-    public void notified(StreamNotification notification) {
-      // nothing to show of it
-    }
   }
 }

@@ -59,10 +59,6 @@ final class InfoCommand extends Subcommand {
   @Mixin ReadingOptions reading;
   @Mixin WritingOptions writing;
 
-  InfoCommand(Surroundings surroundings) {
-    super(surroundings);
-  }
-
   @Override
   public Integer call() throws IOException {
     reading.readOptions();

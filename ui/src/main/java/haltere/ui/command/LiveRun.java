@@ -86,7 +86,7 @@ final class LiveRun {
       throws IOException {
     try (JobResults results = opener.open()) {
       LiveRun run = new LiveRun(command, camera, chain, results.sinks());
-      run(List.of(run), durationS);
+      run(List.of(run), durationS, () -> false);
       run.summary();
       results.finish();
       command.wrote(results.files());
@@ -95,15 +95,8 @@ final class LiveRun {
 
   /**
    * Runs cameras until so many seconds from the first events on are over, one has ended or failed,
-   * or the process is told to stop; what has come until then is worked on.
-   */
-  static void run(List<LiveRun> runs, OptionalDouble durationS) throws IOException {
-    run(runs, durationS, () -> false);
-  }
-
-  /**
-   * Runs cameras as {@link #run(List, OptionalDouble)} does, or until something else ends it, which
-   * is asked ten times a second.
+   * the process is told to stop, or something else ends it, which is asked ten times a second; what
+   * has come until then is worked on.
    */
   static void run(List<LiveRun> runs, OptionalDouble durationS, BooleanSupplier ended)
       throws IOException {

@@ -108,10 +108,6 @@ final class OrientCommand extends Subcommand {
 
   private long badRows;
 
-  OrientCommand(Surroundings surroundings) {
-    super(surroundings);
-  }
-
   @Override
   public Integer call() throws IOException {
     OrientationSettings settings = settings();

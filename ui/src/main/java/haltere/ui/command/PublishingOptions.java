@@ -9,16 +9,11 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** Options of every command that can send what filters publish to other programs. */
-final class PublishingOptions {
-  @Spec(Spec.Target.MIXEE)
-  CommandSpec command;
-
+final class PublishingOptions extends OptionGroup {
   @Option(
       names = "--publish",
       paramLabel = "ADDRESS",
@@ -47,11 +42,10 @@ final class PublishingOptions {
     try {
       addresses.forEach(LineOutputs::check);
     } catch (IllegalArgumentException wrong) {
-      throw new ParameterException(command.commandLine(), wrong.getMessage());
+      throw wrong(wrong.getMessage());
     }
     if (addresses.isEmpty() && !(outlets.isEmpty() && receivers == 0)) {
-      throw new ParameterException(
-          command.commandLine(), "--outlet and --receivers mean nothing without --publish");
+      throw wrong("--outlet and --receivers mean nothing without --publish");
     }
   }
 

@@ -9,15 +9,10 @@ import haltere.core.pipeline.RecordingJob;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** Options of every command that reads a recording. */
 final class ReadingOptions extends SourceOptions {
-  @Spec(Spec.Target.MIXEE)
-  CommandSpec command;
-
   @Option(
       names = "--format",
       paramLabel = "NAME",
@@ -35,8 +30,7 @@ final class ReadingOptions extends SourceOptions {
   ReadOptions readOptions() {
     if (format != null && !Recordings.formats().containsKey(format)) {
       String known = String.join(", ", Recordings.formats().keySet());
-      throw subcommand()
-          .wrongArguments("there is no format named " + format + "; there are " + known);
+      throw wrong("there is no format named " + format + "; there are " + known);
     }
     ReadOptions options = apply(ReadOptions.DEFAULT).withKeptIndex(index);
     return format == null ? options : options.withFormat(format);
@@ -54,7 +48,7 @@ final class ReadingOptions extends SourceOptions {
   /** A reader of a file or of standard input. */
   RecordingReader open(Path file, ReadOptions options) throws IOException {
     if (index && isStandard(file)) {
-      throw subcommand().wrongArguments("--index is about files");
+      throw wrong("--index is about files");
     }
     if (isStandard(file) && !subcommand().surroundings().in().isOpen()) {
       throw new CommandProblem("standard input is read only once: name a file instead of -");
@@ -63,10 +57,6 @@ final class ReadingOptions extends SourceOptions {
         isStandard(file)
             ? Recordings.openStream(file, subcommand().surroundings().in(), options)
             : Recordings.open(file, options));
-  }
-
-  private Subcommand subcommand() {
-    return (Subcommand) command.userObject();
   }
 
   /** Whether a path stands for standard input or output. */

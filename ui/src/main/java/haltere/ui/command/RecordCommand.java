@@ -64,10 +64,6 @@ final class RecordCommand extends Subcommand {
   @Mixin PublishingOptions publishing;
   @Mixin RecordingWritingOptions writing;
 
-  RecordCommand(Surroundings surroundings) {
-    super(surroundings);
-  }
-
   /** A camera with all that belongs to it. */
   private record Recorded(
       Camera camera, FilterChain chain, SessionRecorder recorder, LiveRun run) {}

@@ -26,7 +26,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 
 /** Options of every command that writes recordings. */
 final class RecordingWritingOptions extends WritingOptions {
@@ -46,7 +45,7 @@ final class RecordingWritingOptions extends WritingOptions {
     try {
       format = Recordings.forWriting(output);
     } catch (RecordingProblem unknownEnding) {
-      throw new ParameterException(command.commandLine(), unknownEnding.getMessage());
+      throw wrong(unknownEnding.getMessage());
     }
     checkOrigin(format);
     check(output);
@@ -55,8 +54,7 @@ final class RecordingWritingOptions extends WritingOptions {
   /** Refuses an origin of rows for a format that says it itself. */
   void checkOrigin(RecordingFormat format) {
     if (origin != null && !format.hasEitherOrigin()) {
-      throw new ParameterException(
-          command.commandLine(),
+      throw wrong(
           "--origin is about plain exports (CSV, NumPy, HDF5); rows of "
               + format.name()
               + " files count from where the format says");
@@ -140,7 +138,7 @@ final class RecordingWritingOptions extends WritingOptions {
         new WriteOptions(geometry, overwrite, Optional.ofNullable(origin), Map.of(), samples);
     WriteOptions options =
         ReadingOptions.isStandard(output)
-            ? toFile.withStream(((Subcommand) command.userObject()).standardOutput())
+            ? toFile.withStream(subcommand().standardOutput())
             : toFile;
     return format
         .create(output, options)

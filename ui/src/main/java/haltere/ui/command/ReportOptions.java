@@ -10,15 +10,10 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** The option of every command that writes a report of its work. */
-final class ReportOptions {
-  @Spec(Spec.Target.MIXEE)
-  CommandSpec command;
-
+final class ReportOptions extends OptionGroup {
   @Option(
       names = "--report",
       paramLabel = "REPORT.html",
@@ -41,7 +36,7 @@ final class ReportOptions {
   /** Refuses a report of cameras: a page is about files that others can read again. */
   void requireRecording(boolean camera) {
     if (report != null && camera) {
-      throw subcommand().wrongArguments("--report is about a recording, not about a camera");
+      throw wrong("--report is about a recording, not about a camera");
     }
   }
 
@@ -77,9 +72,5 @@ final class ReportOptions {
   /** A word as a shell reads it back. */
   private static String quoted(String word) {
     return word.matches("[\\w@%+=:,./-]+") ? word : "'" + word.replace("'", "'\\''") + "'";
-  }
-
-  private Subcommand subcommand() {
-    return (Subcommand) command.userObject();
   }
 }

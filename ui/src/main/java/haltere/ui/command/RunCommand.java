@@ -86,10 +86,6 @@ final class RunCommand extends Subcommand {
   @Mixin RecordingWritingOptions writing;
   @Mixin ReportOptions reporting;
 
-  RunCommand(Surroundings surroundings) {
-    super(surroundings);
-  }
-
   @Override
   public Integer call() throws IOException {
     cameras.checkOneSource(file);

@@ -12,10 +12,6 @@ import picocli.CommandLine.Command;
         "List the scenes that can be simulated with their settings: unit, range, default and"
             + " meaning.")
 final class ScenesCommand extends SettingsListing {
-  ScenesCommand(Surroundings surroundings) {
-    super(surroundings);
-  }
-
   @Override
   Set<String> all() {
     return Scenes.all().keySet();

@@ -2,6 +2,7 @@ package haltere.ui.command;
 
 import haltere.core.json.internal.Json;
 import haltere.core.settings.Parameter;
+import haltere.ui.command.terminal.Quantities;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -25,10 +26,6 @@ abstract class SettingsListing extends Subcommand {
 
   /** What can be set of one. */
   record Entry(String description, List<Parameter> parameters, Set<String> presets) {}
-
-  SettingsListing(Surroundings surroundings) {
-    super(surroundings);
-  }
 
   /** Names of all that there are. */
   abstract Set<String> all();
@@ -71,16 +68,11 @@ abstract class SettingsListing extends Subcommand {
     Entry entry = entry(name);
     result(name);
     result("  " + entry.description());
-    int nameWidth = 0;
-    int rangeWidth = 0;
-    for (Parameter parameter : entry.parameters()) {
-      nameWidth = Math.max(nameWidth, parameter.name().length());
-      rangeWidth = Math.max(rangeWidth, values(parameter).length());
-    }
-    String form = "    %-" + nameWidth + "s  %-" + rangeWidth + "s  %s";
-    for (Parameter parameter : entry.parameters()) {
-      result(form, parameter.name(), values(parameter), parameter.help());
-    }
+    List<List<String>> rows =
+        entry.parameters().stream()
+            .map(setting -> List.of(setting.name(), values(setting), setting.help()))
+            .toList();
+    Quantities.table("    ", rows).forEach(this::result);
     if (!entry.presets().isEmpty()) {
       result("    presets: " + String.join(", ", entry.presets()));
     }

@@ -9,13 +9,13 @@ import haltere.core.sink.TableMetadata;
 import haltere.core.sink.TableSink;
 import haltere.core.sink.Tables;
 import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
 import haltere.ui.command.results.FlightFiles;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
 import picocli.CommandLine.Command;
@@ -84,10 +84,6 @@ final class SimulateCommand extends Subcommand {
 
   @Mixin RecordingWritingOptions writing;
 
-  SimulateCommand(Surroundings surroundings) {
-    super(surroundings);
-  }
-
   @Override
   public Integer call() throws IOException {
     if (rateHz != null && !(rateHz > 0 && rateHz <= 1e6)) {
@@ -98,10 +94,7 @@ final class SimulateCommand extends Subcommand {
     }
     try (Scene<?> scene = scene()) {
       writing.checkRecording(out);
-      if (truth != null) {
-        writing.check(truth);
-        WritingOptions.checkDifferent(out, truth);
-      }
+      writing.check(List.of(out), Arrays.asList(truth, observations, cameras));
       FlightFiles flight = flight(scene);
       write(scene);
       if (flight != null) {
@@ -114,19 +107,13 @@ final class SimulateCommand extends Subcommand {
   }
 
   /** What is written of several cameras, or null if nothing. */
-  private FlightFiles flight(Scene<?> scene) throws IOException {
+  private FlightFiles flight(Scene<?> scene) {
     if (observations == null && cameras == null) {
       return null;
     }
     if (!(scene instanceof FlightScene several)) {
       throw wrongArguments(
           "--observations and --cameras are of the scene flight; " + sceneName + " has one camera");
-    }
-    for (Path output : new Path[] {observations, cameras}) {
-      if (output != null) {
-        writing.check(output);
-        WritingOptions.checkDifferent(out, output);
-      }
     }
     return new FlightFiles(several, observations, cameras);
   }
@@ -243,11 +230,6 @@ final class SimulateCommand extends Subcommand {
       } catch (IOException problem) {
         throw new UncheckedIOException(problem);
       }
-    }
-
-    @Override
-    public void notified(StreamNotification notification) {
-      // a scene runs without a break
     }
   }
 }

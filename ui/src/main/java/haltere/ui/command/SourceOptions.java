@@ -6,7 +6,7 @@ import haltere.core.format.ReadOptions;
 import picocli.CommandLine.Option;
 
 /** What a user says of recordings that their files do not. */
-class SourceOptions {
+class SourceOptions extends OptionGroup {
   @Option(
       names = "--sensor",
       paramLabel = "WxH",

@@ -51,11 +51,13 @@ abstract class Subcommand implements Callable<Integer> {
   @Spec CommandSpec spec;
   @Mixin MessageOptions messages;
 
-  private final Surroundings surroundings;
+  private Surroundings surroundings;
   private volatile boolean failedBeside;
 
-  Subcommand(Surroundings surroundings) {
-    this.surroundings = surroundings;
+  /** The same command where it can see the machine; before it is run. */
+  Subcommand in(Surroundings where) {
+    surroundings = where;
+    return this;
   }
 
   /** Whether the user wants stack traces, said before or after the command's name. */

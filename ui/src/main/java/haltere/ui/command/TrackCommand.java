@@ -110,8 +110,8 @@ final class TrackCommand extends Subcommand {
       description = {
         "The road that the camera looks along: tracks are on it, and columns in metres are added."
             + " Keys: bridgeHeightM, nearestM, farthestM, vanishingPoint {xPx, yPx}, lanes {lanes,"
-            + " leftEdgeM, widthM}, countingLines {lines, firstM, apartM}, vehicles (what is usual);"
-            + " all may be left out. Or any plane: four points {xPx, yPx, xM, yM}."
+            + " leftEdgeM, widthM}, countingLines {lines, firstM, apartM}, vehicles (what is"
+            + " usual); all may be left out. Or any plane: four points {xPx, yPx, xM, yM}."
       })
   Path roadFile;
 
@@ -131,10 +131,6 @@ final class TrackCommand extends Subcommand {
 
   /** The settings of the preset; null for those of the chain. */
   private KalmanTracksSettings start;
-
-  TrackCommand(Surroundings surroundings) {
-    super(surroundings);
-  }
 
   @Override
   public Integer call() throws IOException {

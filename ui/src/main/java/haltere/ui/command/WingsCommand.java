@@ -24,7 +24,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import picocli.CommandLine.Command;
@@ -97,7 +96,7 @@ final class WingsCommand extends Subcommand {
       names = "--method",
       paramLabel = "ekf|wra",
       description = "Extended Kalman filter (the default) or weighted running average.")
-  String method;
+  WingMethod method;
 
   @Option(names = "--rate", paramLabel = "HZ", description = "Ticks a second; 1000 if not given.")
   Double rateHz;
@@ -130,10 +129,6 @@ final class WingsCommand extends Subcommand {
   @Mixin ReportOptions reporting;
 
   private WingsSummary summary;
-
-  WingsCommand(Surroundings surroundings) {
-    super(surroundings);
-  }
 
   @Override
   public Integer call() throws IOException {
@@ -215,20 +210,12 @@ final class WingsCommand extends Subcommand {
       throw wrongArguments("--initial-frequency is " + initialHz + ", it must be above 0 Hz");
     }
     Map<String, Object> options = new LinkedHashMap<>();
-    options.put("filter.method", method == null ? null : method(method));
+    options.put("filter.method", method);
     options.put("output.rateHz", rateHz);
     options.put("search.startFrequencyHz", initialHz);
     options.put("place.flipHeading", flipHeading ? true : null);
     options.values().removeIf(Objects::isNull);
     return assigned(WingTrackerSettings.class, start, options, assignments);
-  }
-
-  private WingMethod method(String name) {
-    return switch (name.toLowerCase(Locale.ROOT)) {
-      case "ekf" -> WingMethod.EKF;
-      case "wra" -> WingMethod.WRA;
-      default -> throw wrongArguments("--method is " + name + "; there are ekf and wra");
-    };
   }
 
   private WingLogFormat logFormat() {

@@ -10,16 +10,10 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** Options of every command that writes files, and the checks that come before the work. */
-class WritingOptions {
-  @Spec(Spec.Target.MIXEE)
-  CommandSpec command;
-
+class WritingOptions extends OptionGroup {
   @Option(names = "--overwrite", description = "Replace output files that exist.")
   boolean overwrite;
 
@@ -62,7 +56,7 @@ class WritingOptions {
         checkDifferent(input, output);
       }
       if (!seen.add(output.toAbsolutePath().normalize())) {
-        throw new ParameterException(command.commandLine(), output + " is named for two outputs");
+        throw wrong(output + " is named for two outputs");
       }
     }
   }

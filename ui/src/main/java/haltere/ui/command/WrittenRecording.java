@@ -10,7 +10,6 @@ import haltere.core.pipeline.OverflowPolicy;
 import haltere.core.pipeline.Recorder;
 import haltere.core.pipeline.RecorderReport;
 import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -49,11 +48,6 @@ final class WrittenRecording implements JobResults, StreamHandler {
   public void sample(SensorSample sample) {
     samples = samples.plus(sample.kind());
     recorder.sample(sample);
-  }
-
-  @Override
-  public void notified(StreamNotification notification) {
-    // a recording has no place for notices; its reader finds them anew
   }
 
   @Override

@@ -117,18 +117,9 @@ public final class EventPicture implements StreamHandler {
    */
   public void paintRanked(int[] ranked) {
     if (gathered != null) {
-      gathered.paint(frame.nowUs(), ranked, true);
+      gathered.paint(frame.nowUs(), ranked);
     } else {
       painter.paintRanked(frame, ranked);
-    }
-  }
-
-  /** Paints an opaque pixel for each of the sensor's, row by row from the TOP. */
-  public void paint(int[] argb) {
-    if (gathered != null) {
-      gathered.paint(frame.nowUs(), argb, false);
-    } else {
-      painter.paint(frame, argb);
     }
   }
 }

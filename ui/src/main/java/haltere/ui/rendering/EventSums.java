@@ -37,7 +37,6 @@ final class EventSums implements Gathered {
   private final float[] samples;
   private final int sampling;
   private final int[] table = new int[ENTRIES];
-  private int[] rankedTable = table;
   private final int[] row;
   private PictureStyle style;
   private long referenceUs;
@@ -85,7 +84,7 @@ final class EventSums implements Gathered {
               ? Gradient.GREY.colour(share)
               : style.gradient().colour(share);
     }
-    rankedTable = Ranks.ranked(table, style.background());
+    Ranks.rank(table, style.background());
   }
 
   @Override
@@ -172,11 +171,7 @@ final class EventSums implements Gathered {
   }
 
   @Override
-  public void paint(long nowUs, int[] argb, boolean ranked) {
-    paint(nowUs, argb, ranked ? rankedTable : table);
-  }
-
-  private void paint(long nowUs, int[] argb, int[] colours) {
+  public void paint(long nowUs, int[] ranked) {
     double present =
         style.sharp() || empty
             ? 1
@@ -195,7 +190,7 @@ final class EventSums implements Gathered {
       indices(sums, y * width, width, gain, middle, row);
       int to = (height - 1 - y) * width;
       for (int x = 0; x < width; x++) {
-        argb[to + x] = colours[row[x]];
+        ranked[to + x] = table[row[x]];
       }
     }
   }
@@ -220,40 +215,9 @@ final class EventSums implements Gathered {
     double now = 1;
     if (found > 0) {
       int place = Math.min(found - 1, (int) (SHARE_BELOW_FULL * found));
-      now = Math.max(1, quantile(samples, found, place) * present);
+      Arrays.sort(samples, 0, found);
+      now = Math.max(1, samples[place] * present);
     }
     fullCount = fullCount == 0 || style.sharp() ? now : fullCount + SMOOTHING * (now - fullCount);
-  }
-
-  /** The value that stands at a place when the first values are sorted; changes their order. */
-  private static float quantile(float[] values, int count, int place) {
-    int low = 0;
-    int high = count - 1;
-    while (low < high) {
-      float pivot = values[(low + high) >>> 1];
-      int left = low;
-      int right = high;
-      while (left <= right) {
-        while (values[left] < pivot) {
-          left++;
-        }
-        while (values[right] > pivot) {
-          right--;
-        }
-        if (left <= right) {
-          float swapped = values[left];
-          values[left++] = values[right];
-          values[right--] = swapped;
-        }
-      }
-      if (place <= right) {
-        high = right;
-      } else if (place >= left) {
-        low = left;
-      } else {
-        break;
-      }
-    }
-    return values[place];
   }
 }

@@ -24,11 +24,8 @@ public final class FramePainter {
 
   private PictureStyle style;
 
-  /** At twice the cut age, plus 1 for ON. The last pair is the background. */
+  /** Ranked colours at twice the cut age, plus 1 for ON. The last pair is the background. */
   private int[] table;
-
-  /** The same with ranks. */
-  private int[] rankedTable;
 
   private int ageShift;
 
@@ -62,7 +59,7 @@ public final class FramePainter {
     }
     table[2 * entries - 2] = style.background();
     table[2 * entries - 1] = style.background();
-    rankedTable = Ranks.ranked(table, style.background());
+    Ranks.rank(table, style.background());
   }
 
   /** The colours in use. */
@@ -75,29 +72,29 @@ public final class FramePainter {
    * by row from the TOP.
    */
   public void paint(EventFrame frame, int[] argb) {
-    paint(frame, argb, table);
+    paintRanked(frame, argb);
+    PictureScaler.makeOpaque(argb, argb);
   }
 
   /** Paints colours that carry their rank. */
   void paintRanked(EventFrame frame, int[] ranked) {
-    paint(frame, ranked, rankedTable);
-  }
-
-  private void paint(EventFrame frame, int[] argb, int[] colours) {
     int width = frame.geometry().width();
     int height = frame.geometry().height();
     int[] lastEvents = frame.lastEvents();
-    Objects.checkFromIndexSize(0, lastEvents.length, argb.length);
+    Objects.checkFromIndexSize(0, lastEvents.length, ranked.length);
     if (frame.nowUs() == StreamNotification.NO_TIME_US) {
-      Arrays.fill(argb, 0, lastEvents.length, colours[colours.length - 1]);
+      Arrays.fill(ranked, 0, lastEvents.length, table[table.length - 1]);
       return;
     }
     if (row.length < width) {
       row = new int[width];
     }
     for (int y = 0; y < height; y++) {
-      indices(lastEvents, y * width, width, frame.now(), ageShift, colours.length - 2, row);
-      colours(row, width, colours, argb, (height - 1 - y) * width);
+      indices(lastEvents, y * width, width, frame.now(), ageShift, table.length - 2, row);
+      int to = (height - 1 - y) * width;
+      for (int x = 0; x < width; x++) {
+        ranked[to + x] = table[row[x]];
+      }
     }
   }
 
@@ -111,12 +108,6 @@ public final class FramePainter {
       // both have the polarity in the lowest bit, which is cleared and set anew
       int age = now - (entry & ~1) >> shift & ~1;
       indices[x] = Math.max(0, Math.min(oldest, age)) | entry & 1;
-    }
-  }
-
-  private static void colours(int[] indices, int width, int[] table, int[] argb, int to) {
-    for (int x = 0; x < width; x++) {
-      argb[to + x] = table[indices[x]];
     }
   }
 }

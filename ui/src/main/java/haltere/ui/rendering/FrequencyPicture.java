@@ -19,10 +19,8 @@ final class FrequencyPicture implements Gathered {
   private final FrequencyMap map;
   private final int firstEntry;
 
-  /** Colour of a period by the first bits of its number; at 0 that of the background. */
+  /** Ranked colour of a period by the first bits of its number; at 0 that of the background. */
   private final int[] table;
-
-  private int[] rankedTable;
 
   FrequencyPicture(SensorGeometry geometry, PictureStyle style) {
     this.geometry = geometry;
@@ -47,7 +45,7 @@ final class FrequencyPicture implements Gathered {
       double share = Math.log(1e6 / periodUs / map.settings().minFrequencyHz()) / octaves;
       table[entry] = style.gradient().colour(share);
     }
-    rankedTable = Ranks.ranked(table, style.background());
+    Ranks.rank(table, style.background());
   }
 
   @Override
@@ -71,8 +69,7 @@ final class FrequencyPicture implements Gathered {
   }
 
   @Override
-  public void paint(long nowUs, int[] argb, boolean ranked) {
-    int[] colours = ranked ? rankedTable : table;
+  public void paint(long nowUs, int[] ranked) {
     int width = geometry.width();
     int height = geometry.height();
     for (int y = 0; y < height; y++) {
@@ -80,7 +77,7 @@ final class FrequencyPicture implements Gathered {
       for (int x = 0; x < width; x++) {
         float periodUs = map.periodUs(x, y, nowUs);
         int entry = periodUs == 0 ? 0 : Math.max(0, bits(periodUs) - firstEntry) + 1;
-        argb[to + x] = colours[Math.min(entry, colours.length - 1)];
+        ranked[to + x] = table[Math.min(entry, table.length - 1)];
       }
     }
   }

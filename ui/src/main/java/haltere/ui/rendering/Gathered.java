@@ -41,6 +41,6 @@ interface Gathered {
     return 0;
   }
 
-  /** Paints row by row from the top; ranked: with ranks in place of opacity. */
-  void paint(long nowUs, int[] argb, boolean ranked);
+  /** Paints row by row from the top, with ranks in place of opacity. */
+  void paint(long nowUs, int[] ranked);
 }

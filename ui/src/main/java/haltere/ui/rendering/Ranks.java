@@ -1,5 +1,7 @@
 package haltere.ui.rendering;
 
+import java.util.Arrays;
+
 /**
  * Colours that carry a rank in the place of their opacity: 0 for the background, more the more they
  * differ from it, at most 127. Of two of them the greater number is the one that matters more.
@@ -19,12 +21,8 @@ final class Ranks {
     return difference * MOST / FARTHEST << 24 | rgb & 0xFFFFFF;
   }
 
-  /** A table of colours with their ranks. */
-  static int[] ranked(int[] table, int background) {
-    int[] ranked = new int[table.length];
-    for (int i = 0; i < table.length; i++) {
-      ranked[i] = ranked(table[i], background);
-    }
-    return ranked;
+  /** Gives each colour of a table its rank. */
+  static void rank(int[] table, int background) {
+    Arrays.setAll(table, i -> ranked(table[i], background));
   }
 }

@@ -7,6 +7,7 @@ import haltere.filters.orientation.OrientationEstimate;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.ui.plot.Ticks;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
@@ -101,19 +102,14 @@ public final class BodyFlightDrawing {
       from[k] = step * Math.floor(bounds.least()[k] / step);
       to[k] = step * Math.max(Math.ceil(bounds.most()[k] / step), from[k] / step + 1);
     }
-    for (long i = Math.round(from[0] / step); i * step <= to[0] + step / 2; i++) {
-      line(
-          new double[] {i * step, from[1], height},
-          new double[] {i * step, to[1], height},
-          view,
-          canvas);
-    }
-    for (long i = Math.round(from[1] / step); i * step <= to[1] + step / 2; i++) {
-      line(
-          new double[] {from[0], i * step, height},
-          new double[] {to[0], i * step, height},
-          view,
-          canvas);
+    for (int k = 0; k < 2; k++) {
+      for (long i = Math.round(from[k] / step); i * step <= to[k] + step / 2; i++) {
+        double[] begin = {from[0], from[1], height};
+        double[] end = {to[0], to[1], height};
+        begin[k] = i * step;
+        end[k] = i * step;
+        line(begin, end, view, canvas);
+      }
     }
     double[] endX = view.project(to[0], from[1], height);
     double[] endY = view.project(from[0], to[1], height);
@@ -150,9 +146,8 @@ public final class BodyFlightDrawing {
   private void drawBody(OrientationEstimate now, SpaceView view, OverlayCanvas canvas) {
     double half = AXIS_SHARE * sizeM / 2;
     double[] u = {now.ux(), now.uy(), now.uz()};
-    double[] head = {now.xM() + half * u[0], now.yM() + half * u[1], now.zM() + half * u[2]};
-    double[] tail = {now.xM() - half * u[0], now.yM() - half * u[1], now.zM() - half * u[2]};
-    double[] from = view.project(tail);
+    double[] head = along(place(now), half, u);
+    double[] from = view.project(along(place(now), -half, u));
     double[] to = view.project(head);
     canvas.line(from[0], from[1], to[0], to[1], MarkStyle.of(Role.ESTIMATE));
     canvas.circle(to[0], to[1], 4, MarkStyle.of(Role.ESTIMATE));
@@ -169,11 +164,7 @@ public final class BodyFlightDrawing {
     for (int i = 0; i <= CIRCLE; i++) {
       double cos = wide * Math.cos(2 * Math.PI * i / CIRCLE);
       double sin = wide * Math.sin(2 * Math.PI * i / CIRCLE);
-      double[] at =
-          view.project(
-              head[0] + cos * side[0] + sin * other[0],
-              head[1] + cos * side[1] + sin * other[1],
-              head[2] + cos * side[2] + sin * other[2]);
+      double[] at = view.project(along(along(head, cos, side), sin, other));
       x[i] = at[0];
       y[i] = at[1];
       if (i % (CIRCLE / 4) == 0 && i < CIRCLE) {
@@ -208,11 +199,7 @@ public final class BodyFlightDrawing {
           sight[0] * towards[0] + sight[1] * towards[1] + sight[2] * towards[2] < 0
               ? -depth
               : depth;
-      double[] at =
-          view.project(
-              centre[0] + front * sight[0],
-              centre[1] + front * sight[1],
-              centre[2] + front * sight[2]);
+      double[] at = view.project(along(centre, front, sight));
       x[i] = at[0];
       y[i] = at[1];
       if (i < 4) {
@@ -243,6 +230,13 @@ public final class BodyFlightDrawing {
       }
     }
     return sum;
+  }
+
+  /** The point at a length along a direction. */
+  private static double[] along(double[] from, double length, double[] direction) {
+    double[] point = from.clone();
+    Arrays.setAll(point, k -> from[k] + length * direction[k]);
+    return point;
   }
 
   private static double[] orthogonal(double[] u) {

@@ -30,7 +30,8 @@ class EventPictureTest {
 
   private static int pixel(EventPicture picture, int x, int y) {
     int[] argb = new int[SENSOR.pixels()];
-    picture.paint(argb);
+    picture.paintRanked(argb);
+    PictureScaler.makeOpaque(argb, argb);
     return argb[(SENSOR.height() - 1 - y) * SENSOR.width() + x];
   }
 

@@ -7,6 +7,7 @@ import haltere.core.chain.FilterChain;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
+import haltere.core.format.internal.csv.CsvTable;
 import haltere.core.json.internal.Json;
 import haltere.core.pipeline.ChainRunner;
 import haltere.core.pipeline.OnFailure;
@@ -163,13 +164,9 @@ public final class FolderReport {
     long rows = 0;
     if (Files.exists(table)) {
       try (BufferedReader lines = Files.newBufferedReader(table)) {
-        int index = List.of(String.valueOf(lines.readLine()).split(",")).indexOf(column);
-        for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-          String[] cells = line.split(",", -1);
-          double value =
-              index < 0 || index >= cells.length || cells[index].isEmpty()
-                  ? Double.NaN
-                  : Double.parseDouble(cells[index]);
+        CsvTable cells = new CsvTable(lines, List.of(column));
+        while (cells.next()) {
+          double value = cells.number(0);
           if (Double.isFinite(value)) {
             sum += value;
             rows++;

@@ -5,11 +5,15 @@ import haltere.core.event.InertialSample;
 import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.format.RecordingReader;
+import haltere.core.pipeline.ResultFiles;
 import haltere.core.sink.CsvSink;
 import haltere.core.sink.TableMetadata;
 import haltere.core.sink.TableSink;
 import haltere.core.sink.Tables;
 import haltere.core.stream.StreamHandler;
+import haltere.ui.command.results.SampleTables.FrameRow;
+import haltere.ui.command.results.SampleTables.SampleRow;
+import haltere.ui.command.results.SampleTables.TriggerRow;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
 import haltere.ui.rendering.FramePictures;
@@ -21,6 +25,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.Stream;
 
 /**
@@ -58,42 +63,31 @@ public final class SampleExport {
    * Reads a recording from its start to its end, with samples, and returns how many were written;
    * the check is asked before anything is put in its place.
    */
-  public long run(RecordingReader reader, ProgressBar progress, Check check) throws IOException {
+  public long run(RecordingReader reader, ProgressBar progress, ResultFiles.Finish check)
+      throws IOException {
     return switch (stream) {
-      case IMU -> {
-        try (TableSink<SampleTables.SampleRow> table =
-            Tables.create(out, SampleTables.SampleRow.class, overwrite, metadata)) {
-          pass(
-              reader,
-              progress,
-              InertialSample.class,
-              sample -> table.accept(SampleTables.SampleRow.of(sample)));
-          check.run();
-          table.finish();
-          yield table.rows();
-        }
-      }
-      case TRIGGERS -> {
-        try (TableSink<SampleTables.TriggerRow> table =
-            Tables.create(out, SampleTables.TriggerRow.class, overwrite, metadata)) {
-          pass(
-              reader,
-              progress,
-              Trigger.class,
-              trigger -> table.accept(SampleTables.TriggerRow.of(trigger)));
-          check.run();
-          table.finish();
-          yield table.rows();
-        }
-      }
+      case IMU ->
+          writeTable(reader, progress, check, InertialSample.class, SampleRow.class, SampleRow::of);
+      case TRIGGERS ->
+          writeTable(reader, progress, check, Trigger.class, TriggerRow.class, TriggerRow::of);
       case FRAMES -> writeFrames(reader, progress, check);
     };
   }
 
-  /** Something that may object. */
-  @FunctionalInterface
-  public interface Check {
-    void run() throws IOException;
+  private <S extends SensorSample, R extends Record> long writeTable(
+      RecordingReader reader,
+      ProgressBar progress,
+      ResultFiles.Finish check,
+      Class<S> kind,
+      Class<R> type,
+      Function<S, R> row)
+      throws IOException {
+    try (TableSink<R> table = Tables.create(out, type, overwrite, metadata)) {
+      pass(reader, progress, kind, sample -> table.accept(row.apply(sample)));
+      check.run();
+      table.finish();
+      return table.rows();
+    }
   }
 
   @FunctionalInterface
@@ -101,14 +95,14 @@ public final class SampleExport {
     void take(T sample) throws IOException;
   }
 
-  private long writeFrames(RecordingReader reader, ProgressBar progress, Check check)
+  private long writeFrames(RecordingReader reader, ProgressBar progress, ResultFiles.Finish check)
       throws IOException {
     Path whole = out.toAbsolutePath();
     Path folder = Files.createTempDirectory(whole.getParent(), "." + whole.getFileName() + "-");
     try {
       long rows;
-      try (CsvSink<SampleTables.FrameRow> table =
-          CsvSink.create(folder.resolve("frames.csv"), SampleTables.FrameRow.class, false)) {
+      try (CsvSink<FrameRow> table =
+          CsvSink.create(folder.resolve("frames.csv"), FrameRow.class, false)) {
         pass(
             reader,
             progress,
@@ -116,7 +110,7 @@ public final class SampleExport {
             frame -> {
               String name = Quantities.text("frame-%06d.png", table.rows());
               Pictures.write(folder.resolve(name), FramePictures.draw(frame));
-              table.accept(SampleTables.FrameRow.of(frame, name));
+              table.accept(FrameRow.of(frame, name));
             });
         check.run();
         table.finish();

@@ -3,7 +3,6 @@ package haltere.ui.command.results;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
 import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingBeat;
 import haltere.filters.wing.WingPart;
@@ -125,11 +124,6 @@ public final class WingsSummary implements StreamHandler {
       lastUs = packet.lastTimeUs();
       spannedUs += lastUs - fromUs;
     }
-  }
-
-  @Override
-  public void notified(StreamNotification notification) {
-    // times of events are all that counts
   }
 
   /**

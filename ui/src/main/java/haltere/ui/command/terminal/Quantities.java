@@ -1,6 +1,11 @@
 package haltere.ui.command.terminal;
 
+import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /** Numbers for a person: the same in every locale. */
 public final class Quantities {
@@ -30,6 +35,24 @@ public final class Quantities {
   /** So many events, such as 1 event or 1,200 events. */
   public static String events(long count) {
     return count(count) + (count == 1 ? " event" : " events");
+  }
+
+  /** Lines of a table whose columns but the last are as wide as their widest cell. */
+  public static List<String> table(String indent, List<List<String>> rows) {
+    Map<Integer, Integer> widths = new HashMap<>();
+    for (List<String> row : rows) {
+      for (int i = 0; i < row.size() - 1; i++) {
+        widths.merge(i, row.get(i).length(), Math::max);
+      }
+    }
+    return rows.stream()
+        .map(
+            row ->
+                IntStream.range(0, row.size())
+                    .mapToObj(i -> text("%-" + widths.getOrDefault(i, 1) + "s", row.get(i)))
+                    .collect(Collectors.joining("  ", indent, ""))
+                    .stripTrailing())
+        .toList();
   }
 
   /** Words and numbers by a format of {@link String#format}. */
