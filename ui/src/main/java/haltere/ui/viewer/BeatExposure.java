@@ -10,8 +10,6 @@ import haltere.ui.viewer.feature.ViewerFeature;
 /**
  * Slices of one wing beat: while they are wanted, their length follows the beats that a wing
  * tracker in the chain publishes. Until it has found some they last 5 ms.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class BeatExposure implements ViewerFeature {
   private static final double SAME = 0.003;

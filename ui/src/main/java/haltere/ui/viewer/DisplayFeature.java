@@ -31,7 +31,7 @@ final class DisplayFeature implements ViewerFeature {
     window.settings().keep("overlays", display.marksProperty());
     actions.add("logarithmic-rate", logarithmic);
     actions.add("overlays", display.marksProperty());
-    actions.add("show-all", () -> window.panels().view().showAll());
+    actions.add("show-all", () -> window.panels().view().viewpoint().showAll());
     Stage stage = window.stage();
     actions.add(
         "full-screen",

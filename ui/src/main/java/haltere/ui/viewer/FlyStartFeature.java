@@ -14,8 +14,6 @@ import javafx.scene.control.Button;
 /**
  * Begins a tethered fly in slow motion, in which single strokes are seen, once its wings have been
  * found at full speed; and says in a caption what is seen, until it is clicked.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class FlyStartFeature implements ViewerFeature {
   /** Recording time per real time: a stroke of 5 ms takes half a second. */

@@ -9,11 +9,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
-/**
- * Keeps under a name which panels are shown and how large they are, and shows them so again.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Keeps under a name which panels are shown and how large they are, and shows them so again. */
 final class LayoutFeature implements ViewerFeature {
   private static final String NAME = "layouts";
   private static final String MENU = "View/Layouts";

@@ -14,11 +14,7 @@ import javafx.beans.property.SimpleBooleanProperty;
 import javafx.scene.layout.StackPane;
 import javafx.stage.Stage;
 
-/**
- * Plots of what filters publish, below the events or in a window of their own.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Plots of what filters publish, below the events or in a window of their own. */
 final class PlotFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext window) {

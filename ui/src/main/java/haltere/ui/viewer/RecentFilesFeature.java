@@ -8,11 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/**
- * Offers the recordings that were open last.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Offers the recordings that were open last. */
 final class RecentFilesFeature implements ViewerFeature {
   private static final String NAME = "recentFiles";
   private static final String MENU = "File/Open recent";

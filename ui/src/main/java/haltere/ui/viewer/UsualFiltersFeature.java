@@ -19,8 +19,6 @@ import javafx.geometry.Pos;
 /**
  * The usual filters: buttons beside the picture that switch them, the chain that suits what is
  * open, and a note over the picture on the events that filters hide.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class UsualFiltersFeature implements ViewerFeature {
 

@@ -41,6 +41,7 @@ public final class ChainPanel extends VBox {
     cards = new StageList(editor, empty);
     narrow(SettingsSearch.ALL);
     editor.onSettings(cards::adopt);
+    editor.onStages(cards::show);
     ScrollPane scroll = new ScrollPane(cards);
     scroll.setFitToWidth(true);
     scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);

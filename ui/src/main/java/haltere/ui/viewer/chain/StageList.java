@@ -1,6 +1,7 @@
 package haltere.ui.viewer.chain;
 
 import haltere.core.chain.ChainStage;
+import haltere.ui.viewer.controls.Controls;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -9,15 +10,11 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import javafx.scene.Node;
 import javafx.scene.input.DataFormat;
-import javafx.scene.input.DragEvent;
+import javafx.scene.input.Dragboard;
 import javafx.scene.input.TransferMode;
 import javafx.scene.layout.VBox;
 
-/**
- * A card for each stage of a chain, in order.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** A card for each stage of a chain, in order. */
 final class StageList extends VBox {
   /** What is carried while a card is dragged: the path of its stage. */
   static final DataFormat STAGE = new DataFormat("application/x-haltere-stage");
@@ -39,35 +36,13 @@ final class StageList extends VBox {
     this.empty = empty;
     getStyleClass().add("cards");
     getChildren().add(empty);
-    takeDropped();
+    Controls.onDrop(
+        this, TransferMode.MOVE, board -> dragged(board).filter(editor::takes), this::drop);
   }
 
   /** The path of the stage whose card is dragged. */
-  static Optional<String> dragged(DragEvent event) {
-    return event.getDragboard().getContent(STAGE) instanceof String path
-        ? Optional.of(path)
-        : Optional.empty();
-  }
-
-  /** Takes what is dropped between or below the cards. */
-  private void takeDropped() {
-    setOnDragOver(
-        event -> {
-          if (dragged(event).filter(editor::takes).isPresent()) {
-            event.acceptTransferModes(TransferMode.MOVE);
-            event.consume();
-          }
-        });
-    setOnDragDropped(
-        event ->
-            dragged(event)
-                .filter(editor::takes)
-                .ifPresent(
-                    path -> {
-                      drop(path);
-                      event.setDropCompleted(true);
-                      event.consume();
-                    }));
+  static Optional<String> dragged(Dragboard board) {
+    return board.getContent(STAGE) instanceof String path ? Optional.of(path) : Optional.empty();
   }
 
   /** The card of a path was dropped below all others. */

@@ -19,7 +19,6 @@ import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.DisplayFrame;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.EventView;
-import haltere.ui.viewer.session.Sources;
 import haltere.ui.viewer.session.ViewerSession;
 import java.util.List;
 import java.util.Map;
@@ -73,7 +72,7 @@ public final class CompareFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    editor = new ChainEditor(window.status()::showError, this::showStages);
+    editor = new ChainEditor(window.status()::showError);
     chainPanel = new ChainPanel(editor);
     chainPanel.setId("second-chain-panel");
     chainPanel.setSteps(window.steps());
@@ -144,7 +143,9 @@ public final class CompareFeature implements ViewerFeature {
   private void begin(int start, ViewerSession session, String json) {
     DisplayOptions options = window.display().options();
     window.file(
-        () -> new SecondChain(Sources.chain(session.chain().geometry(), json), options),
+        () ->
+            new SecondChain(
+                ChainFile.parse(json, "the chain", session.chain().geometry()), options),
         made -> {
           if (start == starts) {
             begin(session, made);
@@ -160,7 +161,7 @@ public final class CompareFeature implements ViewerFeature {
     player.addRawSink(made);
     window.editor().presets().ifPresent(editor::setPresets);
     editor.setAccess(ChainAccess.beside(player, made.chain()));
-    showStages(stages);
+    chainPanel.show(stages);
     // both chains run from as far before this moment as they remember
     window.playback().jump(0);
   }
@@ -189,10 +190,6 @@ public final class CompareFeature implements ViewerFeature {
   private static void show(Label label, String words) {
     label.setText(words);
     Controls.help(label, words);
-  }
-
-  private void showStages(List<StageState> stages) {
-    chainPanel.show(stages);
   }
 
   /** Both chains' numbers are taken from the chains as they are now. */

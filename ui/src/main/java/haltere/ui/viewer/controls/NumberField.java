@@ -8,11 +8,7 @@ import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 
-/**
- * A number: a slider for finding a value, an entry for an exact one.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** A number: a slider for finding a value, an entry for an exact one. */
 final class NumberField extends SettingField {
   private final SliderScale scale;
   private final Slider slider = new Slider(0, 1, 0);

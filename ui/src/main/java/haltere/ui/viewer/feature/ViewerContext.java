@@ -9,7 +9,6 @@ import haltere.ui.viewer.controls.FileDialogs;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.picture.ViewTool;
 import haltere.ui.viewer.playback.PlaybackController;
-import haltere.ui.viewer.session.SessionHost;
 import haltere.ui.viewer.session.ViewerSession;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -42,7 +41,7 @@ import javafx.stage.Stage;
  */
 public record ViewerContext(
     Stage stage,
-    SessionHost sessions,
+    Sessions sessions,
     ViewerActions actions,
     PlaybackController playback,
     ChainEditor editor,

@@ -1,13 +1,11 @@
 package haltere.ui.viewer.feature;
 
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.summary.RateProfile;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.chain.ChainPanel;
-import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.picture.DisplayFrame;
@@ -164,17 +162,6 @@ public final class ViewerPanels extends BorderPane {
     seekBar.clear();
     repaintAsked = false;
     shownStatus = null;
-  }
-
-  /** Shows how many events there are along the recording. */
-  public void setProfile(RateProfile profile) {
-    seekBar.setProfile(profile);
-  }
-
-  /** Shows what the chain consists of. */
-  public void showStages(List<StageState> stages) {
-    chainPanel.show(stages);
-    plots.followChain();
   }
 
   /** Offers a panel; the property that comes back shows and hides it. */

@@ -19,8 +19,6 @@ import javafx.scene.layout.Region;
 
 /**
  * The facts of the recording that is open: format, sensor, times, counts, rates, header, warnings.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class FileInfoPanel extends ScrollPane {
   private final GridPane grid = new GridPane();

@@ -10,7 +10,7 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.session.RecordingFacts;
 import haltere.ui.viewer.session.RecordingFacts.Moment;
-import haltere.ui.viewer.session.Sources;
+import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
 import java.util.List;
@@ -155,7 +155,7 @@ public final class SamplesFeature implements ViewerFeature {
 
   private static Optional<Frame> frameAt(RecordingFacts of, ViewerSession open, long elapsedUs)
       throws IOException {
-    try (Playable own = Sources.recording(of.file(), open.options())) {
+    try (Playable own = SessionRequest.play(of.file(), open.options())) {
       own.seek(elapsedUs);
       Frame[] found = new Frame[1];
       StreamHandler consumer =

@@ -4,8 +4,6 @@ import java.util.Arrays;
 
 /**
  * The event rate of what has come so far of a camera or a scene, as far back as it is asked for.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class RateHistory {
   private static final int CAPACITY = 4096;

@@ -14,8 +14,6 @@ import java.util.function.Consumer;
 /**
  * Keeps the plots listening to the chain that is open: after each change of the chain or of the
  * lanes all subscriptions are made anew.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class PlotFeeds {
   /** What a chain offers, and what of it is listened to. */

@@ -24,11 +24,7 @@ import javafx.scene.shape.Circle;
 import javafx.scene.shape.Line;
 import javafx.scene.shape.Rectangle;
 
-/**
- * A lane in the window: its name, the newest values or those under the mouse, and the plot.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** A lane in the window: its name, the newest values or those under the mouse, and the plot. */
 final class PlotLane extends BorderPane {
   private static final int NAMED_CURVES = 8;
 

@@ -103,6 +103,7 @@ public final class PlotPanel extends BorderPane {
     setMinHeight(120);
     offer(List.of());
     showSpan();
+    editor.onChange(this::followChain);
   }
 
   /** Draws for a dark window, or for a light one. */

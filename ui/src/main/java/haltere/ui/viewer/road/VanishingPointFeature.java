@@ -79,7 +79,7 @@ public final class VanishingPointFeature implements ViewerFeature {
             .map(Tracks::point)
             .filter(VanishingPoint::marked)
             .map(point -> new Point2D(point.xPx(), point.yPx())));
-    window.panels().view().redrawMarks();
+    window.panels().view().redraw();
   }
 
   private void mark(Point2D at) {

@@ -20,7 +20,7 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.Overlays;
-import haltere.ui.viewer.session.Sources;
+import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -225,13 +225,13 @@ public final class ExportFeature implements ViewerFeature {
     }
     Path recording = session.file().orElseThrow();
     ReadOptions options = session.options().withSamples(true);
-    return new Part(() -> Sources.recording(recording, options), json, fromUs, toUs);
+    return new Part(() -> SessionRequest.play(recording, options), json, fromUs, toUs);
   }
 
   private static String export(Part part, Exporter exporter, LongConsumer progress)
       throws Exception {
     try (Playable playable = part.open().call()) {
-      FilterChain chain = Sources.chain(playable.geometry(), part.chain());
+      FilterChain chain = ChainFile.parse(part.chain(), "the chain", playable.geometry());
       try {
         return exporter.export(part, playable, chain, progress);
       } finally {

@@ -38,7 +38,7 @@ final class CameraPictures extends GridPane {
     setHgap(2);
     setVgap(2);
     setMinSize(0, 0);
-    linesShown.subscribe(() -> views.forEach(EventView::redrawMarks));
+    linesShown.subscribe(() -> views.forEach(EventView::redraw));
   }
 
   /** Begins with other cameras; returns what takes the events of each. */

@@ -25,8 +25,6 @@ import javafx.scene.layout.VBox;
 /**
  * What can be opened: a recording, recent ones, scenes with a picture and a sentence each, cameras.
  * Above that stands why something could not be opened.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class StartPage extends ScrollPane {
   private static final double PICTURE_WIDTH = 176;

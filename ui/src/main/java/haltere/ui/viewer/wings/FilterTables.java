@@ -34,8 +34,6 @@ import javafx.scene.layout.VBox;
  * shown, with the name of each row. An entry that is being edited stands still until Enter takes it
  * over or Escape gives it up. A button beside a noise says whether the estimator adapts it or a
  * person has set it; a click changes that.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class FilterTables extends VBox {
   private static final MathContext FOUR_DIGITS = new MathContext(4);

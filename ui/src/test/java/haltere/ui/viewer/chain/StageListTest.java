@@ -26,7 +26,7 @@ class StageListTest {
     list =
         viewer.onFx(
             () -> {
-              ChainEditor editor = new ChainEditor(problem -> {}, stages -> {});
+              ChainEditor editor = new ChainEditor(problem -> {});
               StageList made = new StageList(editor, new Label("none"));
               made.setSteps(steps::add);
               return made;
