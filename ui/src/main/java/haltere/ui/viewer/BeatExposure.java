@@ -26,7 +26,7 @@ final class BeatExposure implements ViewerFeature {
     window = installed;
     window.editor().onChange(this::follow);
     window.playback().beatsProperty().subscribe((was, is) -> follow());
-    window.every(BETWEEN_NANOS, this::pulse);
+    window.panels().every(BETWEEN_NANOS, this::pulse);
     window.actions().add("slices-beat", window.playback().beatsProperty());
   }
 

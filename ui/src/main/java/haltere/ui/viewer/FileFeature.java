@@ -26,7 +26,7 @@ final class FileFeature implements ViewerFeature {
     scenes.sort(Comparator.comparing(scene -> !scene.name().equals("fly")));
     for (SceneProvider<?> scene : scenes) {
       String title = Texts.title(scene.name()) + " scene";
-      window.add(
+      window.actions().add(
           ViewerAction.of(
                   "scene-" + scene.name(),
                   title,

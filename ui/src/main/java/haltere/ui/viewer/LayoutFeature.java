@@ -33,13 +33,11 @@ final class LayoutFeature implements ViewerFeature {
 
   /** Keeps what is shown now under a name, in place of what was kept there. */
   void keep(String name) {
-    withdraw();
     layouts.put(name, window.settings().chosen(PANELS, SHARES));
     offer();
   }
 
   private void remove(String name) {
-    withdraw();
     layouts.remove(name);
     offer();
   }
@@ -59,20 +57,16 @@ final class LayoutFeature implements ViewerFeature {
     }
   }
 
-  private void withdraw() {
-    window.actions().removeAll(layouts.keySet().stream().flatMap(LayoutFeature::ids).toList());
-  }
-
   private void offer() {
     window.settings().put(NAME, Map.copyOf(layouts));
-    for (String name : List.copyOf(layouts.keySet())) {
-      window.add(
-          ViewerAction.of("layout-" + name, name, MENU, () -> choose(name)),
-          ViewerAction.of("remove-layout-" + name, name, MENU + "/Remove", () -> remove(name)));
-    }
+    window
+        .actions()
+        .offer(NAME, layouts.keySet().stream().flatMap(this::actions).toList());
   }
 
-  private static Stream<String> ids(String name) {
-    return Stream.of("layout-" + name, "remove-layout-" + name);
+  private Stream<ViewerAction> actions(String name) {
+    return Stream.of(
+        ViewerAction.of("layout-" + name, name, MENU, () -> choose(name)),
+        ViewerAction.of("remove-layout-" + name, name, MENU + "/Remove", () -> remove(name)));
   }
 }

@@ -6,7 +6,6 @@ import haltere.ui.viewer.feature.ViewerFeature;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
 
 /** Offers the recordings that were open last. */
 final class RecentFilesFeature implements ViewerFeature {
@@ -56,19 +55,13 @@ final class RecentFilesFeature implements ViewerFeature {
   }
 
   private void offer() {
-    List<String> old = IntStream.range(0, MOST).mapToObj(RecentFilesFeature::id).toList();
-    ViewerAction[] offered = new ViewerAction[files.size()];
-    for (int i = 0; i < offered.length; i++) {
-      Path file = files.get(i);
-      offered[i] =
-          ViewerAction.of(
-                  id(i), file.getFileName().toString(), MENU, () -> window.sessions().open(file))
-              .withHelp(file.toString());
+    List<ViewerAction> offered = new ArrayList<>();
+    for (Path file : files) {
+      String id = "recent-" + (offered.size() + 1);
+      Runnable open = () -> window.sessions().open(file);
+      offered.add(
+          ViewerAction.of(id, file.getFileName().toString(), MENU, open).withHelp(file.toString()));
     }
-    window.actions().replace(old, offered);
-  }
-
-  private static String id(int place) {
-    return "recent-" + (place + 1);
+    window.actions().offer(NAME, offered);
   }
 }

@@ -18,7 +18,7 @@ final class SettingsFeature implements ViewerFeature {
     UserSettings settings = window.settings();
     place(window.stage(), settings);
     window.panels().keepLayout(settings);
-    window.every(BETWEEN_NANOS, () -> save(window));
+    window.panels().every(BETWEEN_NANOS, () -> save(window));
   }
 
   private static void save(ViewerContext window) {

@@ -1,7 +1,13 @@
 package haltere.ui.viewer;
 
+import javafx.scene.control.ContentDisplay;
+import javafx.scene.text.TextAlignment;
+import atlantafx.base.theme.Styles;
+import java.util.Locale;
+import javafx.scene.layout.VBox;
+import javafx.scene.control.ToggleButton;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.action.ViewerAction;
-import haltere.ui.viewer.chain.FilterStrip;
 import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.chain.UsualFilter;
 import haltere.ui.viewer.feature.ViewerContext;
@@ -23,7 +29,6 @@ import javafx.geometry.Pos;
 final class UsualFiltersFeature implements ViewerFeature {
 
   private final Map<UsualFilter, BooleanProperty> on = new EnumMap<>(UsualFilter.class);
-  private final FilterStrip strip = new FilterStrip(this::toggle);
   private ViewerContext window;
   private HiddenEvents hidden;
   private List<StageState> stages = List.of();
@@ -33,15 +38,16 @@ final class UsualFiltersFeature implements ViewerFeature {
     window = installed;
     BooleanProperty all = window.display().allEventsProperty();
     hidden = new HiddenEvents(all);
+    VBox strip = Controls.named(new VBox(), "filter-strip", "filter-strip");
     window.panels().addBesidePicture(strip);
     window.panels().addOverPicture(hidden, Pos.TOP_LEFT);
     for (UsualFilter filter : UsualFilter.values()) {
       BooleanProperty property = new SimpleBooleanProperty();
       on.put(filter, property);
-      property.subscribe((was, is) -> strip.show(filter, is));
-      window.add(
+      strip.getChildren().add(button(filter, property));
+      window.actions().add(
           new ViewerAction(
-              FilterStrip.id(filter),
+              id(filter),
               filter.words(),
               "Chain",
               "",
@@ -60,6 +66,28 @@ final class UsualFiltersFeature implements ViewerFeature {
           follow(made.firstStages());
         });
     window.panels().onPulse(this::pulse);
+  }
+
+  private static String id(UsualFilter filter) {
+    return "usual-" + filter.name().toLowerCase(Locale.ROOT);
+  }
+
+  /** The button of a filter, which is on while the chain has the filter. */
+  private ToggleButton button(UsualFilter filter, BooleanProperty property) {
+    ToggleButton button = Controls.toggle(id(filter), filter.icon(), filter.help());
+    button.setText(filter.words().replace(' ', '\n'));
+    button.setTextAlignment(TextAlignment.CENTER);
+    button.setContentDisplay(ContentDisplay.TOP);
+    button.setMaxWidth(Double.MAX_VALUE);
+    button.getStyleClass().remove(Styles.BUTTON_ICON);
+    button.setAccessibleText(filter.words());
+    property.subscribe((was, is) -> button.setSelected(is));
+    button.setOnAction(
+        event -> {
+          button.setSelected(property.get());
+          toggle(filter);
+        });
+    return button;
   }
 
   private void follow(List<StageState> newStages) {

@@ -194,28 +194,22 @@ public final class CompareFeature implements ViewerFeature {
 
   /** Both chains' numbers are taken from the chains as they are now. */
   private void listen(Running now) {
-    editor.read(
-        second -> {
-          if (secondMeans != null) {
-            secondMeans.close();
-          }
-          secondMeans = new PublishedMeans(second);
-          return second;
-        },
-        done ->
-            window
-                .editor()
-                .read(
-                    first -> {
-                      if (firstMeans != null) {
-                        firstMeans.close();
-                      }
-                      firstMeans = new PublishedMeans(first);
-                      // both means begin here
-                      secondMeans.take();
-                      return first;
-                    },
-                    listening -> {}));
+    window
+        .editor()
+        .read(
+            first -> {
+              firstMeans = anew(firstMeans, first);
+              secondMeans = anew(secondMeans, now.second().chain());
+              return first;
+            },
+            listening -> {});
+  }
+
+  private static PublishedMeans anew(PublishedMeans before, FilterChain chain) {
+    if (before != null) {
+      before.close();
+    }
+    return new PublishedMeans(chain);
   }
 
   private void pulse(Running now) {

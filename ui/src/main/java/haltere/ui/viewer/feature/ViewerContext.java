@@ -70,11 +70,6 @@ public record ViewerContext(
     return shown;
   }
 
-  /** Calls something at the first pulse of JavaFX after each time span, while something is open. */
-  public void every(long nanos, Runnable listener) {
-    panels.every(nanos, listener);
-  }
-
   /**
    * Calls something whenever another session is shown, before it plays, as one of the {@link
    * #steps()}.
@@ -84,11 +79,6 @@ public record ViewerContext(
         .sessionProperty()
         .subscribe(
             (was, is) -> is.ifPresent(made -> steps.execute(() -> callWhileShown(made, listener))));
-  }
-
-  /** Adds what a person can do. */
-  public void add(ViewerAction... added) {
-    actions.add(added);
   }
 
   /** Works on what is open, if something is. */

@@ -195,7 +195,7 @@ public final class ViewerPanels extends BorderPane {
   }
 
   /** Calls something at the first pulse of JavaFX after each time span, while something is open. */
-  void every(long nanos, Runnable listener) {
+  public void every(long nanos, Runnable listener) {
     long[] lastNanos = {System.nanoTime() - nanos};
     onPulse(
         () -> {
@@ -236,7 +236,7 @@ public final class ViewerPanels extends BorderPane {
     if (now == shownStatus && nowNanos - numbersNanos < NUMBERS_NANOS) {
       return;
     }
-    seekBar.update(now, playback.reach(), playback.marks());
+    seekBar.update(now);
     boolean held = now.state() != State.PLAYING;
     if (held || nowNanos - numbersNanos >= NUMBERS_NANOS) {
       showNumbers(open, now, nowNanos);
@@ -245,7 +245,7 @@ public final class ViewerPanels extends BorderPane {
   }
 
   private void showNumbers(ViewerSession open, PlayerStatus now, long nowNanos) {
-    transport.update(now, playback.reach());
+    transport.update(now);
     statusLine.update(now, meter.perSecond(nowNanos), open.display().exchange().conflated());
     chainPanel.update(nowNanos - numbersNanos);
     numbersNanos = nowNanos;

@@ -1,5 +1,6 @@
 package haltere.ui.viewer.road;
 
+import haltere.ui.viewer.action.ViewerAction;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -32,7 +33,11 @@ class VanishingPointTest {
   }
 
   private boolean isOffered() {
-    return viewer.onFx(() -> viewer.window.context().actions().find(ACTION).isPresent());
+    return viewer.onFx(
+        () -> {
+          ViewerAction action = viewer.window.context().actions().find(ACTION).orElseThrow();
+          return action.obstacle().get().isEmpty();
+        });
   }
 
   private void addTracks() {
