@@ -16,7 +16,7 @@ final class BeatExposure implements ViewerFeature {
   private static final long BETWEEN_NANOS = 200_000_000;
 
   private ViewerContext window;
-  private AutoCloseable subscription = () -> {};
+  private Outlet.Subscription subscription = () -> {};
 
   /** Written on the processing thread. */
   private volatile double periodUs = Double.NaN;
@@ -46,11 +46,7 @@ final class BeatExposure implements ViewerFeature {
 
   /** On the processing thread. */
   private boolean subscribe(FilterChain chain) {
-    try {
-      subscription.close();
-    } catch (Exception broken) {
-      throw new IllegalStateException("beats cannot be left", broken);
-    }
+    subscription.close();
     subscription = () -> {};
     for (Outlet<?> outlet : chain.outlets()) {
       if (outlet.type() == WingBeat.class) {

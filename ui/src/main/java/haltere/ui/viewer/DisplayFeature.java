@@ -67,9 +67,11 @@ final class DisplayFeature implements ViewerFeature {
         Gradient::name);
     DisplayControl.DECAYS.forEach(
         (us, words) ->
-            window.actions().add(
-                ViewerAction.choice(
-                    "fading-" + us, words, "View/Fading", display.decayUsProperty(), us)));
+            window
+                .actions()
+                .add(
+                    ViewerAction.choice(
+                        "fading-" + us, words, "View/Fading", display.decayUsProperty(), us)));
     window.settings().keep("fadingUs", display.decayUsProperty(), us -> us, Long.class::cast);
   }
 
@@ -81,7 +83,8 @@ final class DisplayFeature implements ViewerFeature {
       ObjectProperty<T> property,
       List<T> values,
       Function<T, String> words) {
-    values.forEach(value -> window.actions().add(choice(id, menu, property, value, words.apply(value))));
+    values.forEach(
+        value -> window.actions().add(choice(id, menu, property, value, words.apply(value))));
     keep(setting, property, values, words);
   }
 

@@ -44,7 +44,7 @@ final class FlyStartFeature implements ViewerFeature {
   }
 
   private void begin(ViewerSession made) {
-    boolean fly = made.start() == FirstView.FLY;
+    boolean fly = made.request().start() == FirstView.FLY;
     double speed = window.playback().speedProperty().get();
     if (fly && !slowed) {
       speedBefore = speed;
@@ -66,7 +66,11 @@ final class FlyStartFeature implements ViewerFeature {
 
   private void showCaption() {
     boolean fly =
-        window.sessions().session().filter(open -> open.start() == FirstView.FLY).isPresent();
+        window
+            .sessions()
+            .session()
+            .filter(open -> open.request().start() == FirstView.FLY)
+            .isPresent();
     caption.setVisible(fly && captionWanted.get());
     ColourMap colours = window.display().coloursProperty().get();
     caption.setText(

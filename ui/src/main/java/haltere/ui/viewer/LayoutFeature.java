@@ -4,7 +4,6 @@ import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.controls.Questions;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
-import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
@@ -59,9 +58,7 @@ final class LayoutFeature implements ViewerFeature {
 
   private void offer() {
     window.settings().put(NAME, Map.copyOf(layouts));
-    window
-        .actions()
-        .offer(NAME, layouts.keySet().stream().flatMap(this::actions).toList());
+    window.actions().offer(NAME, layouts.keySet().stream().flatMap(this::actions).toList());
   }
 
   private Stream<ViewerAction> actions(String name) {

@@ -26,7 +26,7 @@ final class PlotFeature implements ViewerFeature {
           if (plots.dropFirst(made.chain())) {
             shown.set(false);
           }
-          if (plots.beginWith(made.start().plots())) {
+          if (plots.beginWith(made.request().start().plots())) {
             shown.set(true);
           }
         });

@@ -22,7 +22,7 @@ final class RecentFilesFeature implements ViewerFeature {
     if (window.settings().get(NAME).orElse(null) instanceof List<?> kept) {
       kept.forEach(file -> files.add(Path.of(file.toString())));
     }
-    window.onSession(made -> made.file().ifPresent(this::opened));
+    window.onSession(made -> made.request().file().ifPresent(this::opened));
     window.actions().add("open-last", this::openLast);
     offer();
   }

@@ -40,7 +40,7 @@ public final class SeeingFeature implements ViewerFeature {
     tape = new MeasuringTape(window.display().tapeProperty());
     EventView view = window.panels().view();
     view.setPointerListener(
-        (x, y, over) -> window.ifOpen(open -> open.display().point(x, y, over)));
+        (x, y, over) -> window.ifOpen(open -> open.display().maker().point(x, y, over)));
     view.addLayer(canvas -> region().ifPresent(marks -> marks.draw(canvas)));
     view.onFrame(frame -> reading = frame.region().orElse(reading));
     followLegend(view);
@@ -107,7 +107,7 @@ public final class SeeingFeature implements ViewerFeature {
     window.display().regionProperty().set(region);
     window.ifOpen(
         open -> {
-          open.display().setRegion(region);
+          open.display().maker().setRegion(region);
           open.player().refresh();
         });
     window.panels().view().redraw();

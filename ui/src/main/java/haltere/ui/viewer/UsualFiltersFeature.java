@@ -1,26 +1,26 @@
 package haltere.ui.viewer;
 
-import javafx.scene.control.ContentDisplay;
-import javafx.scene.text.TextAlignment;
 import atlantafx.base.theme.Styles;
-import java.util.Locale;
-import javafx.scene.layout.VBox;
-import javafx.scene.control.ToggleButton;
-import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.chain.UsualFilter;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.HiddenEvents;
 import haltere.ui.viewer.session.ViewerSession;
 import java.util.EnumMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.geometry.Pos;
+import javafx.scene.control.ContentDisplay;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.layout.VBox;
+import javafx.scene.text.TextAlignment;
 
 /**
  * The usual filters: buttons beside the picture that switch them, the chain that suits what is
@@ -45,16 +45,18 @@ final class UsualFiltersFeature implements ViewerFeature {
       BooleanProperty property = new SimpleBooleanProperty();
       on.put(filter, property);
       strip.getChildren().add(button(filter, property));
-      window.actions().add(
-          new ViewerAction(
-              id(filter),
-              filter.words(),
-              "Chain",
-              "",
-              filter.help(),
-              () -> toggle(filter),
-              Optional.of(property),
-              () -> ""));
+      window
+          .actions()
+          .add(
+              new ViewerAction(
+                  id(filter),
+                  filter.words(),
+                  "Chain",
+                  "",
+                  filter.help(),
+                  () -> toggle(filter),
+                  Optional.of(property),
+                  () -> ""));
     }
     window.actions().add("usual-chain", this::usualChain);
     window.actions().add("all-events", all);
@@ -101,7 +103,8 @@ final class UsualFiltersFeature implements ViewerFeature {
 
   private void usualChain() {
     window.ifOpen(
-        open -> window.editor().replaceAll(open.start().usualChain(open.chain().geometry())));
+        open ->
+            window.editor().replaceAll(open.request().start().usualChain(open.chain().geometry())));
   }
 
   private void pulse() {

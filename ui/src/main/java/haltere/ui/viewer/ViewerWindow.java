@@ -145,7 +145,7 @@ public final class ViewerWindow {
         () -> {
           context.ifOpen(
               open -> {
-                open.display().setOptions(display.options());
+                open.display().maker().setOptions(display.options());
                 open.player().refresh();
               });
           ColourMap colours = display.options().colours();

@@ -171,6 +171,7 @@ public final class FrameBenchmark {
                     .session()
                     .orElseThrow()
                     .display()
+                    .maker()
                     .exchange()
                     .conflated());
     double measured = Arrays.stream(times).sum() / 1e3;

@@ -81,7 +81,7 @@ class OpeningTest {
     viewer.run(() -> viewer.window.context().sessions().open(file, ReadOptions.DEFAULT));
     viewer.waitFor(
         "the recording",
-        () -> viewer.window.context().sessions().session().get().file().isPresent());
+        () -> viewer.window.context().sessions().session().get().request().file().isPresent());
     // taken by the player once it has begun
     ViewerHarness.join(viewer.session().player().edit(chain -> {}));
     assertEquals(State.PAUSED, viewer.status().state());

@@ -52,7 +52,7 @@ class SeeingTest {
     for (DisplayMode mode : DisplayMode.values()) {
       viewer.run(() -> viewer.window.context().display().modeProperty().set(mode));
       viewer.run(() -> viewer.window.context().playback().step(1));
-      viewer.waitFor("the picture", () -> !viewer.session().display().isStale());
+      viewer.waitFor("the picture", () -> !viewer.session().display().maker().isStale());
       long frames = viewer.onFx(viewer.window.context().panels()::framesShown);
       viewer.run(() -> viewer.window.context().playback().step(1));
       viewer.waitFor("its frame", () -> viewer.window.context().panels().framesShown() > frames);

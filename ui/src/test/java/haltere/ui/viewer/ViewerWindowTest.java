@@ -142,7 +142,7 @@ class ViewerWindowTest {
     viewer = ViewerHarness.withBlob();
     viewer.waitFor("some events", () -> viewer.status().elapsedUs() > 200_000);
     viewer.pause();
-    viewer.waitFor("the last frame", () -> !viewer.session().display().isStale());
+    viewer.waitFor("the last frame", () -> !viewer.session().display().maker().isStale());
     viewer.waitFor(
         "the blob is where it belongs",
         () -> {
@@ -160,7 +160,7 @@ class ViewerWindowTest {
     viewer = ViewerHarness.withBlob();
     viewer.waitFor("time for the tracker", () -> viewer.status().elapsedUs() > 500_000);
     viewer.pause();
-    viewer.waitFor("the last frame", () -> !viewer.session().display().isStale());
+    viewer.waitFor("the last frame", () -> !viewer.session().display().maker().isStale());
     viewer.run(() -> viewer.window.context().display().marksProperty().set(false));
     WritableImage without = viewer.onFx(viewer::picture);
     viewer.run(() -> viewer.window.context().display().marksProperty().set(true));

@@ -42,9 +42,7 @@ public final class ChainPanel extends VBox {
     narrow(SettingsSearch.ALL);
     editor.onSettings(cards::adopt);
     editor.onStages(cards::show);
-    ScrollPane scroll = new ScrollPane(cards);
-    scroll.setFitToWidth(true);
-    scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
+    ScrollPane scroll = Controls.scrolling(cards);
     VBox.setVgrow(scroll, Priority.ALWAYS);
     getChildren().addAll(head, new SettingsSearchField(this::narrow), nothing, scroll);
   }

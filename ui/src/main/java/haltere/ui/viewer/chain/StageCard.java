@@ -153,10 +153,6 @@ final class StageCard extends VBox {
     return list;
   }
 
-  ChainStage stage() {
-    return stage;
-  }
-
   /** Shows what a chain inside the chain consists of now. */
   void followInside(StageState state) {
     inside.ifPresent(list -> list.show(state.inside()));

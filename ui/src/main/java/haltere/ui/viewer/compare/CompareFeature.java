@@ -115,7 +115,7 @@ public final class CompareFeature implements ViewerFeature {
             () ->
                 running.ifPresent(
                     now -> {
-                      now.second().display().setOptions(window.display().options());
+                      now.second().display().maker().setOptions(window.display().options());
                       now.player().refresh();
                     }));
     window.panels().onPulse(() -> running.ifPresent(this::pulse));
@@ -213,7 +213,7 @@ public final class CompareFeature implements ViewerFeature {
   }
 
   private void pulse(Running now) {
-    DisplayFrame frame = now.second().display().exchange().fetch();
+    DisplayFrame frame = now.second().display().maker().exchange().fetch();
     if (frame != null) {
       view.show(frame);
     }

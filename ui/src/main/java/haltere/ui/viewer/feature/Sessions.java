@@ -114,7 +114,7 @@ public final class Sessions {
         .editor()
         .read(
             chain ->
-                open.start().isUnchanged(chain)
+                open.request().start().isUnchanged(chain)
                     ? Optional.<String>empty()
                     : Optional.of(ChainFile.write(chain)),
             json -> {
@@ -174,7 +174,7 @@ public final class Sessions {
     window.playback().setPlayer(made.player());
     window.editor().setPlayer(made.player());
     window.stage().setTitle(Texts.source(made.player().playable().name()) + " \u2013 Haltere");
-    made.display().setOptions(window.display().options());
+    made.display().maker().setOptions(window.display().options());
     window.panels().startAnew(made, window.display().options().colours(), window.steps());
     facts.set(Optional.empty());
     session.set(Optional.of(made));

@@ -2,7 +2,6 @@ package haltere.ui.viewer.feature;
 
 import haltere.core.chain.ChainFile;
 import haltere.core.event.SensorGeometry;
-import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.controls.FileDialogs;

@@ -215,12 +215,12 @@ public final class ViewerPanels extends BorderPane {
 
   /** Brings all panels up to date with a session; called at each pulse of JavaFX. */
   public void pulse(ViewerSession open, long nowNanos) {
-    open.display().setScreenPlace(view.screenPlace());
-    DisplayFrame frame = open.display().exchange().fetch();
+    open.display().maker().setScreenPlace(view.screenPlace());
+    DisplayFrame frame = open.display().maker().exchange().fetch();
     if (frame != null) {
       view.show(frame);
       meter.shown();
-    } else if (open.display().isStale() && !repaintAsked) {
+    } else if (open.display().maker().isStale() && !repaintAsked) {
       repaintAsked = true;
       editor.read(
           chain -> {
@@ -246,7 +246,8 @@ public final class ViewerPanels extends BorderPane {
 
   private void showNumbers(ViewerSession open, PlayerStatus now, long nowNanos) {
     transport.update(now);
-    statusLine.update(now, meter.perSecond(nowNanos), open.display().exchange().conflated());
+    statusLine.update(
+        now, meter.perSecond(nowNanos), open.display().maker().exchange().conflated());
     chainPanel.update(nowNanos - numbersNanos);
     numbersNanos = nowNanos;
   }

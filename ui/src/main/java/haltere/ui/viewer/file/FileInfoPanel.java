@@ -26,9 +26,7 @@ final class FileInfoPanel extends ScrollPane {
   FileInfoPanel() {
     setId("file-info");
     getStyleClass().add("file-info");
-    setFitToWidth(true);
-    setHbarPolicy(ScrollBarPolicy.NEVER);
-    setContent(grid);
+    Controls.scrolling(this, grid);
     grid.getStyleClass().add("file-info-grid");
     ColumnConstraints name = new ColumnConstraints();
     name.setMinWidth(Region.USE_PREF_SIZE);

@@ -1,10 +1,10 @@
 package haltere.ui.viewer.playback;
 
-import haltere.ui.plot.Curve;
 import haltere.core.format.summary.RateProfile;
 import haltere.core.playback.Loop;
 import haltere.core.playback.Mark;
 import haltere.core.playback.PlayerStatus;
+import haltere.ui.plot.Curve;
 import haltere.ui.plot.Ticks;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Texts;
@@ -101,6 +101,7 @@ public final class SeekBar extends Region {
   private final Label hover = Controls.label("", "readout");
   private Ink ink = Ink.DARK;
   private Optional<RateProfile> profile = Optional.empty();
+
   /** Rates of what has come so far of a camera or a scene. */
   private final Curve history = new Curve("", 0);
 

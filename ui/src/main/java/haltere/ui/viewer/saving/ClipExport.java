@@ -54,7 +54,7 @@ final class ClipExport extends PartExport {
     this.pictureUs = pictureUs;
     film = film(file);
     display = DisplaySink.direct(part.playable().geometry(), part.chain(), options);
-    display.setRegion(overlays.region());
+    display.maker().setRegion(overlays.region());
   }
 
   private static FilmWriter film(Path file) throws IOException {

@@ -168,8 +168,7 @@ public final class ExportFeature implements ViewerFeature {
     try (Playable playable = wanted.open().call();
         FilterChain chain = ChainFile.parse(wanted.chain(), "the chain", playable.geometry());
         PartExport export =
-            exporter.begin(
-                new PartExport.Part(playable, chain, wanted.fromUs(), wanted.toUs()))) {
+            exporter.begin(new PartExport.Part(playable, chain, wanted.fromUs(), wanted.toUs()))) {
       return export.run(progress);
     }
   }

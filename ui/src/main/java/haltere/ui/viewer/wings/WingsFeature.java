@@ -1,6 +1,5 @@
 package haltere.ui.viewer.wings;
 
-import javafx.scene.control.Button;
 import atlantafx.base.theme.Styles;
 import haltere.core.chain.FilterChain;
 import haltere.filters.wing.WingFilterEdit;
@@ -26,6 +25,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import javafx.scene.control.Button;
 
 /**
  * What a person can do with the wing tracker: see and change its filters while they run, say where

@@ -49,7 +49,7 @@ class StageListTest {
   private List<String> cards() {
     return list.getChildren().stream()
         .filter(StageCard.class::isInstance)
-        .map(card -> ((StageCard) card).stage().name())
+        .map(card -> card.getId().substring("stage-".length()))
         .toList();
   }
 

@@ -1,6 +1,5 @@
 package haltere.ui.viewer.road;
 
-import haltere.ui.viewer.action.ViewerAction;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -9,6 +8,7 @@ import haltere.filters.plane.VanishingPoint;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.RoadTracksSettings;
 import haltere.ui.viewer.ViewerHarness;
+import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.picture.ViewTool;
 import javafx.scene.control.TextField;
