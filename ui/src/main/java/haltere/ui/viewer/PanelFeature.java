@@ -9,11 +9,7 @@ import haltere.ui.viewer.feature.ViewerPanels;
 import java.util.List;
 import javafx.scene.Node;
 
-/**
- * Goes from panel to panel, and makes them larger and smaller, without a mouse.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Goes from panel to panel, and makes them larger and smaller, without a mouse. */
 final class PanelFeature implements ViewerFeature {
 
   private ViewerContext window;

@@ -2,6 +2,9 @@ package haltere.ui.viewer.controls;
 
 import atlantafx.base.theme.Styles;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -14,7 +17,9 @@ import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
+import javafx.scene.input.Dragboard;
 import javafx.scene.input.MouseEvent;
+import javafx.scene.input.TransferMode;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -226,6 +231,36 @@ public final class Controls {
                 taken.run();
               }
             });
+  }
+
+  /**
+   * Lets something be dropped on a node.
+   *
+   * @param wanted what there is to drop, if anything that the node takes
+   * @param dropped takes it
+   */
+  public static <T> void onDrop(
+      Node target,
+      TransferMode mode,
+      Function<Dragboard, Optional<T>> wanted,
+      Consumer<T> dropped) {
+    target.setOnDragOver(
+        event -> {
+          if (wanted.apply(event.getDragboard()).isPresent()) {
+            event.acceptTransferModes(mode);
+            event.consume();
+          }
+        });
+    target.setOnDragDropped(
+        event ->
+            wanted
+                .apply(event.getDragboard())
+                .ifPresent(
+                    there -> {
+                      dropped.accept(there);
+                      event.setDropCompleted(true);
+                      event.consume();
+                    }));
   }
 
   /**

@@ -1,13 +1,11 @@
 package haltere.ui.viewer.feature;
 
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.summary.RateProfile;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.chain.ChainPanel;
-import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.picture.DisplayFrame;
@@ -166,17 +164,6 @@ public final class ViewerPanels extends BorderPane {
     shownStatus = null;
   }
 
-  /** Shows how many events there are along the recording. */
-  public void setProfile(RateProfile profile) {
-    seekBar.setProfile(profile);
-  }
-
-  /** Shows what the chain consists of. */
-  public void showStages(List<StageState> stages) {
-    chainPanel.show(stages);
-    plots.followChain();
-  }
-
   /** Offers a panel; the property that comes back shows and hides it. */
   public BooleanProperty offer(
       String id, String title, PanelPlace place, Supplier<? extends Node> content) {
@@ -208,7 +195,7 @@ public final class ViewerPanels extends BorderPane {
   }
 
   /** Calls something at the first pulse of JavaFX after each time span, while something is open. */
-  void every(long nanos, Runnable listener) {
+  public void every(long nanos, Runnable listener) {
     long[] lastNanos = {System.nanoTime() - nanos};
     onPulse(
         () -> {
@@ -228,12 +215,12 @@ public final class ViewerPanels extends BorderPane {
 
   /** Brings all panels up to date with a session; called at each pulse of JavaFX. */
   public void pulse(ViewerSession open, long nowNanos) {
-    open.display().setScreenPlace(view.screenPlace());
-    DisplayFrame frame = open.display().exchange().fetch();
+    open.display().maker().setScreenPlace(view.screenPlace());
+    DisplayFrame frame = open.display().maker().exchange().fetch();
     if (frame != null) {
       view.show(frame);
       meter.shown();
-    } else if (open.display().isStale() && !repaintAsked) {
+    } else if (open.display().maker().isStale() && !repaintAsked) {
       repaintAsked = true;
       editor.read(
           chain -> {
@@ -249,7 +236,7 @@ public final class ViewerPanels extends BorderPane {
     if (now == shownStatus && nowNanos - numbersNanos < NUMBERS_NANOS) {
       return;
     }
-    seekBar.update(now, playback.reach(), playback.marks());
+    seekBar.update(now);
     boolean held = now.state() != State.PLAYING;
     if (held || nowNanos - numbersNanos >= NUMBERS_NANOS) {
       showNumbers(open, now, nowNanos);
@@ -258,8 +245,9 @@ public final class ViewerPanels extends BorderPane {
   }
 
   private void showNumbers(ViewerSession open, PlayerStatus now, long nowNanos) {
-    transport.update(now, playback.reach());
-    statusLine.update(now, meter.perSecond(nowNanos), open.display().exchange().conflated());
+    transport.update(now);
+    statusLine.update(
+        now, meter.perSecond(nowNanos), open.display().maker().exchange().conflated());
     chainPanel.update(nowNanos - numbersNanos);
     numbersNanos = nowNanos;
   }

@@ -23,8 +23,6 @@ import javafx.scene.layout.VBox;
 /**
  * Warnings about the file that is open, above the picture: one line that can be opened and put
  * aside, and the question for the camera where the file does not name it.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class WarningBanner extends VBox {
   /** Cameras of the usual sizes, for a person who does not know the size. */

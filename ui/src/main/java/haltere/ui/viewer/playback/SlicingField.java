@@ -15,8 +15,6 @@ import javafx.scene.layout.HBox;
 /**
  * How the stream is cut into slices: finer than the screen's pictures, or by time, or by number of
  * events.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class SlicingField extends HBox {
   private enum Mode {

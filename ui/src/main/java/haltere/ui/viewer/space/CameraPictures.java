@@ -38,7 +38,7 @@ final class CameraPictures extends GridPane {
     setHgap(2);
     setVgap(2);
     setMinSize(0, 0);
-    linesShown.subscribe(() -> views.forEach(EventView::redrawMarks));
+    linesShown.subscribe(() -> views.forEach(EventView::redraw));
   }
 
   /** Begins with other cameras; returns what takes the events of each. */
@@ -82,7 +82,7 @@ final class CameraPictures extends GridPane {
 
   /** Shows events in another way. */
   void setOptions(DisplayOptions options) {
-    sinks.forEach(sink -> sink.setOptions(options));
+    sinks.forEach(sink -> sink.maker().setOptions(options));
   }
 
   /** The newest line of each camera. */
@@ -93,7 +93,7 @@ final class CameraPictures extends GridPane {
   /** Shows the newest frame of each camera. */
   void update() {
     for (int i = 0; i < views.size(); i++) {
-      DisplayFrame frame = sinks.get(i).exchange().fetch();
+      DisplayFrame frame = sinks.get(i).maker().exchange().fetch();
       if (frame != null) {
         views.get(i).show(frame);
       }

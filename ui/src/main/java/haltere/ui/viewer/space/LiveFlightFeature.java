@@ -13,7 +13,7 @@ import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
-import haltere.ui.viewer.session.Sources;
+import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -53,7 +53,7 @@ public final class LiveFlightFeature implements ViewerFeature {
     actions.add("camera-lines", linesShown);
     window.settings().keep("space.cameraLines", linesShown);
     window.panels().view().addLayer(this::drawFirst);
-    linesShown.subscribe(() -> window.panels().view().redrawMarks());
+    linesShown.subscribe(() -> window.panels().view().redraw());
     window.display().onChange(() -> pane.setOptions(window.display().options()));
     window.sessions().sessionProperty().subscribe((was, is) -> follow(was, is));
     window.display().themeProperty().subscribe((was, is) -> pane.setTheme(is));
@@ -99,7 +99,7 @@ public final class LiveFlightFeature implements ViewerFeature {
     open(
         () ->
             CameraRig.open(
-                cameras, number -> Sources.recording(files.get(number), ReadOptions.DEFAULT)),
+                cameras, number -> SessionRequest.play(files.get(number), ReadOptions.DEFAULT)),
         files.get(0).toString());
   }
 

@@ -21,8 +21,6 @@ import javafx.scene.layout.VBox;
 /**
  * A body in space and the cameras that see it, now, and the pictures of all cameras but the first,
  * which the window itself shows.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class LiveFlightPane extends BorderPane {
   private static final String NOTHING = "Open a flight before several cameras, in the File menu.";
