@@ -28,7 +28,7 @@ public final class JavaFxOverlayCanvas implements OverlayCanvas {
   private static final double DESCENT = 4;
 
   private final Font font = Font.font(FONT_SIZE);
-  private final TextPlaces places = new TextPlaces();
+  private final TextPlaces positions = new TextPlaces();
   private final TextWidths widths = new TextWidths(font);
   private final GraphicsContext graphics;
   private final Map<Integer, Color> colours = new HashMap<>();
@@ -63,7 +63,7 @@ public final class JavaFxOverlayCanvas implements OverlayCanvas {
 
   /** Begins another picture: words may go anywhere again. */
   public void begin() {
-    places.begin(graphics.getCanvas().getWidth(), graphics.getCanvas().getHeight());
+    positions.begin(graphics.getCanvas().getWidth(), graphics.getCanvas().getHeight());
   }
 
   /** Says whether the picture is dark. */
@@ -109,12 +109,12 @@ public final class JavaFxOverlayCanvas implements OverlayCanvas {
   @Override
   public void text(double x, double y, String text, MarkStyle style) {
     double width = widths.of(text);
-    if (!places.find(screenX(x), screenY(y), width, ASCENT, DESCENT, MARGIN, style)) {
+    if (!positions.find(screenX(x), screenY(y), width, ASCENT, DESCENT, MARGIN, style)) {
       return;
     }
     marks++;
-    double first = places.left();
-    double base = places.base();
+    double first = positions.left();
+    double base = positions.base();
     graphics.setFill(plateColour(dark));
     graphics.fillRect(
         Math.rint(first) - MARGIN, Math.rint(base) - ASCENT, width + 2 * MARGIN, ASCENT + DESCENT);
