@@ -11,7 +11,6 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.picture.MeasuringTape;
-import haltere.ui.viewer.picture.PointTool;
 import haltere.ui.viewer.picture.RegionMarks;
 import haltere.ui.viewer.picture.RegionTool;
 import java.util.Optional;
@@ -48,7 +47,8 @@ public final class SeeingFeature implements ViewerFeature {
     RegionTool regionTool = new RegionTool(this::sensor, this::setRegion);
     window.bindTool(measuring, tape);
     window.bindTool(drawingRegion, regionTool);
-    window.bindTool(pointing, new PointTool());
+    // points at pixels with the keys, so that what stands under the mouse is read without one
+    window.bindTool(pointing, () -> "The pixel at the cross is described below the picture.");
     ViewerActions actions = window.actions();
     actions.add("measure", measuring);
     actions.add("region", drawingRegion);

@@ -17,7 +17,7 @@ final class SettingsFeature implements ViewerFeature {
   public void install(ViewerContext window) {
     UserSettings settings = window.settings();
     place(window.stage(), settings);
-    window.panels().keepLayout(settings);
+    window.panels().panelLayout().keep(settings);
     window.panels().every(BETWEEN_NANOS, () -> save(window));
   }
 

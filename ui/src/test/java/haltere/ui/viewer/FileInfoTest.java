@@ -93,6 +93,10 @@ class FileInfoTest {
     viewer.waitFor("no banner", () -> !seesBanner());
   }
 
+  private static <T> String words(ChoiceBox<T> box) {
+    return box.getConverter().toString(box.getValue());
+  }
+
   @Test
   void anUnknownCameraIsAskedWithTheGuessFirstAndRemembered() throws IOException {
     Path file = withoutSensor();
@@ -102,9 +106,9 @@ class FileInfoTest {
         () -> viewer.onFx(viewer.node("camera-use", Node.class)::isVisible) && seesBanner());
     ChoiceBox<?> sizes = viewer.node("camera-choice", ChoiceBox.class);
     viewer.waitFor("choices", () -> viewer.onFx(() -> sizes.getItems().size()) > 3);
-    assertTrue(viewer.onFx(() -> sizes.getValue().toString()).startsWith("240 \u00d7 180"));
+    assertTrue(viewer.onFx(() -> words(sizes)).startsWith("240 \u00d7 180"));
     viewer.run(() -> sizes.getSelectionModel().select(5));
-    viewer.waitFor("the choice", () -> sizes.getValue().toString().startsWith("640"));
+    viewer.waitFor("the choice", () -> words(sizes).startsWith("640"));
     viewer.click("camera-use");
     viewer.waitFor(
         "the larger sensor", () -> viewer.session().player().playable().geometry().width() == 640);

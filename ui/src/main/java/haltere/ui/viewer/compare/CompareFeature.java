@@ -92,8 +92,12 @@ public final class CompareFeature implements ViewerFeature {
     firstName.setMinWidth(0);
     secondName.setMinWidth(0);
     settingsShown =
-        window.panels().offer("second-chain", "Second chain", PanelPlace.SIDE, () -> settings);
-    shown = window.panels().offer("compare", "Compare", PanelPlace.BESIDE, () -> named);
+        window
+            .panels()
+            .panelLayout()
+            .offer("second-chain", "Second chain", PanelPlace.SIDE, () -> settings);
+    shown =
+        window.panels().panelLayout().offer("compare", "Compare", PanelPlace.BESIDE, () -> named);
     firstName.visibleProperty().bind(shown);
     firstName.managedProperty().bind(shown);
     window.actions().add("compare", shown);

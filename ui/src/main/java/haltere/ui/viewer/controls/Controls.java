@@ -1,7 +1,7 @@
 package haltere.ui.viewer.controls;
 
 import atlantafx.base.theme.Styles;
-import java.util.Map;
+import java.util.Collection;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -267,19 +267,21 @@ public final class Controls {
    * A list of values to choose from.
    *
    * @param help its tooltip, and its name for screen readers
-   * @param words what each value is called, in order
+   * @param values in order
+   * @param words what each is called
    */
-  public static <T> ChoiceBox<T> choice(String id, String help, Map<T, String> words) {
+  public static <T> ChoiceBox<T> choice(
+      String id, String help, Collection<T> values, Function<T, String> words) {
     ChoiceBox<T> box = new ChoiceBox<>();
     box.setId(id);
     box.setAccessibleText(help);
     help(box, help);
-    box.getItems().setAll(words.keySet());
+    box.getItems().setAll(values);
     box.setConverter(
         new StringConverter<>() {
           @Override
           public String toString(T value) {
-            return words.getOrDefault(value, "");
+            return value == null ? "" : words.apply(value);
           }
 
           @Override

@@ -63,7 +63,8 @@ public record ViewerContext(
    */
   public BooleanProperty addPanel(String id, PanelPlace place, Supplier<? extends Node> content) {
     String action = "show-" + id;
-    BooleanProperty shown = panels.offer(id, ViewerActions.words(action), place, content);
+    BooleanProperty shown =
+        panels.panelLayout().offer(id, ViewerActions.words(action), place, content);
     settings.keep("panel." + id, shown);
     actions.add(action, shown);
     return shown;

@@ -20,8 +20,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
-import java.util.function.Supplier;
-import javafx.beans.property.BooleanProperty;
 import javafx.geometry.Insets;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -41,9 +39,6 @@ import javafx.scene.layout.VBox;
 public final class ViewerPanels extends BorderPane {
   /** How often words and numbers are brought up to date while playing. */
   private static final long NUMBERS_NANOS = 125_000_000;
-
-  /** How much a panel grows at a time, as a share of the window. */
-  private static final double PANEL_STEP = 0.05;
 
   private final PlaybackController playback;
   private final ChainEditor editor;
@@ -84,11 +79,16 @@ public final class ViewerPanels extends BorderPane {
     picture.setMinSize(0, 0);
     VBox.setVgrow(pictureRow, Priority.ALWAYS);
     layout = new PanelLayout(pictureColumn, chainPanel);
-    setCenter(new StackPane(layout.node()));
+    setCenter(new StackPane(layout));
     setTop(menu);
     setBottom(new VBox(seekBar, transport, statusLine));
     getStyleClass().add("viewer");
     view.setGeometry(new SensorGeometry(128, 128), DisplayOptions.DEFAULT.colours());
+  }
+
+  /** The panels around the picture. */
+  public PanelLayout panelLayout() {
+    return layout;
   }
 
   /** The picture of the events. */
@@ -99,7 +99,7 @@ public final class ViewerPanels extends BorderPane {
   /** Puts a page in place of all panels, and of the bars of playback; none shows the panels. */
   public void showPage(Optional<Node> page) {
     StackPane center = (StackPane) getCenter();
-    center.getChildren().setAll(page.orElse(layout.node()));
+    center.getChildren().setAll(page.orElse(layout));
     for (Node bar : List.of(seekBar, transport)) {
       Controls.show(page.isEmpty(), bar);
     }
@@ -164,12 +164,6 @@ public final class ViewerPanels extends BorderPane {
     shownStatus = null;
   }
 
-  /** Offers a panel; the property that comes back shows and hides it. */
-  public BooleanProperty offer(
-      String id, String title, PanelPlace place, Supplier<? extends Node> content) {
-    return layout.offer(id, title, place, content);
-  }
-
   /** What F6 goes through: the panels that are shown, and the bars below them. */
   public List<Node> areas() {
     List<Node> areas = new ArrayList<>(layout.shown());
@@ -177,16 +171,6 @@ public final class ViewerPanels extends BorderPane {
     areas.add(seekBar);
     areas.add(transport);
     return areas;
-  }
-
-  /** Gives what stands at a place a step more room, or less. */
-  public void enlarge(PanelPlace place, int steps) {
-    layout.enlarge(place, steps * PANEL_STEP);
-  }
-
-  /** Gives the panels the sizes that were kept, and keeps those that they get. */
-  public void keepLayout(UserSettings settings) {
-    layout.keep(settings);
   }
 
   /** Calls something at each pulse of JavaFX while something is open. */
