@@ -14,11 +14,7 @@ import javafx.beans.property.SimpleBooleanProperty;
 import javafx.scene.layout.StackPane;
 import javafx.stage.Stage;
 
-/**
- * Plots of what filters publish, below the events or in a window of their own.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Plots of what filters publish, below the events or in a window of their own. */
 final class PlotFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext window) {
@@ -30,7 +26,7 @@ final class PlotFeature implements ViewerFeature {
           if (plots.dropFirst(made.chain())) {
             shown.set(false);
           }
-          if (plots.beginWith(made.start().plots())) {
+          if (plots.beginWith(made.request().start().plots())) {
             shown.set(true);
           }
         });

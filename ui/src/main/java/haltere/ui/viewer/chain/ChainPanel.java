@@ -41,9 +41,8 @@ public final class ChainPanel extends VBox {
     cards = new StageList(editor, empty);
     narrow(SettingsSearch.ALL);
     editor.onSettings(cards::adopt);
-    ScrollPane scroll = new ScrollPane(cards);
-    scroll.setFitToWidth(true);
-    scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
+    editor.onStages(cards::show);
+    ScrollPane scroll = Controls.scrolling(cards);
     VBox.setVgrow(scroll, Priority.ALWAYS);
     getChildren().addAll(head, new SettingsSearchField(this::narrow), nothing, scroll);
   }

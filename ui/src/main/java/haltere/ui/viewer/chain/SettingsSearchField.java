@@ -10,11 +10,7 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 
-/**
- * Searches the settings of all filters, or shows only those that a person has changed.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Searches the settings of all filters, or shows only those that a person has changed. */
 final class SettingsSearchField extends HBox {
   private final TextField words = Controls.named(new TextField(), "settings-search", Styles.SMALL);
   private final ToggleButton changedOnly =

@@ -20,7 +20,7 @@ import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.input.ClipboardContent;
-import javafx.scene.input.DragEvent;
+import javafx.scene.input.Dragboard;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.TransferMode;
@@ -28,11 +28,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 
-/**
- * One stage of the chain: its switch, what it does to the stream, its place, its settings.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** One stage of the chain: its switch, what it does to the stream, its place, its settings. */
 final class StageCard extends VBox {
   private static final PseudoClass TARGET = PseudoClass.getPseudoClass("target");
   private static final PseudoClass OFF = PseudoClass.getPseudoClass("off");
@@ -155,10 +151,6 @@ final class StageCard extends VBox {
         .getStyleClass()
         .add("stages-inside");
     return list;
-  }
-
-  ChainStage stage() {
-    return stage;
   }
 
   /** Shows what a chain inside the chain consists of now. */
@@ -291,30 +283,15 @@ final class StageCard extends VBox {
           handle.startDragAndDrop(TransferMode.MOVE).setContent(content);
           event.consume();
         });
-    setOnDragOver(
-        event -> {
-          if (dragged(event).isPresent()) {
-            event.acceptTransferModes(TransferMode.MOVE);
-            event.consume();
-          }
-        });
-    setOnDragEntered(event -> pseudoClassStateChanged(TARGET, dragged(event).isPresent()));
+    Controls.onDrop(this, TransferMode.MOVE, this::dragged, this::drop);
+    setOnDragEntered(
+        event -> pseudoClassStateChanged(TARGET, dragged(event.getDragboard()).isPresent()));
     setOnDragExited(event -> pseudoClassStateChanged(TARGET, false));
-    setOnDragDropped(
-        event -> {
-          dragged(event)
-              .ifPresent(
-                  path -> {
-                    drop(path);
-                    event.setDropCompleted(true);
-                    event.consume();
-                  });
-        });
   }
 
   /** The path of the card that is dragged, if it may come here. */
-  private Optional<String> dragged(DragEvent event) {
-    return StageList.dragged(event).filter(this::accepts);
+  private Optional<String> dragged(Dragboard board) {
+    return StageList.dragged(board).filter(this::accepts);
   }
 
   /** Whether the card of a path may be dropped on this one. */

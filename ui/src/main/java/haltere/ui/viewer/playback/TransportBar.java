@@ -125,7 +125,8 @@ public final class TransportBar extends HBox {
   }
 
   /** Shows what the player is doing. */
-  public void update(PlayerStatus status, Optional<Reach> reach) {
+  public void update(PlayerStatus status) {
+    Optional<Reach> reach = playback.reach();
     boolean playing = status.state() == State.PLAYING;
     Node icon = playing ? pauseIcon : playIcon;
     if (play.getGraphic() != icon) {

@@ -12,11 +12,7 @@ import javafx.scene.control.Label;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 
-/**
- * Records what comes out of the chain, and says for how long it has and how large the file is.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Records what comes out of the chain, and says for how long it has and how large the file is. */
 final class RecordButton extends HBox {
   private static final long NUMBERS_NANOS = 500_000_000;
 

@@ -17,11 +17,7 @@ import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.VBox;
 
-/**
- * The wing tracker's filters: which edges they take, and the numbers of each filter, live.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** The wing tracker's filters: which edges they take, and the numbers of each filter, live. */
 final class WingsPanel extends ScrollPane {
   /** What a person asks of the tracker here. */
   interface Actions {

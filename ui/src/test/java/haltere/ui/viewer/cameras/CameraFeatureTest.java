@@ -48,9 +48,9 @@ class CameraFeatureTest {
     try (ViewerHarness harness = ViewerHarness.withBlob()) {
       harness.waitFor(
           "the list of cameras",
-          () -> harness.window.actions().find("open-camera-simulated-fly").isPresent());
-      harness.run(() -> harness.window.actions().run("list-cameras"));
-      harness.run(() -> harness.window.actions().run("open-camera-simulated-fly"));
+          () -> harness.window.context().actions().find("open-camera-simulated-fly").isPresent());
+      harness.run(() -> harness.window.context().actions().run("list-cameras"));
+      harness.run(() -> harness.window.context().actions().run("open-camera-simulated-fly"));
       harness.waitUntilOpen("simulated:fly");
       harness.waitFor("the panel", () -> harness.isThere("camera-panel"));
       assertTrue(harness.text("camera-name").startsWith("Simulated fly"));
