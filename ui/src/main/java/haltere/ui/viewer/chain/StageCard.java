@@ -57,16 +57,19 @@ final class StageCard extends VBox {
     last = stage.timing();
     id = editor.path(stage).replace('/', '-');
     String title = Texts.title(stage.name());
-    getStyleClass().add("stage");
-    setId("stage-" + id);
+    Controls.named(this, "stage-" + id, "stage");
     firstSettings =
         state.settings().filter(found -> found.getClass().getRecordComponents().length > 0);
     up = item("up-", "Move up   (Ctrl+Shift+\u2191)", () -> editor.move(stage, -1));
     down = item("down-", "Move down   (Ctrl+Shift+\u2193)", () -> editor.move(stage, 1));
     into = item("into-", "Move into the chain above", this::moveIntoNeighbour);
     expand =
-        Controls.button("expand-" + id, Icons.RIGHT, "Settings of " + title, this::toggleSettings);
-    expand.getStyleClass().add(Styles.SMALL);
+        Controls.button(
+            "expand-" + id,
+            Icons.RIGHT,
+            "Settings of " + title,
+            this::toggleSettings,
+            Styles.SMALL);
     inside =
         stage.filter() instanceof FilterChain ? Optional.of(insideOf(state)) : Optional.empty();
     expand.setVisible(firstSettings.isPresent() || inside.isPresent());
@@ -129,8 +132,7 @@ final class StageCard extends VBox {
   }
 
   private void setUpCounts() {
-    counts.setId("counts-" + id);
-    counts.getStyleClass().addAll(Styles.TEXT_SMALL, "stage-counts");
+    Controls.named(counts, "counts-" + id, Styles.TEXT_SMALL, "stage-counts");
     Controls.help(
         counts,
         "Events into and out of the filter per second of real time, the share that it lets"

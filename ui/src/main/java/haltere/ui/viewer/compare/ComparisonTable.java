@@ -28,10 +28,9 @@ final class ComparisonTable extends ScrollPane {
   private final GridPane grid = new GridPane();
 
   ComparisonTable() {
-    setId("comparison");
     setAccessibleText("Published numbers of both chains");
     setFitToWidth(true);
-    getStyleClass().add("comparison");
+    Controls.named(this, "comparison", "comparison");
     grid.setHgap(6);
     ColumnConstraints names = new ColumnConstraints();
     names.setHgrow(Priority.ALWAYS);

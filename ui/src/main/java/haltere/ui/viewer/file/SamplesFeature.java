@@ -36,7 +36,6 @@ public final class SamplesFeature implements ViewerFeature {
   private final BooleanProperty hasFrames = new SimpleBooleanProperty();
   private final Label trigger = Controls.named(new Label(), "trigger-mark", "readout");
   private ViewerContext window;
-  private Optional<RecordingFacts> facts = Optional.empty();
   private boolean reading;
 
   @Override
@@ -67,7 +66,6 @@ public final class SamplesFeature implements ViewerFeature {
         .factsProperty()
         .subscribe(
             (was, is) -> {
-              facts = is;
               hasFrames.set(is.filter(found -> !found.frames().isEmpty()).isPresent());
               window
                   .panels()
@@ -88,6 +86,7 @@ public final class SamplesFeature implements ViewerFeature {
   }
 
   private void pulse(ViewerSession open) {
+    Optional<RecordingFacts> facts = window.sessions().factsProperty().get();
     if (facts.isEmpty()) {
       trigger.setVisible(false);
       return;

@@ -49,8 +49,7 @@ final class WarningBanner extends VBox {
   /** A banner that is not seen. */
   WarningBanner(Consumer<SensorGeometry> chosen) {
     this.chosen = chosen;
-    setId("warnings");
-    getStyleClass().add("warning-banner");
+    Controls.named(this, "warnings", "warning-banner");
     first.setMinWidth(0);
     first.setMaxWidth(Double.MAX_VALUE);
     HBox.setHgrow(first, Priority.ALWAYS);

@@ -6,7 +6,6 @@ import haltere.core.event.Frame;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorSample;
 import haltere.core.playback.SliceSink;
-import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamNotification;
 import java.awt.image.BufferedImage;
 import java.util.List;
@@ -103,10 +102,7 @@ public final class DisplaySink implements SliceSink {
 
   @Override
   public void notified(StreamNotification notification) {
-    boolean anew = notification.endsContinuity() && !(notification instanceof DataLost);
-    if (anew) {
-      taps.clear();
-    }
+    boolean anew = taps.notified(notification);
     later(
         () -> {
           maker.notified(notification);

@@ -69,8 +69,7 @@ public final class PlotPanel extends BorderPane {
   public PlotPanel(ChainEditor editor, PlaybackController playback) {
     this.playback = playback;
     feeds = new PlotFeeds(editor, this::offer);
-    setId("plots");
-    getStyleClass().add("plots");
+    Controls.named(this, "plots", "plots");
     Controls.help(add, "What filters publish, over time");
     Controls.help(follow, "Follow the newest values");
     follow.setAccessibleText("Follow the newest values");
