@@ -1,7 +1,7 @@
 package haltere.ui.viewer;
 
 import haltere.ui.viewer.action.ViewerAction;
-import haltere.ui.viewer.controls.Questions;
+import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.util.Map;
@@ -27,7 +27,7 @@ final class LayoutFeature implements ViewerFeature {
   }
 
   private void ask() {
-    Questions.ask(window.stage(), "Layout", "Name of the layout", "", this::keep);
+    Windows.ask(window.stage(), "Layout", "Name of the layout", "", this::keep);
   }
 
   /** Keeps what is shown now under a name, in place of what was kept there. */

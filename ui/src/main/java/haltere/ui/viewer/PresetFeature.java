@@ -5,7 +5,7 @@ import haltere.core.format.AtomicFile;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.chain.ChainPresets;
-import haltere.ui.viewer.controls.Questions;
+import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.io.IOException;
@@ -51,7 +51,7 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
 
   @Override
   public void keep(ChainEditor chain) {
-    Questions.ask(window.stage(), "Preset", "Name of the preset", "", name -> save(name, chain));
+    Windows.ask(window.stage(), "Preset", "Name of the preset", "", name -> save(name, chain));
   }
 
   /** Keeps a chain under a name. */

@@ -1,6 +1,5 @@
 package haltere.ui.viewer.cameras;
 
-import haltere.core.camera.BiasSliders;
 import haltere.core.camera.Camera;
 import haltere.core.camera.CameraInfo;
 import haltere.core.camera.CameraOptions;
@@ -228,11 +227,6 @@ public final class CameraFeature implements ViewerFeature {
         region.map(part -> new Region(part.left(), part.bottom(), part.width(), part.height()));
     tellFacet(
         RegionOfInterest.class, "can send a part of its sensor", roi -> roi.setRegion(wanted));
-  }
-
-  /** Moves a slider of the camera's biases. */
-  void slide(BiasSliders.Slider slider, double value) {
-    tellFacet(BiasSliders.class, "has biases", sliders -> sliders.set(slider, value));
   }
 
   // ---- What it says

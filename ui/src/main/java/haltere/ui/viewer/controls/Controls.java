@@ -42,17 +42,18 @@ public final class Controls {
    * @param help its tooltip, and its name for screen readers
    * @param action what pressing it does
    */
-  public static Button button(String id, Icons icon, String help, Runnable action) {
+  public static Button button(
+      String id, Icons icon, String help, Runnable action, String... styles) {
     Button button = new Button();
-    dress(button, id, icon, help);
+    dress(button, id, icon, help, styles);
     button.setOnAction(event -> action.run());
     return button;
   }
 
   /** A switch with an icon, as {@link #button}. */
-  public static ToggleButton toggle(String id, Icons icon, String help) {
+  public static ToggleButton toggle(String id, Icons icon, String help, String... styles) {
     ToggleButton button = new ToggleButton();
-    dress(button, id, icon, help);
+    dress(button, id, icon, help, styles);
     return button;
   }
 
@@ -182,8 +183,9 @@ public final class Controls {
     }
   }
 
-  private static void dress(ButtonBase button, String id, Icons icon, String help) {
-    button.setId(id);
+  private static void dress(
+      ButtonBase button, String id, Icons icon, String help, String... styles) {
+    named(button, id, styles);
     button.setGraphic(icon.node());
     button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
     help(button, help);

@@ -55,11 +55,11 @@ public final class SettingField extends VBox {
             "reset-" + id,
             Icons.RESET,
             "Back to the default, " + text(parameter.defaultValue()) + " " + unit(),
-            () -> set(parameter.defaultValue()));
-    reset.getStyleClass().addAll(Styles.SMALL, "reset-setting");
-    problem.setId("problem-" + id);
+            () -> set(parameter.defaultValue()),
+            Styles.SMALL,
+            "reset-setting");
+    Controls.named(problem, "problem-" + id, Styles.TEXT_SMALL, Styles.DANGER, "problem");
     problem.setWrapText(true);
-    problem.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.DANGER, "problem");
     showProblem("");
   }
 

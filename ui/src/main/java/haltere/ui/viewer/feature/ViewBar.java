@@ -54,8 +54,8 @@ public final class ViewBar extends HBox {
 
   /** Adds the switch of the camera's frames and their opacity, where what is open has frames. */
   public void addFrames(BooleanProperty on, DoubleProperty opacity, ObservableBooleanValue seen) {
-    ToggleButton button = Controls.toggle("frames", Icons.FRAME, "Frames below the events");
-    button.getStyleClass().add(Styles.SMALL);
+    ToggleButton button =
+        Controls.toggle("frames", Icons.FRAME, "Frames below the events", Styles.SMALL);
     button.selectedProperty().bindBidirectional(on);
     Slider slider = Controls.slider("frame-opacity", "Opacity of the frames", 0.1, 1);
     slider.setValue(opacity.get());
@@ -72,8 +72,7 @@ public final class ViewBar extends HBox {
 
   /** Adds the button of a tool or a panel. */
   public void tool(String id, Icons icon, String help, BooleanProperty on) {
-    ToggleButton button = Controls.toggle(id, icon, help);
-    button.getStyleClass().add(Styles.SMALL);
+    ToggleButton button = Controls.toggle(id, icon, help, Styles.SMALL);
     button.selectedProperty().bindBidirectional(on);
     tools.getChildren().add(button);
   }

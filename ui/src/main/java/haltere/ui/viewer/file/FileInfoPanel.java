@@ -24,8 +24,7 @@ final class FileInfoPanel extends ScrollPane {
   private final GridPane grid = new GridPane();
 
   FileInfoPanel() {
-    setId("file-info");
-    getStyleClass().add("file-info");
+    Controls.named(this, "file-info", "file-info");
     Controls.scrolling(this, grid);
     grid.getStyleClass().add("file-info-grid");
     ColumnConstraints name = new ColumnConstraints();

@@ -57,8 +57,7 @@ public final class EventView extends Region implements ArrowKeys {
 
   /** A view without a frame. */
   public EventView() {
-    getStyleClass().add("event-view");
-    setId("event-view");
+    Controls.named(this, "event-view", "event-view");
     setAccessibleRole(AccessibleRole.IMAGE_VIEW);
     setAccessibleText("Events");
     setFocusTraversable(true);
@@ -118,7 +117,7 @@ public final class EventView extends Region implements ArrowKeys {
   /** Shows or hides the marks. */
   public void setMarksVisible(boolean visible) {
     picture.setMarksVisible(visible);
-    redraw();
+    requestLayout();
   }
 
   /** Where another thread may draw frames as they are on the screen; empty where it need not. */
@@ -193,14 +192,13 @@ public final class EventView extends Region implements ArrowKeys {
     double left = viewpoint.left();
     double top = viewpoint.top();
     double density = getScene() == null ? 1 : getScene().getWindow().getRenderScaleX();
-    picture.place(left, top, scale, getWidth(), getHeight(), density);
+    picture.place(viewpoint, density);
     frame.setX(left - 0.5);
     frame.setY(top - 0.5);
     frame.setWidth(geometry.width() * scale + 1);
     frame.setHeight(geometry.height() * scale + 1);
     redraw();
-    readout.autosize();
-    readout.relocate(12, getHeight() - readout.getHeight() - 10);
+    showReadout(readout.getText());
     legend.autosize();
     legend.relocate(getWidth() - legend.getWidth() - 12, getHeight() - legend.getHeight() - 10);
   }
@@ -284,7 +282,8 @@ public final class EventView extends Region implements ArrowKeys {
     event.consume();
   }
 
-  private static int pixel(double place, int size) {
+  /** The pixel at a place, or the nearest one. */
+  static int pixel(double place, int size) {
     return (int) Math.max(0, Math.min(size - 1, Math.rint(place)));
   }
 

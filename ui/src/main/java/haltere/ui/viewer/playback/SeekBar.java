@@ -127,8 +127,7 @@ public final class SeekBar extends Region {
   /** A bar without a recording, which seeks by a controller. */
   public SeekBar(PlaybackController playback) {
     this.playback = playback;
-    getStyleClass().add("seek-bar");
-    setId("seek-bar");
+    Controls.named(this, "seek-bar", "seek-bar");
     setAccessibleRole(AccessibleRole.SLIDER);
     setAccessibleText("Place in the recording");
     setFocusTraversable(true);
@@ -171,7 +170,7 @@ public final class SeekBar extends Region {
         event -> {
           double notches = Math.signum(event.getDeltaY());
           if (notches == 0) {
-            scrollBy(-Math.signum(event.getDeltaX()) * spanUs / 10);
+            show(fromUs - Math.round(Math.signum(event.getDeltaX()) * spanUs / 10), spanUs);
           } else {
             zoomAt(event.getX(), Math.pow(ZOOM_PER_NOTCH, -notches));
           }
@@ -305,10 +304,6 @@ public final class SeekBar extends Region {
     showHover(x);
   }
 
-  private void scrollBy(double us) {
-    show(fromUs + Math.round(us), spanUs);
-  }
-
   /** Turns to the part of the recording that playback comes to. */
   private void keepInView(long placeUs) {
     if (status.state() == PlayerStatus.State.PLAYING && !isInView(placeUs)) {
@@ -336,16 +331,10 @@ public final class SeekBar extends Region {
   }
 
   private void drag(double x) {
-    if (grip == Grip.NEEDLE) {
-      seek(x);
+    if (canSeek() && grip == Grip.NEEDLE) {
+      playback.seek(placeAt(x));
     } else if (canSeek()) {
       playback.moveLoopEnd(grip == Grip.LOOP_START, placeAt(x));
-    }
-  }
-
-  private void seek(double x) {
-    if (canSeek()) {
-      playback.seek(placeAt(x));
     }
   }
 

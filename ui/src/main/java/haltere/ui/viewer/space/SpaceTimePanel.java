@@ -54,8 +54,7 @@ final class SpaceTimePanel extends BorderPane {
   SpaceTimePanel(ReadOnlyBooleanProperty marksShown) {
     this.marksShown = marksShown;
     marksShown.subscribe(() -> dirty = true);
-    setId("space-time");
-    getStyleClass().add("space-time");
+    Controls.named(this, "space-time", "space-time");
     picture.setAccessibleText("Events in space and time");
     picture.setMinSize(120, 120);
     Controls.clip(picture);

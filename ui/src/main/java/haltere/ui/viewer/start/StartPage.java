@@ -40,8 +40,7 @@ final class StartPage extends ScrollPane {
 
   /** A page that offers nothing yet but to open a recording and to go back to what is open. */
   StartPage(Runnable open, Runnable close) {
-    setId("start-page");
-    getStyleClass().add("start-page");
+    Controls.named(this, "start-page", "start-page");
     Label title = Controls.label("Haltere", Styles.TITLE_2);
     Label purpose =
         Controls.label("Plays, filters and tracks the events of event cameras.", Styles.TEXT_MUTED);

@@ -182,7 +182,7 @@ class WingsFeatureTest {
   @Test
   void edgesAreSwitchedOffAndTheSettingsOfTheChainFollow() {
     CheckBox box = viewer.node("wings-edge-right-leading", CheckBox.class);
-    viewer.run(() -> box.setSelected(false));
+    viewer.run(() -> box.fire());
     viewer.waitFor("the setting", () -> !wings.seen().get().settings().output().rightLeading());
     viewer.run(() -> viewer.window.context().actions().run("wings-flip"));
     viewer.waitFor(
