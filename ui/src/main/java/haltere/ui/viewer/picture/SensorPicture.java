@@ -21,8 +21,6 @@ import javafx.scene.text.Font;
  * enlarges the pixels and a canvas takes the marks; without one all of it is drawn into pixels,
  * because JavaFX's own software takes several milliseconds for it: by the thread that paints
  * frames, once it has been told {@link #screenPlace where}, else here.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class SensorPicture {
   /** So many pictures are not kept waiting by the loading of letters that they may not need. */
