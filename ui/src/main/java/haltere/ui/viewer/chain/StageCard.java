@@ -89,9 +89,8 @@ final class StageCard extends VBox {
   }
 
   private Label name(String title) {
-    Label name = Controls.label(title, Styles.TEXT_BOLD);
+    Label name = Controls.paragraph(title, Styles.TEXT_BOLD);
     name.setMaxWidth(Double.MAX_VALUE);
-    name.setMinWidth(0);
     Controls.help(name, description());
     HBox.setHgrow(name, Priority.ALWAYS);
     return name;
@@ -186,7 +185,10 @@ final class StageCard extends VBox {
   void update(long elapsedNanos) {
     inside.ifPresent(list -> list.update(elapsedNanos));
     if (power.isSelected() != stage.isEnabled() && elapsedNanos > 0) {
-      followStage();
+      // the player has switched a filter off that failed, or a switch is still under way
+      followingStage = true;
+      power.setSelected(stage.isEnabled());
+      followingStage = false;
     }
     FilterTiming now = stage.timing();
     FilterTiming since = now.since(last);
@@ -201,19 +203,12 @@ final class StageCard extends VBox {
           Texts.quantity(since.eventsIn() / seconds)
               + " \u2192 "
               + Texts.quantity(since.eventsOut() / seconds)
-              + " ev/s  \u00b7  "
+              + " ev/s \u00b7 "
               + Math.round(100.0 * since.eventsOut() / since.eventsIn())
-              + " %  \u00b7  "
+              + " % \u00b7 "
               + Texts.digits(since.microsPerThousandEvents())
               + " \u00b5s/kev");
     }
-  }
-
-  /** The player has switched a filter off that failed, or a switch is still under way. */
-  private void followStage() {
-    followingStage = true;
-    power.setSelected(stage.isEnabled());
-    followingStage = false;
   }
 
   private void toggleSettings() {
@@ -239,10 +234,7 @@ final class StageCard extends VBox {
       getChildren().add(made);
       settings = Optional.of(made);
     }
-    settings.ifPresent(
-        panel -> {
-          Controls.show(show, panel);
-        });
+    settings.ifPresent(panel -> Controls.show(show, panel));
     expand.setRotate(show ? 90 : 0);
   }
 
