@@ -19,6 +19,9 @@ final class StrokeShape {
 
   private final double[] value = new double[STEPS];
 
+  /** State of the filter that was looked at last. */
+  private double[] seen = new double[0];
+
   /** Least and largest stroke angle. */
   double least;
 
@@ -32,8 +35,12 @@ final class StrokeShape {
     return (most - least) / 2;
   }
 
-  /** Looks at the stroke of a filter. */
+  /** Looks at the stroke of a filter, unless it has the same centre, amplitude and harmonics. */
   void of(StrokeEkf filter) {
+    if (filter.hasSeries(seen)) {
+      return;
+    }
+    seen = filter.x.clone();
     int low = 0;
     int high = 0;
     for (int i = 0; i < STEPS; i++) {

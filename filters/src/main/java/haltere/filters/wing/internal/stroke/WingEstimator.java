@@ -478,12 +478,9 @@ public final class WingEstimator implements SideEstimator {
     double variance = filter.angleVariance(at);
     double speed = filter.slope(filter.cos, filter.sin) * filter.x[StrokeEkf.OMEGA];
     double lagS = lagS();
-    double late =
-        Math.hypot(
-                CameraLatency.sdSeconds(hasBothEdges() ? 0 : lagS),
-                Math.sqrt(passageVariance(lagS)))
-            * speed;
-    return Math.sqrt(Math.max(0, variance) + SYSTEMATIC_RAD * SYSTEMATIC_RAD + late * late);
+    double late = CameraLatency.variance(hasBothEdges() ? 0 : lagS) + passageVariance(lagS);
+    return Math.sqrt(
+        Math.max(0, variance) + SYSTEMATIC_RAD * SYSTEMATIC_RAD + late * speed * speed);
   }
 
   private double sdFrequencyHz() {
