@@ -352,7 +352,7 @@ final class ObjectTracker {
     to.setVelocity(from.vx() + region.slipX() / seconds, from.vy() + region.slipY() / seconds);
     to.shape.settle();
     from.shape.settle();
-    double share = to.shape.total / (to.shape.total + from.shape.total);
+    double share = to.shape.total() / (to.shape.total() + from.shape.total());
     to.rate = from.rate * share;
     to.novelty = from.novelty * share;
     from.rate -= to.rate;
