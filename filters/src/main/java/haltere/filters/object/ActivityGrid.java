@@ -15,6 +15,7 @@ import java.util.Arrays;
  */
 final class ActivityGrid {
   private static final int SHIFT = 2;
+  static final int TILE_PX = 1 << SHIFT;
   static final int TILE_PIXELS = 1 << 2 * SHIFT;
   static final int BLOCK_SHIFT = 2 * SHIFT;
   private static final int TIME_SHIFT = TILE_PIXELS;

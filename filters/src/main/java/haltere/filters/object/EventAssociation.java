@@ -24,6 +24,7 @@ final class EventAssociation {
 
   private final int[] near;
   private List<Component> components = List.of();
+  private final Component[] nearby = new Component[MAX_NEAR];
   private final double[] nearX = new double[MAX_NEAR];
   private final double[] nearY = new double[MAX_NEAR];
   private final double[] intensity = new double[MAX_NEAR];
@@ -76,20 +77,13 @@ final class EventAssociation {
   private void associate(int tile) {
     int x = grid.x(tile);
     int y = grid.y(tile);
-    int block = tile >> ActivityGrid.BLOCK_SHIFT;
-    int first = block * MAX_NEAR;
-    int count = counts[block];
-    double timeS = count == 0 ? 0 : grid.meanS(tile);
-    for (int k = 0; k < count; k++) {
-      Component component = components.get(near[first + k]);
-      nearX[k] = x - (component.x() + component.vx() * timeS);
-      nearY[k] = y - (component.y() + component.vy() * timeS);
-    }
     int cell = clutter.cellAt(x, y);
+    int pixels = grid.pixels(tile);
+    int count = findNear(tile, x, y);
     int unexplained = 0;
-    for (int left = grid.pixels(tile); left != 0; left &= left - 1) {
+    for (int left = pixels; left != 0; left &= left - 1) {
       int pixel = Integer.numberOfTrailingZeros(left);
-      double share = count == 0 ? 1 : associate(tile, pixel, cell, first, count);
+      double share = count == 0 ? 1 : associate(tile, pixel, cell, count);
       clutter.add(tile, pixel, cell, share);
       unexplained |= share > 0.5 ? 1 << pixel : 0;
     }
@@ -98,14 +92,37 @@ final class EventAssociation {
     }
   }
 
+  /** Finds the components whose template reaches a tile; returns how many. */
+  private int findNear(int tile, int x, int y) {
+    int block = tile >> ActivityGrid.BLOCK_SHIFT;
+    int listed = counts[block];
+    if (listed == 0) {
+      return 0;
+    }
+    double timeS = grid.meanS(tile);
+    int count = 0;
+    for (int i = block * MAX_NEAR; i < block * MAX_NEAR + listed; i++) {
+      Component component = components.get(near[i]);
+      double dx = x - (component.x() + component.vx() * timeS);
+      double dy = y - (component.y() + component.vy() * timeS);
+      double reach = component.shape.reach() + ActivityGrid.TILE_PX;
+      if (Math.abs(dx) < reach && Math.abs(dy) < reach) {
+        nearby[count] = component;
+        nearX[count] = dx;
+        nearY[count++] = dy;
+      }
+    }
+    return count;
+  }
+
   /** Shares one event; returns the share that is clutter. */
-  private double associate(int tile, int pixel, int cell, int first, int count) {
-    double noise = clutter.rate(tile, pixel);
-    double sum = noise;
+  private double associate(int tile, int pixel, int cell, int count) {
     int dx = ActivityGrid.pixelX(pixel);
     int dy = ActivityGrid.pixelY(pixel);
+    double noise = clutter.rate(tile, pixel);
+    double sum = noise;
     for (int k = 0; k < count; k++) {
-      Component component = components.get(near[first + k]);
+      Component component = nearby[k];
       int at = component.shape.cell(nearX[k] + dx, nearY[k] + dy);
       cells[k] = at;
       intensity[k] = at < 0 ? 0 : component.intensity * component.shape.density[at];
@@ -119,7 +136,7 @@ final class EventAssociation {
       if (intensity[k] == 0) {
         continue;
       }
-      Component component = components.get(near[first + k]);
+      Component component = nearby[k];
       double mine = component.active * intensity[k];
       component.addLikelihood(intensity[k] / (sum - mine));
       double share = mine / sum;
