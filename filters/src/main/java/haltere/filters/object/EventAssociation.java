@@ -50,8 +50,10 @@ final class EventAssociation {
   private void index() {
     Arrays.fill(counts, 0);
     for (int i = 0; i < components.size(); i++) {
+      components.get(i).beginTick();
+    }
+    for (int i = 0; i < components.size(); i++) {
       Component component = components.get(i);
-      component.beginTick();
       double reach = component.shape.reach();
       double reachX = reach + Math.abs(component.vx()) * ObjectTracker.TICK_S;
       double reachY = reach + Math.abs(component.vy()) * ObjectTracker.TICK_S;
@@ -144,9 +146,11 @@ final class EventAssociation {
       ShapeTemplate shape = component.shape;
       if (!component.object.isDecided()) {
         // no event decides alone
-        double novelty = Math.log(intensity[k] / repeat);
+        double ratio = intensity[k] / repeat;
         double most = ObjectRelations.DECISIVE_NAT;
-        component.novelty += share * Math.max(-most, Math.min(most, novelty));
+        double least = ObjectRelations.ERROR;
+        component.novelty +=
+            share * (ratio <= least ? -most : ratio >= 1 / least ? most : Math.log(ratio));
       }
       component.weight += share;
       component.gradientX -= share * shape.gradientX[at];

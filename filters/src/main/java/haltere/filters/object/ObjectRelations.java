@@ -47,6 +47,9 @@ final class ObjectRelations {
   /** Variance of a displacement from the cells of the template, px². */
   private static final double CELL_VARIANCE = ShapeTemplate.MIN_CELL_PX * ShapeTemplate.MIN_CELL_PX;
 
+  /** Square of the gap from which the prior is below that of two wrong decisions. */
+  private static final double FAR_SQUARES = Math.expm1(TOUCH_NAT + 2 * DECISIVE_NAT);
+
   /** Of pairs that are too far from one another to be compared. */
   private static final double FAR = Double.NEGATIVE_INFINITY;
 
@@ -99,6 +102,9 @@ final class ObjectRelations {
         double prior = gapLog(a, b);
         double sum = evidence[a.slot][b.slot];
         if (prior == FAR) {
+          if (sum == 0 && gap[a.slot][b.slot] == FAR) {
+            continue;
+          }
           sum = 0;
         } else if (a.isMoving() && b.isMoving()) {
           sum *= fade;
@@ -117,8 +123,8 @@ final class ObjectRelations {
 
   private double gapLog(Component a, Component b) {
     double shares = a.boxDistance(b) / (GAP_SHARE * sizeOf(a, b));
-    double prior = TOUCH_NAT - Math.log1p(shares * shares);
-    return prior < -2 * DECISIVE_NAT ? FAR : prior;
+    double squares = shares * shares;
+    return squares > FAR_SQUARES ? FAR : TOUCH_NAT - Math.log1p(squares);
   }
 
   private double sizeOf(Component a, Component b) {
@@ -161,7 +167,10 @@ final class ObjectRelations {
 
   /** Log odds that two sets of components are one object: the least gap, the mean evidence. */
   double score(List<Component> a, List<Component> b) {
-    double prior = FAR;
+    double prior = gapLog(a, b);
+    if (prior == FAR) {
+      return FAR;
+    }
     double sum = 0;
     double weights = 0;
     for (int i = 0; i < a.size(); i++) {
@@ -169,7 +178,6 @@ final class ObjectRelations {
       for (int j = 0; j < b.size(); j++) {
         Component other = b.get(j);
         if (one != other) {
-          prior = Math.max(prior, gap[one.slot][other.slot]);
           double weight = one.activeRate() * other.activeRate();
           sum += weight * evidence[one.slot][other.slot];
           weights += weight;
@@ -177,6 +185,19 @@ final class ObjectRelations {
       }
     }
     return weights > 0 ? prior + sum / weights + oneLog(a, b) : FAR;
+  }
+
+  private double gapLog(List<Component> a, List<Component> b) {
+    double prior = FAR;
+    for (int i = 0; i < a.size(); i++) {
+      Component one = a.get(i);
+      for (int j = 0; j < b.size(); j++) {
+        if (one != b.get(j)) {
+          prior = Math.max(prior, gap[one.slot][b.get(j).slot]);
+        }
+      }
+    }
+    return prior;
   }
 
   /** Log prior that the box of two sets of components is that of one object. */
@@ -200,10 +221,10 @@ final class ObjectRelations {
 
   /** Whether two objects are to be one. */
   boolean areOne(TrackedObject a, TrackedObject b) {
-    if (!mayJoin(a) || !mayJoin(b)) {
+    double odds = score(a.components, b.components);
+    if (odds == FAR || !mayJoin(a) || !mayJoin(b)) {
       return false;
     }
-    double odds = score(a.components, b.components);
     if (a.isDecided() && b.isDecided()) {
       return odds > DECISIVE_NAT;
     }
