@@ -10,8 +10,6 @@ import haltere.filters.trail.Ellipse;
  *
  * <p>The place is the middle of the template, x and y in pixels; state (x, vx, y, vy), which goes
  * on as the {@link MotionModel} says.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class Component {
   /**

@@ -8,8 +8,6 @@ import java.util.List;
  * clutter and components (Streit, Poisson Point Processes, 2010, §3.2): an event is a component's
  * with the probability λ<sub>k</sub> / Σ λ at its pixel and its own time, the expectation step of
  * Dempster, Laird and Rubin (1977).
- *
- * <p>Thread rule: one thread at a time.
  */
 final class EventAssociation {
   /** Components that share a block of 16 × 16 pixels; more do not count there. */
@@ -49,9 +47,7 @@ final class EventAssociation {
   /** Lists for each block the components whose template may reach it. */
   private void index() {
     Arrays.fill(counts, 0);
-    for (int i = 0; i < components.size(); i++) {
-      components.get(i).beginTick();
-    }
+    components.forEach(Component::beginTick);
     for (int i = 0; i < components.size(); i++) {
       Component component = components.get(i);
       double reach = component.shape.reach();
@@ -80,30 +76,10 @@ final class EventAssociation {
     int x = grid.x(tile);
     int y = grid.y(tile);
     int cell = clutter.cellAt(x, y);
-    int pixels = grid.pixels(tile);
-    int count = findNear(tile, x, y);
-    int unexplained = 0;
-    for (int left = pixels; left != 0; left &= left - 1) {
-      int pixel = Integer.numberOfTrailingZeros(left);
-      double share = count == 0 ? 1 : associate(tile, pixel, cell, count);
-      clutter.add(tile, pixel, cell, share);
-      unexplained |= share > 0.5 ? 1 << pixel : 0;
-    }
-    if (unexplained != 0) {
-      births.remember(tile, cell, unexplained);
-    }
-  }
-
-  /** Finds the components whose template reaches a tile; returns how many. */
-  private int findNear(int tile, int x, int y) {
     int block = tile >> ActivityGrid.BLOCK_SHIFT;
-    int listed = counts[block];
-    if (listed == 0) {
-      return 0;
-    }
-    double timeS = grid.meanS(tile);
+    double timeS = counts[block] == 0 ? 0 : grid.meanS(tile);
     int count = 0;
-    for (int i = block * MAX_NEAR; i < block * MAX_NEAR + listed; i++) {
+    for (int i = block * MAX_NEAR; i < block * MAX_NEAR + counts[block]; i++) {
       Component component = components.get(near[i]);
       double dx = x - (component.x() + component.vx() * timeS);
       double dy = y - (component.y() + component.vy() * timeS);
@@ -114,7 +90,16 @@ final class EventAssociation {
         nearY[count++] = dy;
       }
     }
-    return count;
+    int unexplained = 0;
+    for (int left = grid.pixels(tile); left != 0; left &= left - 1) {
+      int pixel = Integer.numberOfTrailingZeros(left);
+      double share = count == 0 ? 1 : associate(tile, pixel, cell, count);
+      clutter.add(tile, pixel, cell, share);
+      unexplained |= share > 0.5 ? 1 << pixel : 0;
+    }
+    if (unexplained != 0) {
+      births.remember(tile, cell, unexplained);
+    }
   }
 
   /** Shares one event; returns the share that is clutter. */

@@ -12,8 +12,6 @@ import java.util.List;
  *
  * <p>The log ratio of the two normal densities is that of track-to-track association (Bar-Shalom,
  * IEEE TAC 26, 1981).
- *
- * <p>Thread rule: one thread at a time.
  */
 final class ObjectRelations {
   /** Prior log odds of touching components: four of five are one object. */
@@ -167,10 +165,7 @@ final class ObjectRelations {
 
   /** Log odds that two sets of components are one object: the least gap, the mean evidence. */
   double score(List<Component> a, List<Component> b) {
-    double prior = gapLog(a, b);
-    if (prior == FAR) {
-      return FAR;
-    }
+    double prior = FAR;
     double sum = 0;
     double weights = 0;
     for (int i = 0; i < a.size(); i++) {
@@ -178,26 +173,14 @@ final class ObjectRelations {
       for (int j = 0; j < b.size(); j++) {
         Component other = b.get(j);
         if (one != other) {
+          prior = Math.max(prior, gap[one.slot][other.slot]);
           double weight = one.activeRate() * other.activeRate();
           sum += weight * evidence[one.slot][other.slot];
           weights += weight;
         }
       }
     }
-    return weights > 0 ? prior + sum / weights + oneLog(a, b) : FAR;
-  }
-
-  private double gapLog(List<Component> a, List<Component> b) {
-    double prior = FAR;
-    for (int i = 0; i < a.size(); i++) {
-      Component one = a.get(i);
-      for (int j = 0; j < b.size(); j++) {
-        if (one != b.get(j)) {
-          prior = Math.max(prior, gap[one.slot][b.get(j).slot]);
-        }
-      }
-    }
-    return prior;
+    return weights > 0 && prior > FAR ? prior + sum / weights + oneLog(a, b) : FAR;
   }
 
   /** Log prior that the box of two sets of components is that of one object. */

@@ -9,8 +9,6 @@ import java.util.List;
 /**
  * Connected regions of a component's template, followed for as long as they last. Two that stay
  * apart are two components.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class RegionFinder {
   /** Share of the extent's events below which a region is not followed. */

@@ -10,7 +10,7 @@ import java.util.Arrays;
  *
  * <p>The density is worked out anew by {@link #refresh}; weights decay without it.
  *
- * <p>Pixels. Thread rule: one thread at a time.
+ * <p>Lengths are in pixels.
  */
 final class ShapeTemplate {
   /** Cells of a side. */
@@ -170,12 +170,7 @@ final class ShapeTemplate {
     perFade = 1;
   }
 
-  /** Weight of all events, as of {@link #settle}. */
-  double total() {
-    return sum(mass);
-  }
-
-  private static float sum(float[] cells) {
+  static float sum(float[] cells) {
     float sum = 0;
     for (float cell : cells) {
       sum += cell;
