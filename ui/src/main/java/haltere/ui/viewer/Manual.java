@@ -22,8 +22,6 @@ import javafx.stage.Stage;
 /**
  * The manual in a window of its own: the page {@code docs/viewer.md}, without pictures and links,
  * as headings, paragraphs, lists and tables.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class Manual {
   private static final String PAGE = "manual/viewer.md";
@@ -105,9 +103,7 @@ final class Manual {
   }
 
   private static GridPane table(String block) {
-    GridPane grid = new GridPane();
-    grid.setHgap(14);
-    grid.setVgap(4);
+    GridPane grid = new GridPane(14, 4);
     int row = 0;
     for (String line : block.split("\n")) {
       if (line.matches("[|\\-: ]+")) {

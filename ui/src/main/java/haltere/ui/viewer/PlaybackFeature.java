@@ -2,8 +2,8 @@ package haltere.ui.viewer;
 
 import haltere.core.playback.Loop;
 import haltere.ui.viewer.action.ViewerActions;
-import haltere.ui.viewer.controls.Questions;
 import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.playback.PlaybackController;
@@ -29,12 +29,10 @@ final class PlaybackFeature implements ViewerFeature {
     add("step-off", () -> playback.step(-1));
     add("jog-on", () -> playback.step(JOG_SLICES));
     add("jog-off", () -> playback.step(-JOG_SLICES));
-    actions.beginGroup();
     add("go-faster", playback::faster);
     add("go-slower", playback::slower);
     add("real-time", () -> playback.setSpeed(1));
     add("slow-motion", () -> playback.setSpeed(1e-3));
-    actions.beginGroup();
     add("to-start", playback::rewind);
     add("to-first", () -> playback.seek(0));
     add("to-last", () -> playback.seek(Long.MAX_VALUE));
@@ -42,7 +40,6 @@ final class PlaybackFeature implements ViewerFeature {
     add("jump-back", () -> playback.jump(-JUMP_US));
     add("leap-on", () -> playback.jump(10 * JUMP_US));
     add("leap-back", () -> playback.jump(-10 * JUMP_US));
-    actions.beginGroup();
     add("loop-start", playback::markIn);
     add("loop-end", playback::markOut);
     actions.add("clear-in-out", playback::clearInOut, this::noLoopEnds);
@@ -52,16 +49,14 @@ final class PlaybackFeature implements ViewerFeature {
             () -> playback.loopProperty().get().on(), playback.loopProperty()),
         () -> playback.setLooping(!playback.loopProperty().get().on()),
         () -> "");
-    actions.beginGroup();
     add("set-mark", playback::mark);
     add(
         "name-mark",
-        () -> Questions.ask(window.stage(), "Mark", "Name of the mark here", "", playback::mark));
+        () -> Windows.ask(window.stage(), "Mark", "Name of the mark here", "", playback::mark));
     actions.add("jump-to-time", () -> askForTime(window), this::noWayBack);
     actions.add("mark-before", () -> playback.toMark(false), this::noMarks);
     actions.add("mark-after", () -> playback.toMark(true), this::noMarks);
     actions.add("clear-marks", playback::clearMarks, this::noMarks);
-    actions.beginGroup();
     add("forget", playback::reset);
     add("menu-reset", playback::reset);
   }
@@ -81,7 +76,7 @@ final class PlaybackFeature implements ViewerFeature {
 
   private void askForTime(ViewerContext window) {
     String here = playback.status().map(now -> Texts.time(now.elapsedUs(), true)).orElse("");
-    Questions.ask(
+    Windows.ask(
         window.stage(),
         "Jump",
         "To which time? Minutes and seconds as 1:02.345, or with a unit as 250 ms",

@@ -10,6 +10,7 @@ import haltere.core.chain.Filters;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.controls.Texts;
+import java.util.Locale;
 import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.geometry.Pos;
@@ -20,7 +21,7 @@ import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.input.ClipboardContent;
-import javafx.scene.input.DragEvent;
+import javafx.scene.input.Dragboard;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.TransferMode;
@@ -28,11 +29,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 
-/**
- * One stage of the chain: its switch, what it does to the stream, its place, its settings.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** One stage of the chain: its switch, what it does to the stream, its place, its settings. */
 final class StageCard extends VBox {
   private static final PseudoClass TARGET = PseudoClass.getPseudoClass("target");
   private static final PseudoClass OFF = PseudoClass.getPseudoClass("off");
@@ -52,6 +49,7 @@ final class StageCard extends VBox {
   private Optional<Record> adopted = Optional.empty();
   private SettingsSearch search = SettingsSearch.ALL;
   private FilterTiming last;
+  private long lastNanos = System.nanoTime();
   private boolean followingStage;
   private Optional<StageList> chainAbove = Optional.empty();
 
@@ -61,16 +59,19 @@ final class StageCard extends VBox {
     last = stage.timing();
     id = editor.path(stage).replace('/', '-');
     String title = Texts.title(stage.name());
-    getStyleClass().add("stage");
-    setId("stage-" + id);
+    Controls.named(this, "stage-" + id, "stage");
     firstSettings =
         state.settings().filter(found -> found.getClass().getRecordComponents().length > 0);
     up = item("up-", "Move up   (Ctrl+Shift+\u2191)", () -> editor.move(stage, -1));
     down = item("down-", "Move down   (Ctrl+Shift+\u2193)", () -> editor.move(stage, 1));
     into = item("into-", "Move into the chain above", this::moveIntoNeighbour);
     expand =
-        Controls.button("expand-" + id, Icons.RIGHT, "Settings of " + title, this::toggleSettings);
-    expand.getStyleClass().add(Styles.SMALL);
+        Controls.button(
+            "expand-" + id,
+            Icons.RIGHT,
+            "Settings of " + title,
+            this::toggleSettings,
+            Styles.SMALL);
     inside =
         stage.filter() instanceof FilterChain ? Optional.of(insideOf(state)) : Optional.empty();
     expand.setVisible(firstSettings.isPresent() || inside.isPresent());
@@ -133,8 +134,7 @@ final class StageCard extends VBox {
   }
 
   private void setUpCounts() {
-    counts.setId("counts-" + id);
-    counts.getStyleClass().addAll(Styles.TEXT_SMALL, "stage-counts");
+    Controls.named(counts, "counts-" + id, Styles.TEXT_SMALL, "stage-counts");
     Controls.help(
         counts,
         "Events into and out of the filter per second of real time, the share that it lets"
@@ -155,10 +155,6 @@ final class StageCard extends VBox {
         .getStyleClass()
         .add("stages-inside");
     return list;
-  }
-
-  ChainStage stage() {
-    return stage;
   }
 
   /** Shows what a chain inside the chain consists of now. */
@@ -189,11 +185,12 @@ final class StageCard extends VBox {
   }
 
   /** Shows what the stage did since the last call. */
-  void update(long elapsedNanos) {
-    inside.ifPresent(list -> list.update(elapsedNanos));
-    if (power.isSelected() != stage.isEnabled() && elapsedNanos > 0) {
+  void update() {
+    inside.ifPresent(StageList::update);
+    if (power.isSelected() != stage.isEnabled()) {
       followStage();
     }
+    long nanos = System.nanoTime();
     FilterTiming now = stage.timing();
     FilterTiming since = now.since(last);
     last = now;
@@ -202,17 +199,17 @@ final class StageCard extends VBox {
     } else if (since.eventsIn() == 0) {
       counts.setText("no events");
     } else {
-      double seconds = elapsedNanos / 1e9;
+      double seconds = (nanos - lastNanos) / 1e9;
       counts.setText(
-          Texts.quantity(since.eventsIn() / seconds)
-              + " \u2192 "
-              + Texts.quantity(since.eventsOut() / seconds)
-              + " ev/s  \u00b7  "
-              + Math.round(100.0 * since.eventsOut() / since.eventsIn())
-              + " %  \u00b7  "
-              + Texts.digits(since.microsPerThousandEvents())
-              + " \u00b5s/kev");
+          String.format(
+              Locale.ROOT,
+              "%s \u2192 %s ev/s  \u00b7  %d %%  \u00b7  %s \u00b5s/kev",
+              Texts.quantity(since.eventsIn() / seconds),
+              Texts.quantity(since.eventsOut() / seconds),
+              Math.round(100.0 * since.eventsOut() / since.eventsIn()),
+              Texts.digits(since.microsPerThousandEvents())));
     }
+    lastNanos = nanos;
   }
 
   /** The player has switched a filter off that failed, or a switch is still under way. */
@@ -252,7 +249,7 @@ final class StageCard extends VBox {
     expand.setRotate(show ? 90 : 0);
   }
 
-  /** Shows settings that a filter was given other than by a card, if it is this one's. */
+  /** Shows settings that a filter was given, if it is this one's. */
   void adopt(ChainStage of, Record newSettings) {
     inside.ifPresent(list -> list.adopt(of, newSettings));
     if (of == stage) {
@@ -291,30 +288,15 @@ final class StageCard extends VBox {
           handle.startDragAndDrop(TransferMode.MOVE).setContent(content);
           event.consume();
         });
-    setOnDragOver(
-        event -> {
-          if (dragged(event).isPresent()) {
-            event.acceptTransferModes(TransferMode.MOVE);
-            event.consume();
-          }
-        });
-    setOnDragEntered(event -> pseudoClassStateChanged(TARGET, dragged(event).isPresent()));
+    Controls.onDrop(this, TransferMode.MOVE, this::dragged, this::drop);
+    setOnDragEntered(
+        event -> pseudoClassStateChanged(TARGET, dragged(event.getDragboard()).isPresent()));
     setOnDragExited(event -> pseudoClassStateChanged(TARGET, false));
-    setOnDragDropped(
-        event -> {
-          dragged(event)
-              .ifPresent(
-                  path -> {
-                    drop(path);
-                    event.setDropCompleted(true);
-                    event.consume();
-                  });
-        });
   }
 
   /** The path of the card that is dragged, if it may come here. */
-  private Optional<String> dragged(DragEvent event) {
-    return StageList.dragged(event).filter(this::accepts);
+  private Optional<String> dragged(Dragboard board) {
+    return StageList.dragged(board).filter(this::accepts);
   }
 
   /** Whether the card of a path may be dropped on this one. */

@@ -20,21 +20,17 @@ import javafx.scene.layout.Priority;
 /**
  * The numbers that two chains publish, side by side: means over the last second and how much the
  * second one differs.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class ComparisonTable extends ScrollPane {
   /** A line of the table, below the heading of what publishes it. */
   record Line(String group, String field, String first, String second, String difference) {}
 
-  private final GridPane grid = new GridPane();
+  private final GridPane grid = new GridPane(6, 0);
 
   ComparisonTable() {
-    setId("comparison");
     setAccessibleText("Published numbers of both chains");
     setFitToWidth(true);
-    getStyleClass().add("comparison");
-    grid.setHgap(6);
+    Controls.named(this, "comparison", "comparison");
     ColumnConstraints names = new ColumnConstraints();
     names.setHgrow(Priority.ALWAYS);
     names.setMinWidth(60);

@@ -10,9 +10,11 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.session.RecordingFacts;
 import haltere.ui.viewer.session.RecordingFacts.Moment;
-import haltere.ui.viewer.session.Sources;
+import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
+import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -32,11 +34,11 @@ public final class SamplesFeature implements ViewerFeature {
   private static final int NAMED_SLICES = 12;
 
   private static final int MAX_NAMES = 3;
+  private static final Comparator<Moment> BY_TIME = Comparator.comparingLong(Moment::elapsedUs);
 
   private final BooleanProperty hasFrames = new SimpleBooleanProperty();
   private final Label trigger = Controls.named(new Label(), "trigger-mark", "readout");
   private ViewerContext window;
-  private Optional<RecordingFacts> facts = Optional.empty();
   private boolean reading;
 
   @Override
@@ -67,7 +69,6 @@ public final class SamplesFeature implements ViewerFeature {
         .factsProperty()
         .subscribe(
             (was, is) -> {
-              facts = is;
               hasFrames.set(is.filter(found -> !found.frames().isEmpty()).isPresent());
               window
                   .panels()
@@ -88,6 +89,7 @@ public final class SamplesFeature implements ViewerFeature {
   }
 
   private void pulse(ViewerSession open) {
+    Optional<RecordingFacts> facts = window.sessions().factsProperty().get();
     if (facts.isEmpty()) {
       trigger.setVisible(false);
       return;
@@ -96,7 +98,7 @@ public final class SamplesFeature implements ViewerFeature {
     long shownUs = now.elapsedUs() + now.sliceUs();
     name(facts.get().triggers(), shownUs, NAMED_SLICES * Math.max(1, now.sliceUs()));
     int frame = lastAt(facts.get().frames(), shownUs);
-    if (!reading && frame >= 0 && open.display().frames().isSought()) {
+    if (!reading && frame >= 0 && open.display().maker().frames().isSought()) {
       read(open, facts.get(), facts.get().frames().get(frame));
     }
   }
@@ -124,17 +126,12 @@ public final class SamplesFeature implements ViewerFeature {
 
   /** Index of the last moment before a place, -1 if there is none. */
   private static int lastAt(List<Moment> moments, long elapsedUs) {
-    int from = 0;
-    int to = moments.size();
-    while (from < to) {
-      int middle = (from + to) >>> 1;
-      if (moments.get(middle).elapsedUs() < elapsedUs) {
-        from = middle + 1;
-      } else {
-        to = middle;
-      }
+    int at = Collections.binarySearch(moments, new Moment(elapsedUs, ""), BY_TIME);
+    int last = at < 0 ? -at - 1 : at;
+    while (last > 0 && moments.get(last - 1).elapsedUs() == elapsedUs) {
+      last--;
     }
-    return from - 1;
+    return last - 1;
   }
 
   private void read(ViewerSession open, RecordingFacts of, Moment frame) {
@@ -155,7 +152,7 @@ public final class SamplesFeature implements ViewerFeature {
 
   private static Optional<Frame> frameAt(RecordingFacts of, ViewerSession open, long elapsedUs)
       throws IOException {
-    try (Playable own = Sources.recording(of.file(), open.options())) {
+    try (Playable own = SessionRequest.play(of.file(), open.request().options())) {
       own.seek(elapsedUs);
       Frame[] found = new Frame[1];
       StreamHandler consumer =

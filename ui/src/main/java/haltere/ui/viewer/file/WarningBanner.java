@@ -5,6 +5,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.internal.decoding.SensorGuess;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
+import haltere.ui.viewer.controls.Texts;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -23,8 +24,6 @@ import javafx.scene.layout.VBox;
 /**
  * Warnings about the file that is open, above the picture: one line that can be opened and put
  * aside, and the question for the camera where the file does not name it.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class WarningBanner extends VBox {
   /** Cameras of the usual sizes, for a person who does not know the size. */
@@ -42,16 +41,16 @@ final class WarningBanner extends VBox {
   private final Label first = Controls.named(new Label(), "warning-first");
   private final Hyperlink more = Controls.named(new Hyperlink(), "warnings-more");
   private final VBox all = new VBox(2);
-  private final ChoiceBox<String> sizes = Controls.named(new ChoiceBox<String>(), "camera-choice");
+  private final ChoiceBox<SensorGeometry> sizes =
+      Controls.choice(
+          "camera-choice", "Camera that made the recording", List.of(), WarningBanner::words);
   private final HBox question;
   private List<String> warnings = List.of();
-  private List<SensorGeometry> offered = List.of();
 
   /** A banner that is not seen. */
   WarningBanner(Consumer<SensorGeometry> chosen) {
     this.chosen = chosen;
-    setId("warnings");
-    getStyleClass().add("warning-banner");
+    Controls.named(this, "warnings", "warning-banner");
     first.setMinWidth(0);
     first.setMaxWidth(Double.MAX_VALUE);
     HBox.setHgrow(first, Priority.ALWAYS);
@@ -65,7 +64,6 @@ final class WarningBanner extends VBox {
             more,
             Controls.button("warnings-dismiss", Icons.REMOVE, "Dismiss the warnings", this::hide));
     Label asked = new Label("Camera:");
-    sizes.setAccessibleText("Camera that made the recording");
     Button use = Controls.named(new Button("Use and remember"), "camera-use", Styles.SMALL);
     use.setMinWidth(Region.USE_PREF_SIZE);
     use.setOnAction(event -> answer());
@@ -86,20 +84,15 @@ final class WarningBanner extends VBox {
    */
   void show(List<String> newWarnings, Optional<SensorGeometry> guess) {
     // options of the command line mean nothing here
-    warnings = newWarnings.stream().map(line -> line.replaceAll(" \\(--[^)]*\\)", "")).toList();
+    warnings =
+        newWarnings.stream()
+            .map(line -> Texts.capital(line.replaceAll(" \\(--[^)]*\\)", "")))
+            .toList();
     Controls.show(!warnings.isEmpty(), this);
-    all.getChildren().setAll(warnings.stream().map(WarningBanner::line).toList());
+    all.getChildren().setAll(warnings.stream().map(Controls::paragraph).toList());
     Controls.show(guess.isPresent(), question);
     guess.ifPresent(this::offer);
     open(false);
-  }
-
-  private static Label line(String warning) {
-    return Controls.paragraph(sentence(warning));
-  }
-
-  private static String sentence(String warning) {
-    return warning.substring(0, 1).toUpperCase(java.util.Locale.ROOT) + warning.substring(1);
   }
 
   private void open(boolean opened) {
@@ -112,8 +105,8 @@ final class WarningBanner extends VBox {
             : opened || count > 1
                 ? count
                     + (count == 1 ? " warning" : " warnings")
-                    + (opened ? "" : ": " + sentence(warnings.get(0)))
-                : sentence(warnings.get(0)));
+                    + (opened ? "" : ": " + warnings.get(0))
+                : warnings.get(0));
   }
 
   private void offer(SensorGeometry guess) {
@@ -124,8 +117,7 @@ final class WarningBanner extends VBox {
         sensors.add(sensor);
       }
     }
-    offered = sensors;
-    sizes.getItems().setAll(sensors.stream().map(WarningBanner::words).toList());
+    sizes.getItems().setAll(sensors);
     sizes.getSelectionModel().select(0);
   }
 
@@ -135,10 +127,7 @@ final class WarningBanner extends VBox {
   }
 
   private void answer() {
-    int index = sizes.getSelectionModel().getSelectedIndex();
-    if (index >= 0) {
-      hide();
-      chosen.accept(offered.get(index));
-    }
+    hide();
+    chosen.accept(sizes.getValue());
   }
 }

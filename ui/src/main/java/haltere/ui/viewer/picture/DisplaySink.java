@@ -6,27 +6,30 @@ import haltere.core.event.Frame;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorSample;
 import haltere.core.playback.SliceSink;
-import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamNotification;
-import haltere.filters.frequency.PixelRegion;
-import haltere.ui.rendering.FrameExchange;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
 
 /**
  * The end of the chain that makes pictures: the newest snapshot of each overlay is kept here,
  * events are gathered and painted by a {@link PictureMaker}, on a {@link PictureThread} of its own
  * or at once.
  *
- * <p>Thread rule: {@link #setOptions}, {@link #setScreenPlace}, {@link #point}, {@link #setRegion},
- * {@link #isStale()} and the exchange's showing side are for the JavaFX thread, all else for the
- * processing thread.
+ * <p>Thread rule: processing thread; {@link #maker()}, {@link #setFrameOpacity} and {@link
+ * #setAllEvents} are for the JavaFX thread.
  */
 public final class DisplaySink implements SliceSink {
   private final LayerTaps taps;
   private final PictureMaker maker;
   private final Optional<PictureThread> thread;
+  private final Consumer<EventPacket> packets;
+
+  /** Does something behind the packets that were handed over. */
+  private final Executor steps;
+
   private volatile boolean allEvents;
 
   private DisplaySink(
@@ -34,6 +37,8 @@ public final class DisplaySink implements SliceSink {
     taps = new LayerTaps(chain);
     maker = new PictureMaker(geometry, options, apart);
     thread = apart ? Optional.of(new PictureThread(maker::packet)) : Optional.empty();
+    packets = thread.<Consumer<EventPacket>>map(own -> own::packet).orElse(maker::packet);
+    steps = thread.<Executor>map(own -> own::later).orElse(Runnable::run);
   }
 
   /** One that paints on the thread of the chain. */
@@ -48,39 +53,9 @@ public final class DisplaySink implements SliceSink {
     return new DisplaySink(geometry, chain, options, true);
   }
 
-  /** Where finished frames are fetched. */
-  public FrameExchange<DisplayFrame> exchange() {
-    return maker.exchange();
-  }
-
-  /** Shows events in another way from the next frame on. */
-  public void setOptions(DisplayOptions newOptions) {
-    maker.setOptions(newOptions);
-  }
-
-  /** Where frames are drawn as they are on the screen, or nowhere. */
-  public void setScreenPlace(Optional<ScreenPlace> place) {
-    maker.setScreenPlace(place);
-  }
-
-  /** The mouse is over a pixel, or over none. */
-  public void point(int x, int y, boolean over) {
-    maker.point(x, y, over);
-  }
-
-  /** The region of interest, or none. */
-  public void setRegion(Optional<PixelRegion> region) {
-    maker.setRegion(region);
-  }
-
-  /** Whether there is something newer than the frame that was published last. */
-  public boolean isStale() {
-    return maker.isStale();
-  }
-
-  /** The camera's frames below the events. */
-  public FrameLayer frames() {
-    return maker.frames();
+  /** What paints, for whoever shows its frames or wants them otherwise. */
+  public PictureMaker maker() {
+    return maker;
   }
 
   /** Shows frames below the events: 0 not at all, 1 as they are. */
@@ -99,7 +74,7 @@ public final class DisplaySink implements SliceSink {
   @Override
   public void sample(SensorSample sample) {
     if (sample instanceof Frame frame) {
-      later(() -> maker.frames().take(frame));
+      steps.execute(() -> maker.frames().take(frame));
     }
   }
 
@@ -109,53 +84,23 @@ public final class DisplaySink implements SliceSink {
   }
 
   /** Takes the events before the chain. */
-  public SliceSink beforeChain() {
-    return new SliceSink() {
-      @Override
-      public void packet(EventPacket packet) {
-        if (allEvents) {
-          gather(packet);
-        }
-      }
-
-      @Override
-      public void notified(StreamNotification notification) {
-        // the end of the chain is told as well
-      }
-
-      @Override
-      public void sliceEnd(long fromUs, long toUs) {
-        // the end of the chain is told as well
-      }
-    };
+  public void beforeChain(EventPacket packet) {
+    if (allEvents) {
+      packets.accept(packet);
+    }
   }
 
   @Override
   public void packet(EventPacket packet) {
     if (!allEvents) {
-      gather(packet);
+      packets.accept(packet);
     }
-  }
-
-  private void gather(EventPacket packet) {
-    if (thread.isPresent()) {
-      thread.get().packet(packet);
-    } else {
-      maker.packet(packet);
-    }
-  }
-
-  private void later(Runnable step) {
-    thread.ifPresentOrElse(apart -> apart.later(step), step);
   }
 
   @Override
   public void notified(StreamNotification notification) {
-    boolean anew = notification.endsContinuity() && !(notification instanceof DataLost);
-    if (anew) {
-      taps.clear();
-    }
-    later(
+    boolean anew = taps.notified(notification);
+    steps.execute(
         () -> {
           maker.notified(notification);
           if (anew) {
@@ -167,7 +112,7 @@ public final class DisplaySink implements SliceSink {
 
   /** A slice ends whose picture is asked for by {@link #picture}. */
   public void endSlice(long fromUs, long toUs) {
-    later(() -> maker.endSlice(fromUs, toUs));
+    steps.execute(() -> maker.endSlice(fromUs, toUs));
   }
 
   @Override
@@ -178,31 +123,31 @@ public final class DisplaySink implements SliceSink {
   @Override
   public void runUpBegins(long sliceUs) {
     taps.followChain();
-    later(() -> maker.runUpBegins(sliceUs));
+    steps.execute(() -> maker.runUpBegins(sliceUs));
   }
 
   @Override
   public void runUpEnds() {
-    later(maker::runUpEnds);
+    steps.execute(maker::runUpEnds);
   }
 
   @Override
   public void sliceHeld() {
     List<DisplayFrame.Marks<?>> marks = taps.marks();
-    later(() -> maker.hold(marks));
+    steps.execute(() -> maker.hold(marks));
   }
 
   @Override
   public void sliceEnd(long fromUs, long toUs) {
     List<DisplayFrame.Marks<?>> marks = taps.marks();
-    later(() -> maker.showSlice(fromUs, toUs, marks));
+    steps.execute(() -> maker.showSlice(fromUs, toUs, marks));
   }
 
   /** Paints what there is and hands it over. */
   public void paint() {
     List<DisplayFrame.Marks<?>> marks = taps.marks();
     maker.setStale(false);
-    later(() -> maker.paint(marks));
+    steps.execute(() -> maker.paint(marks));
   }
 
   /** A picture of the present moment of usual size, with what lies over it. */

@@ -21,8 +21,6 @@ import javafx.scene.text.Font;
  * enlarges the pixels and a canvas takes the marks; without one all of it is drawn into pixels,
  * because JavaFX's own software takes several milliseconds for it: by the thread that paints
  * frames, once it has been told {@link #screenPlace where}, else here.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class SensorPicture {
   /** So many pictures are not kept waiting by the loading of letters that they may not need. */
@@ -66,23 +64,16 @@ final class SensorPicture {
     image.setVisible(false);
   }
 
-  /**
-   * Puts the picture where it belongs.
-   *
-   * @param left of the sensor's left edge in the view
-   * @param top of the sensor's top edge in the view
-   * @param scale units of the view per pixel of the sensor
-   * @param width of the view
-   * @param height of the view
-   * @param newDensity pixels of the screen per unit of the view
-   */
-  void place(
-      double left, double top, double scale, double width, double height, double newDensity) {
+  /** Puts the picture where it belongs, on so many pixels of the screen per unit of the view. */
+  void place(Viewpoint viewpoint, double newDensity) {
+    double left = viewpoint.left();
+    double top = viewpoint.top();
+    double scale = viewpoint.scale();
     // only what is in sight, so that a large zoom costs no more than a small one
     double fromX = Math.max(0, -left / scale);
     double fromY = Math.max(0, -top / scale);
-    double toX = Math.min(geometry.width(), (width - left) / scale);
-    double toY = Math.min(geometry.height(), (height - top) / scale);
+    double toX = Math.min(geometry.width(), (viewpoint.width() - left) / scale);
+    double toY = Math.min(geometry.height(), (viewpoint.height() - top) / scale);
     image.setVisible(toX > fromX && toY > fromY);
     place = Optional.empty();
     if (!image.isVisible()) {
@@ -147,10 +138,9 @@ final class SensorPicture {
     }
   }
 
-  /** Whether marks of filters are drawn. */
+  /** Whether marks of filters are drawn, from the next {@link #place} on. */
   void setMarksVisible(boolean visible) {
     marksVisible = visible;
-    place = place.map(now -> now.withMarks(visible));
   }
 
   /** Draws all anew, with what lies over the frame and its marks. */

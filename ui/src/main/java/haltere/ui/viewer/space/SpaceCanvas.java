@@ -11,11 +11,7 @@ import java.util.Locale;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.paint.Color;
 
-/**
- * A body in space and the cameras that see it, at one time.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** A body in space and the cameras that see it, at one time. */
 final class SpaceCanvas extends TurnPane {
   private static final double ZOOM_PER_NOTCH = 1.2;
 
