@@ -45,7 +45,7 @@ final class SpaceTimePanel extends BorderPane {
   private FontLetters letters;
   private PixelOverlayCanvas canvas;
   private double density;
-  private SpaceTimeFrame frame = new SpaceTimeFrame(1);
+  private SpaceTimeSink.Frame frame = new SpaceTimeSink.Frame(1);
   private SensorGeometry sensor = new SensorGeometry(128, 128);
   private ColourMap colours = ColourMap.DARK;
   private boolean dirty = true;
@@ -80,7 +80,7 @@ final class SpaceTimePanel extends BorderPane {
   /** Another sensor. */
   void setSensor(SensorGeometry newSensor) {
     sensor = newSensor;
-    frame = new SpaceTimeFrame(1);
+    frame = new SpaceTimeSink.Frame(1);
     dirty = true;
   }
 
@@ -107,7 +107,7 @@ final class SpaceTimePanel extends BorderPane {
   }
 
   /** Shows newer events, or the same ones from elsewhere; null if there are no newer ones. */
-  void update(SpaceTimeFrame newer) {
+  void update(SpaceTimeSink.Frame newer) {
     if (newer != null) {
       frame = newer;
       dirty = true;
