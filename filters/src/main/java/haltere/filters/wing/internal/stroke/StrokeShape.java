@@ -1,10 +1,6 @@
 package haltere.filters.wing.internal.stroke;
 
-/**
- * The extremes of a stroke and the phase at which it passes its centre towards the tail.
- *
- * <p>Thread rule: one thread at a time.
- */
+/** The extremes of a stroke and the phase at which it passes its centre towards the tail. */
 final class StrokeShape {
   private static final int STEPS = 32;
   private static final double[] COS = new double[STEPS];

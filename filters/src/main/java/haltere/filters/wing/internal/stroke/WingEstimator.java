@@ -18,8 +18,6 @@ import java.util.List;
  * a few tens of microseconds into one update for each edge, learns what events are worth ({@link
  * WingEventNoise}), follows the hinge ({@link HingeTracker}), lets the frequency run in manoeuvres,
  * and takes the latency out of what it says.
- *
- * <p>Thread rule: one thread at a time.
  */
 public final class WingEstimator implements SideEstimator {
   private static final int SLOW_US = 1000;
