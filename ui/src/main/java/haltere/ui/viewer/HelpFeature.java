@@ -24,10 +24,10 @@ final class HelpFeature implements ViewerFeature {
       Libraries and their licences:
       OpenJFX: GPL-2.0 with Classpath Exception
       AtlantaFX: MIT
-      picocli, EJML, Jackson, Commons Statistics: Apache-2.0
+      picocli, EJML, Jackson, lz4-java, Commons Compress, Commons Statistics: Apache-2.0
       usb4java: MIT; libusb: LGPL-2.1
       JeroMQ: MPL-2.0
-      zstd-jni: BSD-2-Clause""";
+      zstd-jni, LZ4: BSD-2-Clause""";
 
   @Override
   public void install(ViewerContext window) {
