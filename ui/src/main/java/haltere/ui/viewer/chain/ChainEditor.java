@@ -4,7 +4,6 @@ import haltere.core.chain.ChainFile;
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterProvider;
-import haltere.core.playback.Player;
 import haltere.ui.viewer.controls.Texts;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -64,25 +63,18 @@ public final class ChainEditor {
     ChainEditor inner = new ChainEditor(problems, adopters, history, path(nested) + "/", outermost);
     inner.onStages(stages -> change(chain -> {}));
     ChainAccess.Work read =
-        work -> run(access -> access.read().run(chain -> work.accept(find(chain, name))));
+        work ->
+            run(access -> access.read().run(chain -> work.accept(StageMoves.chain(chain, name))));
     inner.player =
         Optional.of(
-            new ChainAccess(work -> edit(chain -> work.accept(find(chain, name))), read, read));
+            new ChainAccess(
+                work -> edit(chain -> work.accept(StageMoves.chain(chain, name))), read, read));
     return inner;
-  }
-
-  private static FilterChain find(FilterChain chain, String name) {
-    return (FilterChain) chain.stage(name).filter();
   }
 
   /** The names of the chains that a stage is in, and its own. */
   String path(ChainStage stage) {
     return prefix + stage.name();
-  }
-
-  /** Goes over to the chain of another player, as {@link #setAccess}. */
-  public void setPlayer(Player newPlayer) {
-    setAccess(ChainAccess.of(newPlayer));
   }
 
   /** Goes over to another chain; what was changed in the one before can no longer be undone. */

@@ -43,11 +43,13 @@ final class StageCard extends VBox {
   private final MenuItem down;
   private final MenuItem into;
   private final Button expand;
-  private final Optional<Record> firstSettings;
   private final Optional<StageList> inside;
   private final ChainEditor editor;
   private Optional<SettingsPanel<?>> settings = Optional.empty();
-  private Optional<Record> adopted = Optional.empty();
+
+  /** The settings in force; empty for a filter without. */
+  private Optional<Record> inForce;
+
   private SettingsSearch search = SettingsSearch.ALL;
   private FilterTiming last;
   private long lastNanos = System.nanoTime();
@@ -61,8 +63,7 @@ final class StageCard extends VBox {
     id = editor.path(stage).replace('/', '-');
     String title = Texts.title(stage.name());
     Controls.named(this, "stage-" + id, "stage");
-    firstSettings =
-        state.settings().filter(found -> found.getClass().getRecordComponents().length > 0);
+    inForce = state.settings().filter(found -> found.getClass().getRecordComponents().length > 0);
     up = item("up-", "Move up   (Ctrl+Shift+\u2191)", () -> editor.move(stage, -1));
     down = item("down-", "Move down   (Ctrl+Shift+\u2193)", () -> editor.move(stage, 1));
     into = item("into-", "Move into the chain above", this::moveIntoNeighbour);
@@ -75,7 +76,7 @@ final class StageCard extends VBox {
             Styles.SMALL);
     inside =
         stage.filter() instanceof FilterChain ? Optional.of(insideOf(state)) : Optional.empty();
-    expand.setVisible(firstSettings.isPresent() || inside.isPresent());
+    expand.setVisible(inForce.isPresent() || inside.isPresent());
     setUpPower(title);
     setUpCounts();
     HBox head = new HBox(2, expand, name(title), more(title), power);
@@ -241,10 +242,9 @@ final class StageCard extends VBox {
   }
 
   private void showSettings(boolean show) {
-    if (settings.isEmpty() && show && firstSettings.isPresent()) {
+    if (settings.isEmpty() && show && inForce.isPresent()) {
       // not before they are asked for: styling some dozen controls takes time
-      SettingsPanel<?> made =
-          SettingsPanel.of(stage, adopted.or(() -> firstSettings).get(), editor);
+      SettingsPanel<?> made = SettingsPanel.of(stage, inForce.get(), editor);
       made.narrow(search);
       getChildren().add(made);
       settings = Optional.of(made);
@@ -257,7 +257,7 @@ final class StageCard extends VBox {
   void adopt(ChainStage of, Record newSettings) {
     inside.ifPresent(list -> list.adopt(of, newSettings));
     if (of == stage) {
-      adopted = Optional.of(newSettings);
+      inForce = Optional.of(newSettings);
       settings.ifPresent(panel -> panel.adopt(newSettings));
     }
   }

@@ -4,6 +4,7 @@ import haltere.core.chain.ChainFile;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.playback.PlayerOptions;
+import haltere.ui.viewer.chain.ChainAccess;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.session.RecordingFacts;
@@ -161,7 +162,7 @@ public final class Sessions {
   private void show(ViewerSession made) {
     Optional<ViewerSession> before = session();
     window.playback().setPlayer(made.player());
-    window.editor().setPlayer(made.player());
+    window.editor().setAccess(ChainAccess.of(made.player()));
     window.stage().setTitle(Texts.source(made.player().playable().name()) + " \u2013 Haltere");
     made.display().maker().setOptions(window.display().options());
     window.panels().startAnew(made, window.display().options().colours(), window.steps());

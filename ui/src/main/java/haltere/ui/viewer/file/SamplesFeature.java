@@ -102,24 +102,15 @@ public final class SamplesFeature implements ViewerFeature {
   }
 
   private void name(List<Moment> triggers, long shownUs, long spanUs) {
-    int last = lastAt(triggers, shownUs);
-    boolean any = last >= 0 && triggers.get(last).elapsedUs() > shownUs - spanUs;
-    trigger.setVisible(any);
-    if (any) {
-      int first = last;
-      while (first > 0 && triggers.get(first - 1).elapsedUs() > shownUs - spanUs) {
-        first--;
-      }
-      String words =
-          triggers.subList(first, last + 1).stream()
-              .map(Moment::words)
-              .distinct()
-              .limit(MAX_NAMES)
-              .collect(Collectors.joining(", "));
-      if (!words.equals(trigger.getText())) {
-        trigger.setText(words);
-      }
-    }
+    int before = lastAt(triggers, shownUs - spanUs + 1);
+    String words =
+        triggers.subList(before + 1, lastAt(triggers, shownUs) + 1).stream()
+            .map(Moment::words)
+            .distinct()
+            .limit(MAX_NAMES)
+            .collect(Collectors.joining(", "));
+    trigger.setText(words);
+    trigger.setVisible(!words.isEmpty());
   }
 
   /** Index of the last moment before a place, -1 if there is none. */

@@ -106,9 +106,4 @@ public final class VanishingPointFeature implements ViewerFeature {
   private static double rounded(double placePx) {
     return Math.rint(placePx * STEPS_PER_PX) / STEPS_PER_PX;
   }
-
-  /** What is in the hand while the point is set. */
-  VanishingPointTool tool() {
-    return tool;
-  }
 }

@@ -86,9 +86,4 @@ public final class SavingFeature implements ViewerFeature {
   public void record(Path file) {
     recording.start(open -> RecordedFile.of(file, open));
   }
-
-  /** Whether a recording is under way. */
-  boolean isRecording() {
-    return recording.runningProperty().get();
-  }
 }
