@@ -4,8 +4,7 @@ import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.OverlayCanvas;
 
 /**
- * Draws marks straight into the pixels of a picture that is as large as on the screen. For screens
- * without a graphics card.
+ * Draws marks straight into the pixels of a picture that is as large as on the screen.
  *
  * <p>Thread rule: one thread at a time.
  */

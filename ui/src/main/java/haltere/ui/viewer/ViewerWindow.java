@@ -2,7 +2,6 @@ package haltere.ui.viewer;
 
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
-import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.action.ViewerKeys;
@@ -119,7 +118,7 @@ public final class ViewerWindow implements SessionHost {
     ViewerKeys.install(scene, actions);
     panels.setOnDragOver(ViewerWindow::dragged);
     panels.setOnDragDropped(this::dropped);
-    scene.setFill(JavaFxOverlayCanvas.colour(display.options().colours().background()));
+    scene.setFill(Theme.colour(display.options().colours().background()));
     stage.setScene(scene);
     stage.setMinWidth(Math.min(MIN_WIDTH, room.getWidth()));
     stage.setMinHeight(Math.min(MIN_HEIGHT, room.getHeight()));
@@ -181,7 +180,7 @@ public final class ViewerWindow implements SessionHost {
                     open.player().refresh();
                   });
           ColourMap colours = display.options().colours();
-          stage.getScene().setFill(JavaFxOverlayCanvas.colour(colours.background()));
+          stage.getScene().setFill(Theme.colour(colours.background()));
         });
     display
         .themeProperty()
