@@ -79,13 +79,13 @@ abstract class Subcommand implements Callable<Integer> {
     return surroundings;
   }
 
-  /** Prints a line of the result. */
-  void result(String line) {
-    surroundings.out().print(line + "\n");
+  /** Prints a line of the result: as it is, or a format of values. */
+  void result(String form, Object... values) {
+    surroundings.out().print(line(form, values));
   }
 
-  void result(String form, Object... values) {
-    result(Quantities.text(form, values));
+  private static String line(String form, Object... values) {
+    return (values.length == 0 ? form : Quantities.text(form, values)) + "\n";
   }
 
   /** The standard output for bytes; it fails where a print stream would pass over it. */
@@ -111,22 +111,14 @@ abstract class Subcommand implements Callable<Integer> {
   }
 
   /** Tells the user what has been done. */
-  void message(String line) {
+  void message(String form, Object... values) {
     if (!isQuiet()) {
-      surroundings.err().print(line + "\n");
+      surroundings.err().print(line(form, values));
     }
   }
 
-  void message(String form, Object... values) {
-    message(Quantities.text(form, values));
-  }
-
   void warning(String form, Object... values) {
-    warning(Quantities.text(form, values));
-  }
-
-  void warning(String line) {
-    surroundings.err().print("haltere: warning: " + line + "\n");
+    surroundings.err().print("haltere: warning: " + line(form, values));
   }
 
   /** Reports what was wrong with a recording that has been read. */

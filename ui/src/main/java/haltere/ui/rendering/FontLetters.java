@@ -17,7 +17,7 @@ import java.util.concurrent.ConcurrentHashMap;
  */
 public final class FontLetters implements Letters {
   /** Letters of pictures and films, 16 pixels high. */
-  static final FontLetters OF_PICTURES = new FontLetters(16);
+  public static final FontLetters OF_PICTURES = new FontLetters(16);
 
   /** Size of words over a view, units of the view. */
   private static final double VIEW_SIZE = 12;

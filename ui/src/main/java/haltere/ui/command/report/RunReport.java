@@ -71,23 +71,12 @@ public final class RunReport implements JobResults {
     for (List<PlotField> lane : PlotSet.main(PlotField.of(filters))) {
       ReportCurves plotted = new ReportCurves(lane);
       curves.add(plotted);
-      lane.forEach(field -> listen(field, plotted));
+      for (PlotField field : lane) {
+        field.listen(
+            filters, false, (timeUs, key, value) -> plotted.take(field, timeUs, key, value));
+      }
     }
     return this;
-  }
-
-  private void listen(PlotField field, ReportCurves plotted) {
-    field
-        .find(chain)
-        .ifPresent(
-            outlet -> {
-              RowFields row = RowFields.of(outlet.type()).orElseThrow();
-              int column = row.columns().indexOf(field.column());
-              outlet.subscribe(
-                  result ->
-                      plotted.take(
-                          field, row.timeUs(result), row.key(result), row.value(result, column)));
-            });
   }
 
   @Override

@@ -55,8 +55,7 @@ final class SensorPicture {
    * @param height of the view
    * @param density pixels of the screen per unit of the view
    */
-  void place(
-      double left, double top, double scale, double width, double height, double density) {
+  void place(double left, double top, double scale, double width, double height, double density) {
     // only what is in sight, so that a large zoom costs no more than a small one
     double fromX = Math.max(0, -left / scale);
     double fromY = Math.max(0, -top / scale);
