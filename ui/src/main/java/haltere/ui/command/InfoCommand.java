@@ -140,7 +140,7 @@ final class InfoCommand extends Subcommand {
           line("rate", rates.line() + "  up to " + Quantities.rate(rates.highestHz()));
         }
       }
-      warnings.forEach(warning -> warning(file + ": " + warning));
+      warnings(file, warnings);
       if (picture != null) {
         message("wrote " + picture);
       }

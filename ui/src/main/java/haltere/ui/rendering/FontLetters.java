@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * The letters of the platform's sans-serif font, each drawn once and copied from then on. Where no
+ * The bold letters of the platform's sans-serif font, to be read over events, each drawn once and copied from then on. Where no
  * font is installed words are left out.
  *
  * <p>Thread rule: all methods may be called from any thread.
@@ -41,7 +41,7 @@ public final class FontLetters implements Letters {
   }
 
   private FontLetters(double sizePx) {
-    this(sizePx, new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont((float) sizePx));
+    this(sizePx, new Font(Font.SANS_SERIF, Font.BOLD, 1).deriveFont((float) sizePx));
   }
 
   FontLetters(double sizePx, Font font) {
