@@ -18,8 +18,7 @@ final class NativeLibraries {
   /** Debian's names of the packages that the libraries are in, in the same order. */
   static final String PACKAGES = "libgtk-3-0 libgl1 libxtst6";
 
-  private static final List<String> NEEDED =
-      List.of("libgtk-3.so.0", "libGL.so.1", "libXtst.so.6");
+  private static final List<String> NEEDED = List.of("libgtk-3.so.0", "libGL.so.1", "libXtst.so.6");
 
   /** Where the linker looks without being told. */
   private static final List<String> USUAL_FOLDERS =

@@ -10,8 +10,8 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * The bold letters of the platform's sans-serif font, to be read over events, each drawn once and copied from then on. Where no
- * font is installed words are left out.
+ * The bold letters of the platform's sans-serif font, to be read over events, each drawn once and
+ * copied from then on. Where no font is installed words are left out.
  *
  * <p>Thread rule: all methods may be called from any thread.
  */

@@ -10,15 +10,13 @@ import haltere.ui.viewer.feature.ViewerFeature;
 /**
  * Slices of one wing beat: while they are wanted, their length follows the beats that a wing
  * tracker in the chain publishes. Until it has found some they last 5 ms.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class BeatExposure implements ViewerFeature {
   private static final double SAME = 0.003;
   private static final long BETWEEN_NANOS = 200_000_000;
 
   private ViewerContext window;
-  private AutoCloseable subscription = () -> {};
+  private Outlet.Subscription subscription = () -> {};
 
   /** Written on the processing thread. */
   private volatile double periodUs = Double.NaN;
@@ -28,7 +26,7 @@ final class BeatExposure implements ViewerFeature {
     window = installed;
     window.editor().onChange(this::follow);
     window.playback().beatsProperty().subscribe((was, is) -> follow());
-    window.every(BETWEEN_NANOS, this::pulse);
+    window.panels().every(BETWEEN_NANOS, this::pulse);
     window.actions().add("slices-beat", window.playback().beatsProperty());
   }
 
@@ -48,11 +46,7 @@ final class BeatExposure implements ViewerFeature {
 
   /** On the processing thread. */
   private boolean subscribe(FilterChain chain) {
-    try {
-      subscription.close();
-    } catch (Exception broken) {
-      throw new IllegalStateException("beats cannot be left", broken);
-    }
+    subscription.close();
     subscription = () -> {};
     for (Outlet<?> outlet : chain.outlets()) {
       if (outlet.type() == WingBeat.class) {

@@ -31,7 +31,7 @@ final class DisplayFeature implements ViewerFeature {
     window.settings().keep("overlays", display.marksProperty());
     actions.add("logarithmic-rate", logarithmic);
     actions.add("overlays", display.marksProperty());
-    actions.add("show-all", () -> window.panels().view().showAll());
+    actions.add("show-all", () -> window.panels().view().viewpoint().showAll());
     Stage stage = window.stage();
     actions.add(
         "full-screen",
@@ -48,7 +48,7 @@ final class DisplayFeature implements ViewerFeature {
     for (DisplayMode mode : DisplayMode.values()) {
       ViewerAction action =
           choice("show-as", "Show as", display.modeProperty(), mode, mode.words());
-      window.add(action.withKey("Shortcut+" + number++).withHelp(mode.help()));
+      window.actions().add(action.withKey("Shortcut+" + number++).withHelp(mode.help()));
     }
     keep("showAs", display.modeProperty(), List.of(DisplayMode.values()), DisplayMode::words);
     offer(
@@ -67,9 +67,11 @@ final class DisplayFeature implements ViewerFeature {
         Gradient::name);
     DisplayControl.DECAYS.forEach(
         (us, words) ->
-            window.add(
-                ViewerAction.choice(
-                    "fading-" + us, words, "View/Fading", display.decayUsProperty(), us)));
+            window
+                .actions()
+                .add(
+                    ViewerAction.choice(
+                        "fading-" + us, words, "View/Fading", display.decayUsProperty(), us)));
     window.settings().keep("fadingUs", display.decayUsProperty(), us -> us, Long.class::cast);
   }
 
@@ -81,7 +83,8 @@ final class DisplayFeature implements ViewerFeature {
       ObjectProperty<T> property,
       List<T> values,
       Function<T, String> words) {
-    values.forEach(value -> window.add(choice(id, menu, property, value, words.apply(value))));
+    values.forEach(
+        value -> window.actions().add(choice(id, menu, property, value, words.apply(value))));
     keep(setting, property, values, words);
   }
 

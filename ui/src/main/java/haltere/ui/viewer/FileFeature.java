@@ -26,13 +26,15 @@ final class FileFeature implements ViewerFeature {
     scenes.sort(Comparator.comparing(scene -> !scene.name().equals("fly")));
     for (SceneProvider<?> scene : scenes) {
       String title = Texts.title(scene.name()) + " scene";
-      window.add(
-          ViewerAction.of(
-                  "scene-" + scene.name(),
-                  title,
-                  SCENES,
-                  () -> window.sessions().open(SessionRequest.scene(scene.name(), title)))
-              .withHelp(scene.description()));
+      window
+          .actions()
+          .add(
+              ViewerAction.of(
+                      "scene-" + scene.name(),
+                      title,
+                      SCENES,
+                      () -> window.sessions().open(SessionRequest.scene(scene.name(), title)))
+                  .withHelp(scene.description()));
     }
   }
 }

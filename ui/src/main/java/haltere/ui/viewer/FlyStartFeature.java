@@ -14,8 +14,6 @@ import javafx.scene.control.Button;
 /**
  * Begins a tethered fly in slow motion, in which single strokes are seen, once its wings have been
  * found at full speed; and says in a caption what is seen, until it is clicked.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class FlyStartFeature implements ViewerFeature {
   /** Recording time per real time: a stroke of 5 ms takes half a second. */
@@ -46,7 +44,7 @@ final class FlyStartFeature implements ViewerFeature {
   }
 
   private void begin(ViewerSession made) {
-    boolean fly = made.start() == FirstView.FLY;
+    boolean fly = made.request().start() == FirstView.FLY;
     double speed = window.playback().speedProperty().get();
     if (fly && !slowed) {
       speedBefore = speed;
@@ -68,7 +66,11 @@ final class FlyStartFeature implements ViewerFeature {
 
   private void showCaption() {
     boolean fly =
-        window.sessions().session().filter(open -> open.start() == FirstView.FLY).isPresent();
+        window
+            .sessions()
+            .session()
+            .filter(open -> open.request().start() == FirstView.FLY)
+            .isPresent();
     caption.setVisible(fly && captionWanted.get());
     ColourMap colours = window.display().coloursProperty().get();
     caption.setText(

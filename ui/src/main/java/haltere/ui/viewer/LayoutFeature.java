@@ -1,19 +1,14 @@
 package haltere.ui.viewer;
 
 import haltere.ui.viewer.action.ViewerAction;
-import haltere.ui.viewer.controls.Questions;
+import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
-import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
-/**
- * Keeps under a name which panels are shown and how large they are, and shows them so again.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Keeps under a name which panels are shown and how large they are, and shows them so again. */
 final class LayoutFeature implements ViewerFeature {
   private static final String NAME = "layouts";
   private static final String MENU = "View/Layouts";
@@ -32,18 +27,16 @@ final class LayoutFeature implements ViewerFeature {
   }
 
   private void ask() {
-    Questions.ask(window.stage(), "Layout", "Name of the layout", "", this::keep);
+    Windows.ask(window.stage(), "Layout", "Name of the layout", "", this::keep);
   }
 
   /** Keeps what is shown now under a name, in place of what was kept there. */
   void keep(String name) {
-    withdraw();
     layouts.put(name, window.settings().chosen(PANELS, SHARES));
     offer();
   }
 
   private void remove(String name) {
-    withdraw();
     layouts.remove(name);
     offer();
   }
@@ -63,20 +56,14 @@ final class LayoutFeature implements ViewerFeature {
     }
   }
 
-  private void withdraw() {
-    window.actions().removeAll(layouts.keySet().stream().flatMap(LayoutFeature::ids).toList());
-  }
-
   private void offer() {
     window.settings().put(NAME, Map.copyOf(layouts));
-    for (String name : List.copyOf(layouts.keySet())) {
-      window.add(
-          ViewerAction.of("layout-" + name, name, MENU, () -> choose(name)),
-          ViewerAction.of("remove-layout-" + name, name, MENU + "/Remove", () -> remove(name)));
-    }
+    window.actions().offer(NAME, layouts.keySet().stream().flatMap(this::actions).toList());
   }
 
-  private static Stream<String> ids(String name) {
-    return Stream.of("layout-" + name, "remove-layout-" + name);
+  private Stream<ViewerAction> actions(String name) {
+    return Stream.of(
+        ViewerAction.of("layout-" + name, name, MENU, () -> choose(name)),
+        ViewerAction.of("remove-layout-" + name, name, MENU + "/Remove", () -> remove(name)));
   }
 }

@@ -22,8 +22,6 @@ import javafx.stage.Stage;
 /**
  * The manual in a window of its own: the page {@code docs/viewer.md}, without pictures and links,
  * as headings, paragraphs, lists and tables.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class Manual {
   private static final String PAGE = "manual/viewer.md";

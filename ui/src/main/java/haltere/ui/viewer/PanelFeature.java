@@ -2,18 +2,14 @@ package haltere.ui.viewer;
 
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.FocusOrder;
+import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
-import haltere.ui.viewer.feature.ViewerPanels;
 import java.util.List;
 import javafx.scene.Node;
 
-/**
- * Goes from panel to panel, and makes them larger and smaller, without a mouse.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Goes from panel to panel, and makes them larger and smaller, without a mouse. */
 final class PanelFeature implements ViewerFeature {
 
   private ViewerContext window;
@@ -21,16 +17,16 @@ final class PanelFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    ViewerPanels panels = window.panels();
+    PanelLayout layout = window.panels().panelLayout();
     ViewerActions actions = window.actions();
     actions.add("panel-next", () -> go(1));
     actions.add("panel-before", () -> go(-1));
-    actions.add("side-wider", () -> panels.enlarge(PanelPlace.SIDE, 1));
-    actions.add("side-narrower", () -> panels.enlarge(PanelPlace.SIDE, -1));
-    actions.add("below-higher", () -> panels.enlarge(PanelPlace.BELOW, 1));
-    actions.add("below-lower", () -> panels.enlarge(PanelPlace.BELOW, -1));
-    actions.add("beside-wider", () -> panels.enlarge(PanelPlace.BESIDE, 1));
-    actions.add("beside-narrower", () -> panels.enlarge(PanelPlace.BESIDE, -1));
+    actions.add("side-wider", () -> layout.enlarge(PanelPlace.SIDE, 1));
+    actions.add("side-narrower", () -> layout.enlarge(PanelPlace.SIDE, -1));
+    actions.add("below-higher", () -> layout.enlarge(PanelPlace.BELOW, 1));
+    actions.add("below-lower", () -> layout.enlarge(PanelPlace.BELOW, -1));
+    actions.add("beside-wider", () -> layout.enlarge(PanelPlace.BESIDE, 1));
+    actions.add("beside-narrower", () -> layout.enlarge(PanelPlace.BESIDE, -1));
   }
 
   /** Puts the focus on the first control of another panel. */

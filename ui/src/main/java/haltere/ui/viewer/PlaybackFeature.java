@@ -2,8 +2,8 @@ package haltere.ui.viewer;
 
 import haltere.core.playback.Loop;
 import haltere.ui.viewer.action.ViewerActions;
-import haltere.ui.viewer.controls.Questions;
 import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.playback.PlaybackController;
@@ -56,7 +56,7 @@ final class PlaybackFeature implements ViewerFeature {
     add("set-mark", playback::mark);
     add(
         "name-mark",
-        () -> Questions.ask(window.stage(), "Mark", "Name of the mark here", "", playback::mark));
+        () -> Windows.ask(window.stage(), "Mark", "Name of the mark here", "", playback::mark));
     actions.add("jump-to-time", () -> askForTime(window), this::noWayBack);
     actions.add("mark-before", () -> playback.toMark(false), this::noMarks);
     actions.add("mark-after", () -> playback.toMark(true), this::noMarks);
@@ -81,7 +81,7 @@ final class PlaybackFeature implements ViewerFeature {
 
   private void askForTime(ViewerContext window) {
     String here = playback.status().map(now -> Texts.time(now.elapsedUs(), true)).orElse("");
-    Questions.ask(
+    Windows.ask(
         window.stage(),
         "Jump",
         "To which time? Minutes and seconds as 1:02.345, or with a unit as 250 ms",

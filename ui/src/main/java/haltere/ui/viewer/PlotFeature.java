@@ -1,5 +1,8 @@
 package haltere.ui.viewer;
 
+import haltere.core.format.AtomicFile;
+import haltere.ui.plot.PlotTable;
+import haltere.ui.rendering.Pictures;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.action.ViewerKeys;
 import haltere.ui.viewer.controls.FileDialogs;
@@ -8,29 +11,27 @@ import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.plots.PlotPanel;
-import haltere.ui.viewer.saving.Saving;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.scene.image.PixelFormat;
+import javafx.scene.image.WritableImage;
 import javafx.scene.layout.StackPane;
 import javafx.stage.Stage;
 
-/**
- * Plots of what filters publish, below the events or in a window of their own.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Plots of what filters publish, below the events or in a window of their own. */
 final class PlotFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext window) {
     PlotPanel plots = window.panels().plots();
-    Saving saving = new Saving(window);
     BooleanProperty shown = window.addPanel("plots", PanelPlace.BELOW, () -> plots);
     window.onSession(
         made -> {
           if (plots.dropFirst(made.chain())) {
             shown.set(false);
           }
-          if (plots.beginWith(made.start().plots())) {
+          if (plots.beginWith(made.request().start().plots())) {
             shown.set(true);
           }
         });
@@ -44,10 +45,27 @@ final class PlotFeature implements ViewerFeature {
         () ->
             dialogs
                 .save("Save plots as table", "plots.csv", "Tables", "*.csv")
-                .ifPresent(file -> saving.plots(file, plots.table())));
+                .ifPresent(file -> save(window, file, plots.table())));
     actions.add(
         "save-plot-picture",
-        () -> dialogs.picture().ifPresent(file -> saving.plots(file, plots.snapshot(null, null))));
+        () -> dialogs.picture().ifPresent(file -> save(window, file, plots.snapshot(null, null))));
+  }
+
+  private static void save(ViewerContext window, Path file, PlotTable table) {
+    String text = table.text();
+    window.run(() -> AtomicFile.write(file, text, true));
+  }
+
+  private static void save(ViewerContext window, Path file, WritableImage image) {
+    int width = (int) image.getWidth();
+    int height = (int) image.getHeight();
+    int[] argb = new int[width * height];
+    image
+        .getPixelReader()
+        .getPixels(0, 0, width, height, PixelFormat.getIntArgbInstance(), argb, 0, width);
+    BufferedImage copy = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
+    copy.setRGB(0, 0, width, height, argb, 0, width);
+    window.run(() -> Pictures.write(file, copy));
   }
 
   /** Plots are at one place at a time: closing their window puts them below the events again. */

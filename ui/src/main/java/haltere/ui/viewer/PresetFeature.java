@@ -5,7 +5,7 @@ import haltere.core.format.AtomicFile;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.chain.ChainPresets;
-import haltere.ui.viewer.controls.Questions;
+import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.io.IOException;
@@ -22,6 +22,7 @@ import java.util.stream.Stream;
  */
 public final class PresetFeature implements ViewerFeature, ChainPresets {
   private static final String MENU = "Chain/Presets";
+  private static final String FOLDER = "presets";
   private static final String ENDING = ".json";
 
   private ViewerContext window;
@@ -38,7 +39,7 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
         .file()
         .ifPresent(
             settings -> {
-              folder = settings.resolveSibling("presets");
+              folder = settings.resolveSibling(FOLDER);
               list();
             });
   }
@@ -50,7 +51,7 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
 
   @Override
   public void keep(ChainEditor chain) {
-    Questions.ask(window.stage(), "Preset", "Name of the preset", "", name -> save(name, chain));
+    Windows.ask(window.stage(), "Preset", "Name of the preset", "", name -> save(name, chain));
   }
 
   /** Keeps a chain under a name. */
@@ -84,15 +85,12 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
   }
 
   private void offer(List<Path> files) {
-    window.actions().removeAll(names.stream().map(PresetFeature::id).toList());
     names = files.stream().map(PresetFeature::name).toList();
-    for (String name : names) {
-      window.add(ViewerAction.of(id(name), name, MENU, () -> load(name, window.editor())));
-    }
+    window.actions().offer(FOLDER, names.stream().map(this::action).toList());
   }
 
-  private static String id(String name) {
-    return "preset-" + name;
+  private ViewerAction action(String name) {
+    return ViewerAction.of("preset-" + name, name, MENU, () -> load(name, window.editor()));
   }
 
   private static String name(Path file) {

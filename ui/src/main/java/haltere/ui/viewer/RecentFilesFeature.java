@@ -6,13 +6,8 @@ import haltere.ui.viewer.feature.ViewerFeature;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
 
-/**
- * Offers the recordings that were open last.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Offers the recordings that were open last. */
 final class RecentFilesFeature implements ViewerFeature {
   private static final String NAME = "recentFiles";
   private static final String MENU = "File/Open recent";
@@ -27,7 +22,7 @@ final class RecentFilesFeature implements ViewerFeature {
     if (window.settings().get(NAME).orElse(null) instanceof List<?> kept) {
       kept.forEach(file -> files.add(Path.of(file.toString())));
     }
-    window.onSession(made -> made.file().ifPresent(this::opened));
+    window.onSession(made -> made.request().file().ifPresent(this::opened));
     window.actions().add("open-last", this::openLast);
     offer();
   }
@@ -60,19 +55,13 @@ final class RecentFilesFeature implements ViewerFeature {
   }
 
   private void offer() {
-    List<String> old = IntStream.range(0, MOST).mapToObj(RecentFilesFeature::id).toList();
-    ViewerAction[] offered = new ViewerAction[files.size()];
-    for (int i = 0; i < offered.length; i++) {
-      Path file = files.get(i);
-      offered[i] =
-          ViewerAction.of(
-                  id(i), file.getFileName().toString(), MENU, () -> window.sessions().open(file))
-              .withHelp(file.toString());
+    List<ViewerAction> offered = new ArrayList<>();
+    for (Path file : files) {
+      String id = "recent-" + (offered.size() + 1);
+      Runnable open = () -> window.sessions().open(file);
+      offered.add(
+          ViewerAction.of(id, file.getFileName().toString(), MENU, open).withHelp(file.toString()));
     }
-    window.actions().replace(old, offered);
-  }
-
-  private static String id(int place) {
-    return "recent-" + (place + 1);
+    window.actions().offer(NAME, offered);
   }
 }

@@ -2,6 +2,7 @@ package haltere.ui.viewer;
 
 import haltere.core.event.SensorGeometry;
 import haltere.filters.frequency.PixelRegion;
+import haltere.filters.frequency.RegionReading;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.feature.DisplayControl;
@@ -10,8 +11,7 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.picture.MeasuringTape;
-import haltere.ui.viewer.picture.PointTool;
-import haltere.ui.viewer.picture.RegionLayer;
+import haltere.ui.viewer.picture.RegionMarks;
 import haltere.ui.viewer.picture.RegionTool;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
@@ -26,10 +26,10 @@ public final class SeeingFeature implements ViewerFeature {
   private static final double ZOOM_STEP = 1.5;
   private static final double PAN_STEP = 0.1;
 
-  private final RegionLayer layer = new RegionLayer();
   private final BooleanProperty measuring = new SimpleBooleanProperty();
   private final BooleanProperty drawingRegion = new SimpleBooleanProperty();
   private final BooleanProperty pointing = new SimpleBooleanProperty();
+  private RegionReading reading = RegionReading.NOTHING;
   private ViewerContext window;
   private MeasuringTape tape;
 
@@ -39,22 +39,25 @@ public final class SeeingFeature implements ViewerFeature {
     tape = new MeasuringTape(window.display().tapeProperty());
     EventView view = window.panels().view();
     view.setPointerListener(
-        (x, y, over) -> window.ifOpen(open -> open.display().point(x, y, over)));
-    view.addLayer(layer::draw);
-    view.onFrame(frame -> frame.region().ifPresent(layer::setReading));
+        (x, y, over) -> window.ifOpen(open -> open.display().maker().point(x, y, over)));
+    view.addLayer(canvas -> region().ifPresent(marks -> marks.draw(canvas)));
+    view.onFrame(frame -> reading = frame.region().orElse(reading));
     followLegend(view);
     window.onSession(made -> setRegion(Optional.empty()));
     RegionTool regionTool = new RegionTool(this::sensor, this::setRegion);
     window.bindTool(measuring, tape);
     window.bindTool(drawingRegion, regionTool);
-    window.bindTool(pointing, new PointTool());
+    // points at pixels with the keys, so that what stands under the mouse is read without one
+    window.bindTool(pointing, () -> "The pixel at the cross is described below the picture.");
     ViewerActions actions = window.actions();
     actions.add("measure", measuring);
     actions.add("region", drawingRegion);
     actions.add("point", pointing);
     actions.add("put-aside", this::putAside);
     actions.add("clear-region", () -> setRegion(Optional.empty()));
-    actions.add("zoom-region", () -> layer.region().ifPresent(view::zoomTo));
+    actions.add(
+        "zoom-region",
+        () -> window.display().regionProperty().get().ifPresent(view.viewpoint()::zoomTo));
     addZoom(view);
     ViewBar bar = window.panels().viewBar();
     bar.tool("tool-measure", Icons.TAPE, "Measure a length and an angle (T)", measuring);
@@ -72,13 +75,13 @@ public final class SeeingFeature implements ViewerFeature {
 
   private void addZoom(EventView view) {
     ViewerActions actions = window.actions();
-    actions.add("zoom-in", () -> view.zoomBy(ZOOM_STEP));
-    actions.add("zoom-out", () -> view.zoomBy(1 / ZOOM_STEP));
+    actions.add("zoom-in", () -> view.viewpoint().zoomBy(ZOOM_STEP));
+    actions.add("zoom-out", () -> view.viewpoint().zoomBy(1 / ZOOM_STEP));
     actions.add("zoom-pixels", view::zoomToPixels);
-    actions.add("pan-left", () -> view.pan(-PAN_STEP, 0));
-    actions.add("pan-right", () -> view.pan(PAN_STEP, 0));
-    actions.add("pan-up", () -> view.pan(0, PAN_STEP));
-    actions.add("pan-down", () -> view.pan(0, -PAN_STEP));
+    actions.add("pan-left", () -> view.viewpoint().pan(-PAN_STEP, 0));
+    actions.add("pan-right", () -> view.viewpoint().pan(PAN_STEP, 0));
+    actions.add("pan-up", () -> view.viewpoint().pan(0, PAN_STEP));
+    actions.add("pan-down", () -> view.viewpoint().pan(0, -PAN_STEP));
   }
 
   private void followLegend(EventView view) {
@@ -100,19 +103,19 @@ public final class SeeingFeature implements ViewerFeature {
 
   /** Watches a region, or none. */
   public void setRegion(Optional<PixelRegion> region) {
-    layer.setRegion(region);
+    reading = RegionReading.NOTHING;
     window.display().regionProperty().set(region);
     window.ifOpen(
         open -> {
-          open.display().setRegion(region);
+          open.display().maker().setRegion(region);
           open.player().refresh();
         });
-    window.panels().view().redrawMarks();
+    window.panels().view().redraw();
   }
 
   /** What is shown of the region of interest. */
-  RegionLayer region() {
-    return layer;
+  Optional<RegionMarks> region() {
+    return window.display().regionProperty().get().map(pixels -> new RegionMarks(pixels, reading));
   }
 
   /** The measuring tape. */

@@ -9,11 +9,7 @@ import javafx.application.Platform;
 import javafx.beans.property.ReadOnlyDoubleProperty;
 import javafx.stage.Stage;
 
-/**
- * Keeps where the window stands and how large it and its panels are; saves what is kept.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Keeps where the window stands and how large it and its panels are; saves what is kept. */
 final class SettingsFeature implements ViewerFeature {
   private static final long BETWEEN_NANOS = 1_000_000_000;
 
@@ -21,8 +17,8 @@ final class SettingsFeature implements ViewerFeature {
   public void install(ViewerContext window) {
     UserSettings settings = window.settings();
     place(window.stage(), settings);
-    window.panels().keepLayout(settings);
-    window.every(BETWEEN_NANOS, () -> save(window));
+    window.panels().panelLayout().keep(settings);
+    window.panels().every(BETWEEN_NANOS, () -> save(window));
   }
 
   private static void save(ViewerContext window) {

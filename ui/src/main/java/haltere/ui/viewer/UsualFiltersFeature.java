@@ -1,31 +1,34 @@
 package haltere.ui.viewer;
 
+import atlantafx.base.theme.Styles;
 import haltere.ui.viewer.action.ViewerAction;
-import haltere.ui.viewer.chain.FilterStrip;
 import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.chain.UsualFilter;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.HiddenEvents;
 import haltere.ui.viewer.session.ViewerSession;
 import java.util.EnumMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.geometry.Pos;
+import javafx.scene.control.ContentDisplay;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.layout.VBox;
+import javafx.scene.text.TextAlignment;
 
 /**
  * The usual filters: buttons beside the picture that switch them, the chain that suits what is
  * open, and a note over the picture on the events that filters hide.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class UsualFiltersFeature implements ViewerFeature {
 
   private final Map<UsualFilter, BooleanProperty> on = new EnumMap<>(UsualFilter.class);
-  private final FilterStrip strip = new FilterStrip(this::toggle);
   private ViewerContext window;
   private HiddenEvents hidden;
   private List<StageState> stages = List.of();
@@ -35,22 +38,25 @@ final class UsualFiltersFeature implements ViewerFeature {
     window = installed;
     BooleanProperty all = window.display().allEventsProperty();
     hidden = new HiddenEvents(all);
+    VBox strip = Controls.named(new VBox(), "filter-strip", "filter-strip");
     window.panels().addBesidePicture(strip);
     window.panels().addOverPicture(hidden, Pos.TOP_LEFT);
     for (UsualFilter filter : UsualFilter.values()) {
       BooleanProperty property = new SimpleBooleanProperty();
       on.put(filter, property);
-      property.subscribe((was, is) -> strip.show(filter, is));
-      window.add(
-          new ViewerAction(
-              FilterStrip.id(filter),
-              filter.words(),
-              "Chain",
-              "",
-              filter.help(),
-              () -> toggle(filter),
-              Optional.of(property),
-              () -> ""));
+      strip.getChildren().add(button(filter, property));
+      window
+          .actions()
+          .add(
+              new ViewerAction(
+                  id(filter),
+                  filter.words(),
+                  "Chain",
+                  "",
+                  filter.help(),
+                  () -> toggle(filter),
+                  Optional.of(property),
+                  () -> ""));
     }
     window.actions().add("usual-chain", this::usualChain);
     window.actions().add("all-events", all);
@@ -64,6 +70,28 @@ final class UsualFiltersFeature implements ViewerFeature {
     window.panels().onPulse(this::pulse);
   }
 
+  private static String id(UsualFilter filter) {
+    return "usual-" + filter.name().toLowerCase(Locale.ROOT);
+  }
+
+  /** The button of a filter, which is on while the chain has the filter. */
+  private ToggleButton button(UsualFilter filter, BooleanProperty property) {
+    ToggleButton button = Controls.toggle(id(filter), filter.icon(), filter.help());
+    button.setText(filter.words().replace(' ', '\n'));
+    button.setTextAlignment(TextAlignment.CENTER);
+    button.setContentDisplay(ContentDisplay.TOP);
+    button.setMaxWidth(Double.MAX_VALUE);
+    button.getStyleClass().remove(Styles.BUTTON_ICON);
+    button.setAccessibleText(filter.words());
+    property.subscribe((was, is) -> button.setSelected(is));
+    button.setOnAction(
+        event -> {
+          button.setSelected(property.get());
+          toggle(filter);
+        });
+    return button;
+  }
+
   private void follow(List<StageState> newStages) {
     stages = newStages;
     on.forEach((filter, property) -> property.set(filter.isOn(stages)));
@@ -75,7 +103,8 @@ final class UsualFiltersFeature implements ViewerFeature {
 
   private void usualChain() {
     window.ifOpen(
-        open -> window.editor().replaceAll(open.start().usualChain(open.chain().geometry())));
+        open ->
+            window.editor().replaceAll(open.request().start().usualChain(open.chain().geometry())));
   }
 
   private void pulse() {

@@ -4,6 +4,7 @@ import haltere.core.format.ReadOptions;
 import haltere.ui.user.ConfigFolder;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.controls.Theme;
+import haltere.ui.viewer.feature.SourceMemory;
 import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
@@ -51,9 +52,9 @@ public final class ViewerApplication {
             new AnimationTimer() {
               @Override
               public void handle(long now) {
-                if (window.framesShown() > REHEARSED_PICTURES) {
+                if (window.context().panels().framesShown() > REHEARSED_PICTURES) {
                   stop();
-                  window.actions().run("quit");
+                  window.context().actions().run("quit");
                 }
               }
             }.start());
@@ -62,7 +63,8 @@ public final class ViewerApplication {
   /** Opens the window on its start page and returns as {@link #open} does. */
   public static Optional<String> openStartPage() {
     return run(
-        UserSettings.load(ConfigFolder.ofUser()), window -> window.actions().run("start-page"));
+        UserSettings.load(ConfigFolder.ofUser()),
+        window -> window.context().actions().run("start-page"));
   }
 
   private static Optional<String> open(
@@ -82,7 +84,7 @@ public final class ViewerApplication {
     return run(
         settings,
         window -> {
-          window.open(first, name, request.options());
+          window.context().sessions().open(first, name);
           opened.accept(window);
         });
   }

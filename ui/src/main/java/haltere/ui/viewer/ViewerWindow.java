@@ -1,49 +1,33 @@
 package haltere.ui.viewer;
 
-import haltere.core.event.SensorGeometry;
-import haltere.core.format.ReadOptions;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.action.ViewerKeys;
 import haltere.ui.viewer.action.ViewerMenu;
 import haltere.ui.viewer.chain.ChainEditor;
-import haltere.ui.viewer.chain.StageState;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.FileDialogs;
-import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.feature.BackgroundWork;
 import haltere.ui.viewer.feature.DisplayControl;
 import haltere.ui.viewer.feature.LayoutSteps;
+import haltere.ui.viewer.feature.Sessions;
 import haltere.ui.viewer.feature.StatusLine;
 import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.feature.ViewerPanels;
-import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.playback.PlaybackController;
-import haltere.ui.viewer.playback.SeekBar;
-import haltere.ui.viewer.plots.PlotPanel;
-import haltere.ui.viewer.session.RecordingFacts;
-import haltere.ui.viewer.session.SessionHost;
-import haltere.ui.viewer.session.SessionRequest;
-import haltere.ui.viewer.session.ViewerSession;
 import java.io.File;
-import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.function.BiConsumer;
 import javafx.animation.AnimationTimer;
 import javafx.animation.PauseTransition;
 import javafx.application.Platform;
-import javafx.beans.property.ReadOnlyObjectProperty;
-import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Group;
 import javafx.scene.Scene;
-import javafx.scene.input.DragEvent;
 import javafx.scene.input.TransferMode;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
@@ -56,7 +40,7 @@ import javafx.util.Duration;
  *
  * <p>Thread rule: JavaFX thread only.
  */
-public final class ViewerWindow implements SessionHost {
+public final class ViewerWindow {
   /** Size at first, where the screen has room for it. */
   private static final double WIDTH = 1200;
 
@@ -68,31 +52,15 @@ public final class ViewerWindow implements SessionHost {
   static final double MIN_HEIGHT = 420;
 
   private final Stage stage;
-  private final BackgroundWork background = new BackgroundWork();
-  private final FileDialogs dialogs;
-  private final StatusLine statusLine = new StatusLine();
-  private final PlaybackController playback = new PlaybackController(statusLine::showError);
-  private final ChainEditor editor = new ChainEditor(statusLine::showError, this::showStages);
-  private final ViewerActions actions = new ViewerActions();
-  private final ViewerMenu menu = new ViewerMenu(actions);
-  private final DisplayControl display = new DisplayControl();
-  private final ViewerPanels panels = new ViewerPanels(menu, playback, editor, statusLine, display);
+  private final ViewerContext context;
   private final List<ViewerFeature> features = ViewerFeatures.all();
-  private final LayoutSteps steps;
-  private final SourceMemory memory;
-  private final List<BiConsumer<String, Exception>> problems = new ArrayList<>();
-  private final SessionOpener opener;
   private final AnimationTimer pulse =
       new AnimationTimer() {
         @Override
         public void handle(long nowNanos) {
-          session().ifPresent(open -> panels.pulse(open, nowNanos));
+          context.ifOpen(open -> context.panels().pulse(open, nowNanos));
         }
       };
-  private final ReadOnlyObjectWrapper<Optional<ViewerSession>> session =
-      new ReadOnlyObjectWrapper<>(Optional.empty());
-  private final ReadOnlyObjectWrapper<Optional<RecordingFacts>> facts =
-      new ReadOnlyObjectWrapper<>(Optional.empty());
 
   /** Fills an empty stage, which the caller shows. */
   public ViewerWindow(Stage stage) {
@@ -102,22 +70,37 @@ public final class ViewerWindow implements SessionHost {
   /** The same, set up as a user has left it. */
   ViewerWindow(Stage stage, UserSettings settings) {
     this.stage = stage;
-    memory = new SourceMemory(settings);
-    opener =
-        new SessionOpener(
-            background, editor, playback, statusLine, memory, this::install, this::failed);
-    dialogs = new FileDialogs(stage);
     Rectangle2D room = Screen.getPrimary().getVisualBounds();
     Scene scene =
         new Scene(
             new Group(), Math.min(WIDTH, room.getWidth()), Math.min(HEIGHT, room.getHeight()));
-    steps = new LayoutSteps(scene);
+    StatusLine status = new StatusLine();
+    PlaybackController playback = new PlaybackController(status::showError);
+    ChainEditor editor = new ChainEditor(status::showError);
+    ViewerActions actions = new ViewerActions();
+    ViewerMenu menu = new ViewerMenu(actions);
+    DisplayControl display = new DisplayControl();
+    ViewerPanels panels = new ViewerPanels(menu, playback, editor, status, display);
+    context =
+        new ViewerContext(
+            stage,
+            new Sessions(settings),
+            actions,
+            playback,
+            editor,
+            new BackgroundWork(),
+            new FileDialogs(stage),
+            status,
+            panels,
+            new LayoutSteps(scene),
+            display,
+            settings);
     scene.getStylesheets().add(ViewerWindow.class.getResource("viewer.css").toExternalForm());
     // after the style sheet, because each new sheet styles everything anew
     scene.setRoot(panels);
     ViewerKeys.install(scene, actions);
-    panels.setOnDragOver(ViewerWindow::dragged);
-    panels.setOnDragDropped(this::dropped);
+    Controls.onDrop(
+        panels, TransferMode.COPY, board -> Optional.ofNullable(board.getFiles()), this::dropped);
     scene.setFill(Theme.colour(display.options().colours().background()));
     stage.setScene(scene);
     stage.setMinWidth(Math.min(MIN_WIDTH, room.getWidth()));
@@ -125,22 +108,8 @@ public final class ViewerWindow implements SessionHost {
     stage.setTitle("Haltere");
     stage.setOnHidden(event -> close());
     Thread.currentThread().setUncaughtExceptionHandler((thread, fault) -> showFault(fault));
-    followDisplay();
-    ViewerContext context =
-        new ViewerContext(
-            stage,
-            this,
-            actions,
-            playback,
-            editor,
-            background,
-            dialogs,
-            statusLine,
-            panels,
-            steps,
-            display,
-            settings);
-    editor.history().onChange(() -> session().ifPresent(open -> opener.keepChain(open, () -> {})));
+    followDisplay(display);
+    context.sessions().install(context);
     for (ViewerFeature feature : features) {
       actions.beginGroup();
       feature.install(context);
@@ -170,18 +139,18 @@ public final class ViewerWindow implements SessionHost {
     stage.addEventHandler(WindowEvent.WINDOW_SHOWN, event -> managed.play());
   }
 
-  private void followDisplay() {
+  private void followDisplay(DisplayControl display) {
     display.onChange(
         () -> {
-          session()
-              .ifPresent(
-                  open -> {
-                    open.display().setOptions(display.options());
-                    open.player().refresh();
-                  });
+          context.ifOpen(
+              open -> {
+                open.display().maker().setOptions(display.options());
+                open.player().refresh();
+              });
           ColourMap colours = display.options().colours();
           stage.getScene().setFill(Theme.colour(colours.background()));
         });
+    ViewerPanels panels = context.panels();
     display
         .themeProperty()
         .subscribe(
@@ -191,13 +160,14 @@ public final class ViewerWindow implements SessionHost {
             });
     display
         .allEventsProperty()
-        .subscribe((was, is) -> session().ifPresent(open -> showAllEvents(open, is)));
+        .subscribe(
+            (was, is) ->
+                context.ifOpen(
+                    open -> {
+                      open.display().setAllEvents(is);
+                      open.player().refresh();
+                    }));
     display.marksProperty().subscribe((was, is) -> panels.view().setMarksVisible(is));
-  }
-
-  private void showAllEvents(ViewerSession open, boolean all) {
-    open.display().setAllEvents(all);
-    open.player().refresh();
   }
 
   /** Brings the window to the screen. */
@@ -205,82 +175,12 @@ public final class ViewerWindow implements SessionHost {
     stage.show();
   }
 
-  /** Shows a session that is being made and whose player was started in pause. */
-  public void open(Future<ViewerSession> making, String name, ReadOptions options) {
-    opener.open(making, name, options);
-  }
-
-  @Override
-  public void open(SessionRequest request) {
-    opener.open(memory.withSensor(request), session(), display.options());
-  }
-
-  private void failed(String name, Exception problem) {
-    problems.forEach(listener -> listener.accept(name, problem));
-  }
-
-  @Override
-  public void onProblem(BiConsumer<String, Exception> listener) {
-    problems.add(listener);
-  }
-
-  /** Shows a session in place of the one that is open. */
-  private void install(ViewerSession made, ReadOptions options) {
-    Optional<ViewerSession> before = session();
-    playback.setPlayer(made.player());
-    editor.setPlayer(made.player());
-    stage.setTitle(Texts.source(made.player().playable().name()) + " \u2013 Haltere");
-    made.display().setOptions(display.options());
-    panels.startAnew(made, display.options().colours(), steps);
-    facts.set(Optional.empty());
-    session.set(Optional.of(made));
-    before.ifPresent(background::close);
-    // until then the window has the processors to itself
-    steps.afterLayout(() -> begin(made, options));
-  }
-
-  private void begin(ViewerSession made, ReadOptions options) {
-    if (session().equals(Optional.of(made))) {
-      made.play();
-      made.file().ifPresent(file -> scan(file, options, made));
-    }
-  }
-
-  private void scan(Path file, ReadOptions options, ViewerSession scanned) {
-    background.scan(
-        () -> RecordingFacts.scan(file, options),
-        found -> {
-          if (session().equals(Optional.of(scanned))) {
-            panels.setProfile(found.profile());
-            facts.set(Optional.of(found));
-          }
-        },
-        // what is wrong with the file the player says
-        problem -> {});
-  }
-
-  private void showStages(List<StageState> stages) {
-    panels.showStages(stages);
-  }
-
-  private static void dragged(DragEvent event) {
-    if (event.getDragboard().hasFiles()) {
-      event.acceptTransferModes(TransferMode.COPY);
-    }
-    event.consume();
-  }
-
-  private void dropped(DragEvent event) {
-    event.setDropCompleted(dropped(event.getDragboard().getFiles()));
-    event.consume();
-  }
-
   /** Opens the first of some files; false if there is none. */
   public boolean dropped(List<File> files) {
     if (files.isEmpty()) {
       return false;
     }
-    open(files.get(0).toPath());
+    context.sessions().open(files.get(0).toPath());
     return true;
   }
 
@@ -291,34 +191,12 @@ public final class ViewerWindow implements SessionHost {
       return;
     }
     fault.printStackTrace();
-    statusLine.showError("Fault in the viewer, please report it: " + fault);
+    context.status().showError("Fault in the viewer, please report it: " + fault);
   }
 
-  // What tests and benchmarks look at.
-
-  @Override
-  public ReadOnlyObjectProperty<Optional<ViewerSession>> sessionProperty() {
-    return session.getReadOnlyProperty();
-  }
-
-  @Override
-  public ReadOnlyObjectProperty<Optional<RecordingFacts>> factsProperty() {
-    return facts.getReadOnlyProperty();
-  }
-
-  @Override
-  public void keepSensor(SensorGeometry sensor) {
-    session().ifPresent(open -> memory.keepSensor(open.request(), sensor));
-  }
-
-  /** All that a person can do in the window. */
-  public ViewerActions actions() {
-    return actions;
-  }
-
-  /** How window and events look. */
-  public DisplayControl display() {
-    return display;
+  /** What the window consists of. */
+  public ViewerContext context() {
+    return context;
   }
 
   /** The feature of a class. */
@@ -330,42 +208,10 @@ public final class ViewerWindow implements SessionHost {
         .orElseThrow(() -> new IllegalArgumentException("no " + type.getSimpleName()));
   }
 
-  /** The transport. */
-  public PlaybackController playback() {
-    return playback;
-  }
-
-  /** Changes and reads the chain that is open. */
-  public ChainEditor editor() {
-    return editor;
-  }
-
-  /** The picture of the events. */
-  public EventView view() {
-    return panels.view();
-  }
-
-  /** The plots of what filters publish. */
-  public PlotPanel plots() {
-    return panels.plots();
-  }
-
-  SeekBar seekBar() {
-    return panels.seekBar();
-  }
-
-  /** Pictures shown so far. */
-  long framesShown() {
-    return panels.framesShown();
-  }
-
   private void close() {
     pulse.stop();
-    opener.cancel();
-    Optional<ViewerSession> last = session();
-    session.set(Optional.empty());
-    last.ifPresent(background::close);
-    panels.plots().close();
-    background.close();
+    context.sessions().close();
+    context.panels().plots().close();
+    context.background().close();
   }
 }

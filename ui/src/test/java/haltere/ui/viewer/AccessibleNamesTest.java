@@ -33,7 +33,7 @@ class AccessibleNamesTest {
   }
 
   private void run(String action) {
-    viewer.run(() -> viewer.window.actions().run(action));
+    viewer.run(() -> viewer.window.context().actions().run(action));
   }
 
   @Test
@@ -42,7 +42,7 @@ class AccessibleNamesTest {
         List.of("background-activity", "hot-pixels", "object-tracker", "cluster-tracker");
     viewer = ViewerHarness.withBlobAnd(filters.toArray(String[]::new));
     List.of("show-plots", "show-space-time", "show-live-flight", "compare").forEach(this::run);
-    viewer.run(() -> viewer.window.plots().addLane(PlotField.EVENT_RATE));
+    viewer.run(() -> viewer.window.context().panels().plots().addLane(PlotField.EVENT_RATE));
     for (String name : filters) {
       // in the tab behind
       viewer.fire("expand-" + name);
@@ -80,7 +80,13 @@ class AccessibleNamesTest {
     viewer.waitFor("the keys", () -> Window.getWindows().size() > 1);
     assertAllAreNamed(30);
     closeAllButTheWindow();
-    viewer.run(() -> viewer.window.open(folder.resolve("missing.aedat"), ReadOptions.DEFAULT));
+    viewer.run(
+        () ->
+            viewer
+                .window
+                .context()
+                .sessions()
+                .open(folder.resolve("missing.aedat"), ReadOptions.DEFAULT));
     viewer.waitFor("a problem", () -> viewer.text("status-message").contains("no such file"));
     viewer.fire("details");
     viewer.waitFor("its details", () -> viewer.isThere("problem-details"));

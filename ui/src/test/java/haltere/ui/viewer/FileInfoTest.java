@@ -63,7 +63,7 @@ class FileInfoTest {
     Path file = folder.resolve("blob.aedat");
     ViewerHarness.writeRecording(file, 1_000_000);
     viewer.openRecording(file);
-    viewer.run(() -> viewer.window.actions().run("show-file-information"));
+    viewer.run(() -> viewer.window.context().actions().run("show-file-information"));
     viewer.waitFor("facts", () -> line("Events").isPresent());
     assertEquals(Optional.of("20,000 (10,000 ON, 10,000 OFF)"), line("Events"));
     assertEquals(Optional.of("aedat2"), line("Format"));
@@ -83,7 +83,7 @@ class FileInfoTest {
     Path cut = folder.resolve("cut.aedat4");
     Files.write(cut, Arrays.copyOf(bytes, bytes.length * 2 / 3));
     viewer.openRecording(cut);
-    viewer.run(() -> viewer.window.actions().run("show-file-information"));
+    viewer.run(() -> viewer.window.context().actions().run("show-file-information"));
     viewer.waitFor("the compression", () -> line("Compression").equals(Optional.of("lz4")));
     viewer.waitFor("the banner", this::seesBanner);
     viewer.waitFor("the words", () -> viewer.text("warning-first").contains("ends in the middle"));
@@ -91,6 +91,10 @@ class FileInfoTest {
     viewer.waitFor("all lines", () -> viewer.text("warnings-more").equals("Less"));
     viewer.click("warnings-dismiss");
     viewer.waitFor("no banner", () -> !seesBanner());
+  }
+
+  private static <T> String words(ChoiceBox<T> box) {
+    return box.getConverter().toString(box.getValue());
   }
 
   @Test
@@ -102,9 +106,9 @@ class FileInfoTest {
         () -> viewer.onFx(viewer.node("camera-use", Node.class)::isVisible) && seesBanner());
     ChoiceBox<?> sizes = viewer.node("camera-choice", ChoiceBox.class);
     viewer.waitFor("choices", () -> viewer.onFx(() -> sizes.getItems().size()) > 3);
-    assertTrue(viewer.onFx(() -> sizes.getValue().toString()).startsWith("240 \u00d7 180"));
+    assertTrue(viewer.onFx(() -> words(sizes)).startsWith("240 \u00d7 180"));
     viewer.run(() -> sizes.getSelectionModel().select(5));
-    viewer.waitFor("the choice", () -> sizes.getValue().toString().startsWith("640"));
+    viewer.waitFor("the choice", () -> words(sizes).startsWith("640"));
     viewer.click("camera-use");
     viewer.waitFor(
         "the larger sensor", () -> viewer.session().player().playable().geometry().width() == 640);
@@ -124,7 +128,8 @@ class FileInfoTest {
     try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withSensor(said))) {
       assertEquals(346, reader.geometry().width());
     }
-    viewer.run(() -> viewer.window.open(file, ReadOptions.DEFAULT.withSensor(said)));
+    viewer.run(
+        () -> viewer.window.context().sessions().open(file, ReadOptions.DEFAULT.withSensor(said)));
     viewer.waitUntilOpen("nameless.csv");
     viewer.waitFor("facts", () -> line("Sensor").isPresent());
     assertFalse(line("Sensor").orElseThrow().contains("guessed"));

@@ -1,7 +1,6 @@
 package haltere.ui.viewer;
 
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.ReadOptions;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.ScenePlayable;
 import haltere.ui.viewer.controls.Theme;
@@ -73,12 +72,12 @@ public final class FrameBenchmark {
           Theme.DARK.apply();
           Stage stage = new Stage();
           ViewerWindow window = new ViewerWindow(stage);
-          window.open(first, "the fly scene", ReadOptions.DEFAULT);
+          window.context().sessions().open(first, "the fly scene");
           stage.show();
           opened.complete(window);
         });
     ViewerWindow window = opened.get();
-    waitUntil(() -> window.framesShown() > 1);
+    waitUntil(() -> window.context().panels().framesShown() > 1);
     double startMs =
         System.currentTimeMillis()
             - ProcessHandle.current().info().startInstant().orElseThrow().toEpochMilli();
@@ -90,7 +89,7 @@ public final class FrameBenchmark {
         cpu.toMillis() / 1e3);
     onFx(
         () -> {
-          window.actions().run("quit");
+          window.context().actions().run("quit");
           return null;
         });
   }
@@ -102,20 +101,26 @@ public final class FrameBenchmark {
             () -> {
               Stage stage = new Stage();
               ViewerWindow made = new ViewerWindow(stage);
-              made.open(
-                  () ->
-                      new ScenePlayable(() -> new BusySource(geometry, millionEps), "busy source"),
-                  "the busy source");
+              made.context()
+                  .sessions()
+                  .open(
+                      () ->
+                          new ScenePlayable(
+                              () -> new BusySource(geometry, millionEps), "busy source"),
+                      "the busy source");
               stage.show();
               return made;
             });
-    waitUntil(() -> window.session().isPresent() && window.framesShown() > 0);
+    waitUntil(
+        () ->
+            window.context().sessions().session().isPresent()
+                && window.context().panels().framesShown() > 0);
     Frames frames = new Frames(window, (int) (seconds * 400));
     ScreenLatency latency = new ScreenLatency((int) (seconds * 400));
     onFx(
         () -> {
-          window.session().orElseThrow().player().addRawSink(latency);
-          window.view().onFrame(frame -> latency.shown(frame.timeUs()));
+          window.context().sessions().session().orElseThrow().player().addRawSink(latency);
+          window.context().panels().view().onFrame(frame -> latency.shown(frame.timeUs()));
           return null;
         });
     waitUntil(() -> status(window).elapsedUs() > WARM_UP_S * 1e6);
@@ -151,13 +156,24 @@ public final class FrameBenchmark {
     printCpu(cpuBefore, cpuAfter, times);
     onFx(
         () -> {
-          window.actions().run("quit");
+          window.context().actions().run("quit");
           return null;
         });
   }
 
   private static void printFrames(ViewerWindow window, double[] times) throws Exception {
-    long conflated = onFx(() -> window.session().orElseThrow().display().exchange().conflated());
+    long conflated =
+        onFx(
+            () ->
+                window
+                    .context()
+                    .sessions()
+                    .session()
+                    .orElseThrow()
+                    .display()
+                    .maker()
+                    .exchange()
+                    .conflated());
     double measured = Arrays.stream(times).sum() / 1e3;
     System.out.printf(
         Locale.ROOT,
@@ -260,7 +276,7 @@ public final class FrameBenchmark {
   }
 
   private static PlayerStatus status(ViewerWindow window) {
-    return window.session().orElseThrow().player().status();
+    return window.context().sessions().session().orElseThrow().player().status();
   }
 
   private static <T> T onFx(Callable<T> call) throws Exception {
@@ -302,13 +318,13 @@ public final class FrameBenchmark {
     @Override
     public void handle(long pulse) {
       long now = System.nanoTime();
-      if (window.framesShown() == shown) {
+      if (window.context().panels().framesShown() == shown) {
         return;
       }
       if (shown >= 0 && count < millis.length) {
         millis[count++] = (now - lastNanos) / 1e6;
       }
-      shown = window.framesShown();
+      shown = window.context().panels().framesShown();
       lastNanos = now;
     }
 

@@ -47,7 +47,7 @@ class KeptMomentsTest {
   }
 
   private void seek(long us) {
-    viewer.run(() -> viewer.window.playback().seek(us));
+    viewer.run(() -> viewer.window.context().playback().seek(us));
     viewer.waitFor("there", () -> Math.abs(elapsedUs() - us) < 2000);
   }
 
@@ -86,7 +86,7 @@ class KeptMomentsTest {
   }
 
   private Loop loop() {
-    return viewer.onFx(() -> viewer.window.playback().loopProperty().get());
+    return viewer.onFx(() -> viewer.window.context().playback().loopProperty().get());
   }
 
   @Test

@@ -8,6 +8,7 @@ import haltere.core.chain.ChainStage;
 import haltere.filters.frequency.PixelRegion;
 import haltere.ui.plot.PlotField;
 import haltere.ui.viewer.controls.FocusOrder;
+import haltere.ui.viewer.picture.RegionMarks;
 import haltere.ui.viewer.plots.PlotPanel;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -58,7 +59,7 @@ class KeyboardTest {
 
   private void openPanels(String... panels) {
     for (String panel : panels) {
-      viewer.run(() -> viewer.window.actions().run(panel));
+      viewer.run(() -> viewer.window.context().actions().run(panel));
     }
   }
 
@@ -67,7 +68,7 @@ class KeyboardTest {
     viewer = ViewerHarness.withBlob();
     openPanels("show-plots", "show-space-time", "show-live-flight", "compare", "show-camera");
     openPanels("show-wings");
-    viewer.run(() -> viewer.window.plots().addLane(PlotField.EVENT_RATE));
+    viewer.run(() -> viewer.window.context().panels().plots().addLane(PlotField.EVENT_RATE));
     walkWithTab();
     // another tab of the side
     goTo("side-tabs");
@@ -127,7 +128,7 @@ class KeyboardTest {
   void aFilterIsSearchedAddedMovedSwitchedOffAndRemoved() {
     viewer = ViewerHarness.withBlob();
     List<String> before = names();
-    double speed = viewer.onFx(() -> viewer.window.playback().speedProperty().get());
+    double speed = viewer.onFx(() -> viewer.window.context().playback().speedProperty().get());
     goTo("add-filter");
     viewer.press(KeyCode.ENTER);
     viewer.waitFor("the search", () -> viewer.isThere("add-filter-search"));
@@ -138,7 +139,7 @@ class KeyboardTest {
     viewer.waitFor("it is added", () -> names().contains("refractory"));
     assertEquals(
         speed,
-        viewer.onFx(() -> viewer.window.playback().speedProperty().get()),
+        viewer.onFx(() -> viewer.window.context().playback().speedProperty().get()),
         "what is typed into a menu does nothing in the window");
 
     goTo("expand-refractory");
@@ -177,7 +178,7 @@ class KeyboardTest {
   private void enterBeforeLayout(Control control) {
     viewer.run(
         () -> {
-          ((Pane) viewer.window.view().getParent()).getChildren().add(control);
+          ((Pane) viewer.window.context().panels().view().getParent()).getChildren().add(control);
           control.requestFocus();
           control.fireEvent(
               new KeyEvent(
@@ -197,9 +198,10 @@ class KeyboardTest {
     drawToTheRight(4);
     viewer.waitFor(
         "a region of five pixels",
-        () -> seeing.region().region().filter(KeyboardTest::isFiveWide).isPresent());
+        () ->
+            seeing.region().map(RegionMarks::region).filter(KeyboardTest::isFiveWide).isPresent());
     viewer.press(KeyCode.ESCAPE);
-    viewer.waitFor("no tool", () -> viewer.window.view().tool().isEmpty());
+    viewer.waitFor("no tool", () -> viewer.window.context().panels().view().tool().isEmpty());
     viewer.press(KeyCode.C);
     viewer.press(KeyCode.SHIFT, KeyCode.LEFT);
     viewer.waitFor(
@@ -216,7 +218,7 @@ class KeyboardTest {
   }
 
   private void drawToTheRight(int pixels) {
-    viewer.waitFor("a tool", () -> viewer.window.view().tool().isPresent());
+    viewer.waitFor("a tool", () -> viewer.window.context().panels().view().tool().isPresent());
     viewer.press(KeyCode.ENTER);
     for (int i = 0; i < pixels; i++) {
       viewer.press(KeyCode.RIGHT);
@@ -228,12 +230,12 @@ class KeyboardTest {
   void aLaneIsReadScrolledFollowedAndTakesPlaybackToATime() throws IOException {
     viewer = ViewerHarness.withRecording(folder, 3_000_000);
     openPanels("show-plots");
-    viewer.run(() -> viewer.window.plots().addLane(PlotField.EVENT_RATE));
+    viewer.run(() -> viewer.window.context().panels().plots().addLane(PlotField.EVENT_RATE));
     viewer.waitFor("a second", () -> viewer.status().elapsedUs() > 1_000_000);
     viewer.pause();
-    Node lane = viewer.onFx(() -> viewer.window.plots().lookup(".key-pane"));
+    Node lane = viewer.onFx(() -> viewer.window.context().panels().plots().lookup(".key-pane"));
     viewer.run(lane::requestFocus);
-    PlotPanel plots = viewer.window.plots();
+    PlotPanel plots = viewer.window.context().panels().plots();
     long spanUs = viewer.onFx(() -> plots.window().spanUs());
     viewer.press(KeyCode.EQUALS);
     viewer.waitFor("less time", () -> plots.window().spanUs() < spanUs);
@@ -258,10 +260,11 @@ class KeyboardTest {
     viewer.waitFor("the chain", () -> "add-filter".equals(focus().getId()));
     viewer.press(KeyCode.SHIFT, KeyCode.F6);
     viewer.waitFor("the plots again", () -> "add-plot".equals(focus().getId()));
-    double before = viewer.onFx(() -> viewer.window.plots().getHeight());
-    viewer.run(() -> viewer.window.actions().run("below-higher"));
-    viewer.waitFor("higher", () -> viewer.window.plots().getHeight() > before + 10);
-    assertFalse(viewer.onFx(() -> viewer.window.plots().isFocused()));
+    double before = viewer.onFx(() -> viewer.window.context().panels().plots().getHeight());
+    viewer.run(() -> viewer.window.context().actions().run("below-higher"));
+    viewer.waitFor(
+        "higher", () -> viewer.window.context().panels().plots().getHeight() > before + 10);
+    assertFalse(viewer.onFx(() -> viewer.window.context().panels().plots().isFocused()));
   }
 
   @Test

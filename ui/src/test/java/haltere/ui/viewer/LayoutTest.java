@@ -23,7 +23,7 @@ class LayoutTest {
   }
 
   private void run(String action) {
-    viewer.run(() -> viewer.window.actions().run(action));
+    viewer.run(() -> viewer.window.context().actions().run(action));
   }
 
   private boolean isInWindow(String id) {
@@ -49,7 +49,9 @@ class LayoutTest {
     run("layout-Wings");
     viewer.waitFor("the panels of before", () -> isInWindow("plots") && isInWindow("file-info"));
     run("remove-layout-Wings");
-    assertEquals(Optional.empty(), viewer.onFx(() -> viewer.window.actions().find("layout-Wings")));
+    assertEquals(
+        Optional.empty(),
+        viewer.onFx(() -> viewer.window.context().actions().find("layout-Wings")));
   }
 
   @Test

@@ -47,13 +47,19 @@ class MannersTest {
     ViewerHarness.writeRecording(recording, 500_000);
     UserSettings settings = UserSettings.load(folder);
     viewer = new ViewerHarness(settings);
-    viewer.run(() -> viewer.window.open(SessionRequest.recording(recording, ReadOptions.DEFAULT)));
+    viewer.run(
+        () ->
+            viewer
+                .window
+                .context()
+                .sessions()
+                .open(SessionRequest.recording(recording, ReadOptions.DEFAULT)));
     viewer.waitUntilOpen("blob.aedat");
     viewer.run(
         () -> {
-          viewer.window.display().themeProperty().set(Theme.LIGHT);
-          viewer.window.display().modeProperty().set(DisplayMode.COUNTS);
-          viewer.window.actions().run("show-space-time");
+          viewer.window.context().display().themeProperty().set(Theme.LIGHT);
+          viewer.window.context().display().modeProperty().set(DisplayMode.COUNTS);
+          viewer.window.context().actions().run("show-space-time");
         });
     viewer.waitFor("it is saved", () -> Files.exists(folder.resolve("viewer.json")));
     viewer.waitFor("all of it", () -> !settings.hasChanged());
@@ -64,13 +70,15 @@ class MannersTest {
     assertEquals("Event count", kept.get("showAs"));
     assertEquals(List.of(recording.toString()), kept.get("recentFiles"));
     viewer = new ViewerHarness(UserSettings.load(folder));
-    assertEquals(Theme.LIGHT, viewer.onFx(() -> viewer.window.display().themeProperty().get()));
     assertEquals(
-        DisplayMode.COUNTS, viewer.onFx(() -> viewer.window.display().modeProperty().get()));
+        Theme.LIGHT, viewer.onFx(() -> viewer.window.context().display().themeProperty().get()));
+    assertEquals(
+        DisplayMode.COUNTS,
+        viewer.onFx(() -> viewer.window.context().display().modeProperty().get()));
     viewer.waitFor("the panel", () -> viewer.isThere("space-time"));
     viewer.press(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.O);
     viewer.waitUntilOpen("blob.aedat");
-    viewer.run(() -> viewer.window.display().themeProperty().set(Theme.DARK));
+    viewer.run(() -> viewer.window.context().display().themeProperty().set(Theme.DARK));
   }
 
   @Test
@@ -81,8 +89,9 @@ class MannersTest {
     UserSettings settings = UserSettings.load(folder);
     viewer = new ViewerHarness(settings);
     assertEquals(
-        DisplayMode.POLARITY, viewer.onFx(() -> viewer.window.display().modeProperty().get()));
-    viewer.run(() -> viewer.window.display().modeProperty().set(DisplayMode.ON_ONLY));
+        DisplayMode.POLARITY,
+        viewer.onFx(() -> viewer.window.context().display().modeProperty().get()));
+    viewer.run(() -> viewer.window.context().display().modeProperty().set(DisplayMode.ON_ONLY));
     settings.save();
     Map<?, ?> kept = (Map<?, ?>) Json.read(folder.resolve("viewer.json"));
     assertEquals("kept", kept.get("later"));
@@ -97,16 +106,16 @@ class MannersTest {
     viewer.click("expand-" + NOISE);
     enter("entry-" + NOISE + "-neighbours", "3");
     viewer.waitFor("three", () -> text("entry-" + NOISE + "-neighbours").equals("3"));
-    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.run(() -> viewer.window.context().actions().run("undo"));
     viewer.waitFor("one again", () -> text("entry-" + NOISE + "-neighbours").equals("1"));
-    viewer.run(() -> viewer.window.actions().run("redo"));
+    viewer.run(() -> viewer.window.context().actions().run("redo"));
     viewer.waitFor("three again", () -> text("entry-" + NOISE + "-neighbours").equals("3"));
     List<String> before = names();
     viewer.click("more-hot-pixels");
     viewer.click("remove-hot-pixels");
     viewer.waitFor("it is gone", () -> !names().equals(before));
     viewer.waitFor("its card is gone", () -> !viewer.isThere("stage-hot-pixels"));
-    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.run(() -> viewer.window.context().actions().run("undo"));
     viewer.waitFor("it is back", () -> names().equals(before));
     viewer.waitFor("its card is back", () -> viewer.isThere("stage-hot-pixels"));
   }
@@ -146,7 +155,13 @@ class MannersTest {
   @Test
   void aProblemIsALineWithItsDetailsAClickAway() {
     viewer = ViewerHarness.withBlob();
-    viewer.run(() -> viewer.window.open(folder.resolve("missing.aedat"), ReadOptions.DEFAULT));
+    viewer.run(
+        () ->
+            viewer
+                .window
+                .context()
+                .sessions()
+                .open(folder.resolve("missing.aedat"), ReadOptions.DEFAULT));
     viewer.waitFor("the line", () -> viewer.text("status-message").contains("no such file"));
     viewer.click("details");
     viewer.waitFor("the details", () -> viewer.isThere("problem-details"));
@@ -165,7 +180,7 @@ class MannersTest {
                     .firstSession(java.util.Optional.empty()));
     first.run();
     viewer = new ViewerHarness();
-    viewer.run(() -> viewer.window.open(first, empty.toString(), ReadOptions.DEFAULT));
+    viewer.run(() -> viewer.window.context().sessions().open(first, empty.toString()));
     viewer.waitFor(
         "the line", () -> viewer.text("status-message").startsWith(empty + ": the file is empty"));
   }

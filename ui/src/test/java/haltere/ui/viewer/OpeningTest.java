@@ -66,8 +66,8 @@ class OpeningTest {
     viewer = ViewerHarness.withBlob();
     Path first = ViewerHarness.recording(folder, "first.aedat");
     Path last = ViewerHarness.recording(folder, "last.aedat");
-    onNextSession(() -> viewer.window.open(last, ReadOptions.DEFAULT));
-    viewer.run(() -> viewer.window.open(first, ReadOptions.DEFAULT));
+    onNextSession(() -> viewer.window.context().sessions().open(last, ReadOptions.DEFAULT));
+    viewer.run(() -> viewer.window.context().sessions().open(first, ReadOptions.DEFAULT));
     viewer.waitUntilOpen("last.aedat");
     assertEquals(
         viewer.session().chain().stages().stream().map(stage -> stage.name()).toList(), cards());
@@ -76,10 +76,12 @@ class OpeningTest {
   @Test
   void aPauseFromBeforeItBeginsIsKept() throws IOException {
     viewer = ViewerHarness.withBlob();
-    onNextSession(viewer.window.playback()::togglePause);
+    onNextSession(viewer.window.context().playback()::togglePause);
     Path file = ViewerHarness.recording(folder, "next.aedat");
-    viewer.run(() -> viewer.window.open(file, ReadOptions.DEFAULT));
-    viewer.waitFor("the recording", () -> viewer.window.session().get().file().isPresent());
+    viewer.run(() -> viewer.window.context().sessions().open(file, ReadOptions.DEFAULT));
+    viewer.waitFor(
+        "the recording",
+        () -> viewer.window.context().sessions().session().get().request().file().isPresent());
     // taken by the player once it has begun
     ViewerHarness.join(viewer.session().player().edit(chain -> {}));
     assertEquals(State.PAUSED, viewer.status().state());
@@ -103,6 +105,8 @@ class OpeningTest {
         () ->
             viewer
                 .window
+                .context()
+                .sessions()
                 .sessionProperty()
                 .addListener(
                     new ChangeListener<Optional<ViewerSession>>() {

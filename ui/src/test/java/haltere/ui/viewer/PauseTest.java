@@ -50,9 +50,9 @@ class PauseTest {
 
   @Test
   void aChangeOfTheFlysChainMakesTheMomentAnewOnce() {
-    viewer.run(() -> viewer.window.open(SessionRequest.scene()));
-    viewer.run(() -> viewer.window.playback().setSpeed(1));
-    viewer.waitFor("the fly", () -> viewer.window.session().isPresent());
+    viewer.run(() -> viewer.window.context().sessions().open(SessionRequest.scene()));
+    viewer.run(() -> viewer.window.context().playback().setSpeed(1));
+    viewer.waitFor("the fly", () -> viewer.window.context().sessions().session().isPresent());
     viewer.waitFor("some beats", () -> viewer.status().elapsedUs() > 100_000);
     viewer.pause();
     viewer.run(() -> JavaFxHarness.join(viewer.session().player().seek(100_000)));
@@ -73,8 +73,8 @@ class PauseTest {
 
   @Test
   void plotsAreFilledWithWhatLeadsToAPlaceThatWasSought() {
-    viewer.run(() -> viewer.window.open(SessionRequest.scene()));
-    viewer.waitFor("the fly", () -> viewer.window.session().isPresent());
+    viewer.run(() -> viewer.window.context().sessions().open(SessionRequest.scene()));
+    viewer.waitFor("the fly", () -> viewer.window.context().sessions().session().isPresent());
     viewer.waitFor("some beats", () -> viewer.status().elapsedUs() > 150_000);
     viewer.pause();
     viewer.run(() -> JavaFxHarness.join(viewer.session().player().seek(0)));
@@ -83,7 +83,7 @@ class PauseTest {
     viewer.waitFor("curves up to the place", () -> newestUs() > 130_000);
     long samples =
         viewer
-            .onFx(() -> viewer.window.plots().table().text())
+            .onFx(() -> viewer.window.context().panels().plots().table().text())
             .lines()
             .filter(line -> line.contains("angle_rad"))
             .count();
@@ -92,7 +92,7 @@ class PauseTest {
 
   /** Time of the newest sample in the plots, microseconds. */
   private long newestUs() {
-    return viewer.window.plots().lanes().stream()
+    return viewer.window.context().panels().plots().lanes().stream()
         .flatMap(lane -> lane.curves().stream())
         .mapToLong(Curve::lastUs)
         .max()

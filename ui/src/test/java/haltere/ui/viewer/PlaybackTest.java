@@ -161,7 +161,7 @@ class PlaybackTest {
     viewer.click("play-backwards");
     viewer.waitFor("an earlier moment", () -> viewer.status().elapsedUs() < 1_900_000);
     viewer.click("play-backwards");
-    viewer.waitFor("its stop", () -> !viewer.window.playback().reverseProperty().get());
+    viewer.waitFor("its stop", () -> !viewer.window.context().playback().reverseProperty().get());
     assertEquals(PlayerStatus.State.PAUSED, viewer.status().state());
   }
 
@@ -169,7 +169,7 @@ class PlaybackTest {
   void theEndsOfTheMarkedPartDoNotPassOneAnother() throws IOException {
     viewer = ViewerHarness.withRecording(folder, LENGTH_US);
     viewer.pause();
-    PlaybackController playback = viewer.window.playback();
+    PlaybackController playback = viewer.window.context().playback();
     viewer.run(
         () -> {
           playback.moveLoopEnd(true, 1_000_000);
@@ -185,13 +185,13 @@ class PlaybackTest {
     viewer = ViewerHarness.withRecording(folder, LENGTH_US);
     viewer.pause();
     ViewerHarness.join(viewer.session().player().seek(3_000_000));
-    PlaybackController playback = viewer.window.playback();
+    PlaybackController playback = viewer.window.context().playback();
     viewer.run(
         () -> {
           playback.moveLoopEnd(true, 1_000_000);
           playback.moveLoopEnd(false, 2_000_000);
         });
-    viewer.waitFor("the bar", () -> viewer.window.seekBar().getWidth() > 100);
+    viewer.waitFor("the bar", () -> viewer.window.context().panels().seekBar().getWidth() > 100);
     viewer.drag("seek-bar", 0.25, 0.125);
     assertEquals(500_000, playback.loopProperty().get().inUs().getAsLong(), 0.01 * LENGTH_US);
     viewer.drag("seek-bar", 0.5, 0.625);
@@ -215,7 +215,7 @@ class PlaybackTest {
     viewer = ViewerHarness.withRecording(folder, LENGTH_US);
     viewer.pause();
     ViewerHarness.join(viewer.session().player().seek(1_000_000));
-    PlaybackController playback = viewer.window.playback();
+    PlaybackController playback = viewer.window.context().playback();
     viewer.press(KeyCode.I);
     viewer.waitFor("its start", () -> playback.loopProperty().get().inUs().isPresent());
     ViewerHarness.join(viewer.session().player().seek(2_000_000));
@@ -252,7 +252,7 @@ class PlaybackTest {
     viewer.waitFor("slices of 3 ms", () -> viewer.status().sliceUs() == 3000);
     viewer.run(() -> mode.getSelectionModel().select(2));
     viewer.waitFor("a size for it", () -> size.getText().equals("5000"));
-    PlaybackController playback = viewer.window.playback();
+    PlaybackController playback = viewer.window.context().playback();
     assertEquals(new Slicing.ByCount(5000), viewer.onFx(() -> playback.slicingProperty().get()));
     viewer.run(
         () -> {

@@ -57,7 +57,7 @@ class SamplesTest {
         "the switch of frames", () -> viewer.onFx(viewer.node("frames", Node.class)::isVisible));
     viewer.waitFor("a frame", () -> brightness() > 0.15);
     viewer.pause();
-    viewer.run(() -> viewer.window.playback().seek(1_000_000));
+    viewer.run(() -> viewer.window.context().playback().seek(1_000_000));
     viewer.waitFor("the jump", () -> Math.abs(viewer.status().elapsedUs() - 1_000_000) < 20_000);
     viewer.waitFor("the frame of that moment", () -> brightness() > 0.15);
     viewer.click("frames");
@@ -66,12 +66,12 @@ class SamplesTest {
 
   @Test
   void inertialSamplesAreCurvesOfThreeAxes() {
-    viewer.run(() -> viewer.window.actions().run("show-plots"));
-    viewer.run(() -> viewer.window.plots().addLane(InertialFeed.ACCELERATION));
+    viewer.run(() -> viewer.window.context().actions().run("show-plots"));
+    viewer.run(() -> viewer.window.context().panels().plots().addLane(InertialFeed.ACCELERATION));
     viewer.waitFor(
         "three axes",
         () -> {
-          List<Lane> lanes = viewer.window.plots().lanes();
+          List<Lane> lanes = viewer.window.context().panels().plots().lanes();
           return !lanes.isEmpty() && viewer.onFx(() -> lanes.get(0).curves().size()) == 3;
         });
     assertEquals("g", InertialFeed.ACCELERATION.unit());
@@ -81,10 +81,23 @@ class SamplesTest {
   @Test
   void triggersAreNamedOverThePictureAndListed() {
     viewer.waitFor(
-        "the facts", () -> viewer.onFx(() -> viewer.window.factsProperty().get().isPresent()));
+        "the facts",
+        () ->
+            viewer.onFx(
+                () -> viewer.window.context().sessions().factsProperty().get().isPresent()));
     assertEquals(
         236,
-        viewer.onFx(() -> viewer.window.factsProperty().get().orElseThrow().triggers().size()));
+        viewer.onFx(
+            () ->
+                viewer
+                    .window
+                    .context()
+                    .sessions()
+                    .factsProperty()
+                    .get()
+                    .orElseThrow()
+                    .triggers()
+                    .size()));
     viewer.waitFor("a name", () -> viewer.onFx(viewer.node("trigger-mark", Node.class)::isVisible));
     assertTrue(viewer.text("trigger-mark").matches("(Exposure|Readout).*"));
   }

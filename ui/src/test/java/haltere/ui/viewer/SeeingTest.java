@@ -36,6 +36,10 @@ class SeeingTest {
     viewer.close();
   }
 
+  private String regionWords() {
+    return seeing().region().orElseThrow().words();
+  }
+
   private SeeingFeature seeing() {
     return viewer.window.feature(SeeingFeature.class);
   }
@@ -46,12 +50,12 @@ class SeeingTest {
     viewer.pause();
     Set<Integer> pictures = new HashSet<>();
     for (DisplayMode mode : DisplayMode.values()) {
-      viewer.run(() -> viewer.window.display().modeProperty().set(mode));
-      viewer.run(() -> viewer.window.playback().step(1));
-      viewer.waitFor("the picture", () -> !viewer.session().display().isStale());
-      long frames = viewer.onFx(viewer.window::framesShown);
-      viewer.run(() -> viewer.window.playback().step(1));
-      viewer.waitFor("its frame", () -> viewer.window.framesShown() > frames);
+      viewer.run(() -> viewer.window.context().display().modeProperty().set(mode));
+      viewer.run(() -> viewer.window.context().playback().step(1));
+      viewer.waitFor("the picture", () -> !viewer.session().display().maker().isStale());
+      long frames = viewer.onFx(viewer.window.context().panels()::framesShown);
+      viewer.run(() -> viewer.window.context().playback().step(1));
+      viewer.waitFor("its frame", () -> viewer.window.context().panels().framesShown() > frames);
       pictures.add(viewer.onFx(() -> hash(viewer.picture())));
     }
     assertEquals(DisplayMode.values().length, pictures.size());
@@ -71,9 +75,9 @@ class SeeingTest {
 
   @Test
   void thePixelUnderTheMouseTellsItsLastEventAndTheRateAroundIt() {
-    EventView view = viewer.window.view();
-    double shareX = viewer.onFx(() -> view.viewX(64) / view.getWidth());
-    double shareY = viewer.onFx(() -> view.viewY(BlobSource.Y) / view.getHeight());
+    EventView view = viewer.window.context().panels().view();
+    double shareX = viewer.onFx(() -> view.viewpoint().viewX(64) / view.getWidth());
+    double shareY = viewer.onFx(() -> view.viewpoint().viewY(BlobSource.Y) / view.getHeight());
     viewer.click("event-view", shareX, shareY);
     viewer.waitFor(
         "polarity, age and rate",
@@ -84,19 +88,16 @@ class SeeingTest {
   void aRegionShowsItsRateAndFrequency() {
     viewer.run(() -> seeing().setRegion(Optional.of(PixelRegion.between(0, 0, 127, 127))));
     viewer.waitFor(
-        "a rate in words",
-        () ->
-            seeing().region().words().contains("ev/s")
-                && !seeing().region().words().equals("0 ev/s"));
+        "a rate in words", () -> regionWords().contains("ev/s") && !regionWords().equals("0 ev/s"));
     viewer.press(KeyCode.G);
     viewer.click("event-view", 0.5, 0.5);
-    viewer.waitFor("a click takes it away", () -> seeing().region().region().isEmpty());
+    viewer.waitFor("a click takes it away", () -> seeing().region().isEmpty());
   }
 
   @Test
   void theTapeMeasuresAndToolsTakeTurns() {
     viewer.press(KeyCode.T);
-    EventView view = viewer.window.view();
+    EventView view = viewer.window.context().panels().view();
     viewer.waitFor("the tape is in the hand", () -> view.tool().isPresent());
     assertTrue(viewer.text("status-message").contains("measure"));
     viewer.run(
@@ -115,20 +116,20 @@ class SeeingTest {
 
   @Test
   void keysZoomAndMove() {
-    EventView view = viewer.window.view();
-    double before = viewer.onFx(view::scale);
-    viewer.run(() -> viewer.window.actions().run("zoom-in"));
-    viewer.waitFor("closer", () -> view.scale() > before * 1.3);
-    double place = viewer.onFx(() -> view.viewX(64));
-    viewer.run(() -> viewer.window.actions().run("pan-right"));
-    viewer.waitFor("it moved", () -> view.viewX(64) < place - 10);
+    EventView view = viewer.window.context().panels().view();
+    double before = viewer.onFx(view.viewpoint()::scale);
+    viewer.run(() -> viewer.window.context().actions().run("zoom-in"));
+    viewer.waitFor("closer", () -> view.viewpoint().scale() > before * 1.3);
+    double place = viewer.onFx(() -> view.viewpoint().viewX(64));
+    viewer.run(() -> viewer.window.context().actions().run("pan-right"));
+    viewer.waitFor("it moved", () -> view.viewpoint().viewX(64) < place - 10);
     viewer.press(KeyCode.P);
-    viewer.waitFor("single pixels", () -> view.scale() > 30);
+    viewer.waitFor("single pixels", () -> view.viewpoint().scale() > 30);
   }
 
   @Test
   void spaceAndTimeAreTurnedBySliders() {
-    viewer.run(() -> viewer.window.actions().run("show-space-time"));
+    viewer.run(() -> viewer.window.context().actions().run("show-space-time"));
     viewer.waitFor("the panel", () -> viewer.isThere("space-time"));
     Node panel = viewer.node("space-time", Node.class);
     viewer.waitFor("events in it", () -> colours(panel.snapshot(null, null)) > 20);
@@ -137,7 +138,7 @@ class SeeingTest {
     int before = viewer.onFx(() -> hash(panel.snapshot(null, null)));
     viewer.run(() -> turn.setValue(-120));
     viewer.waitFor("another view", () -> hash(panel.snapshot(null, null)) != before);
-    viewer.run(() -> viewer.window.actions().run("show-space-time"));
+    viewer.run(() -> viewer.window.context().actions().run("show-space-time"));
     viewer.waitFor("it is gone", () -> !viewer.isThere("space-time"));
   }
 
@@ -153,18 +154,19 @@ class SeeingTest {
 
   @Test
   void slicesOfOneBeatFollowTheWingTracker() {
-    viewer.run(() -> viewer.window.actions().run("open-scene"));
+    viewer.run(() -> viewer.window.context().actions().run("open-scene"));
     viewer.waitUntilOpen("Fly scene");
-    viewer.run(() -> viewer.window.actions().run("slices-beat"));
+    viewer.run(() -> viewer.window.context().actions().run("slices-beat"));
     viewer.waitFor(
         "the length of a beat",
         () ->
-            viewer.window.playback().slicingProperty().get() instanceof Slicing.ByTime slice
+            viewer.window.context().playback().slicingProperty().get()
+                    instanceof Slicing.ByTime slice
                 && slice.sliceUs() != 5_000
                 && Math.abs(slice.sliceUs() - 5_000) < 700);
-    viewer.run(() -> viewer.window.actions().run("slices-beat"));
+    viewer.run(() -> viewer.window.context().actions().run("slices-beat"));
     assertEquals(
         PlaybackController.SMOOTH,
-        viewer.onFx(() -> viewer.window.playback().slicingProperty().get()));
+        viewer.onFx(() -> viewer.window.context().playback().slicingProperty().get()));
   }
 }

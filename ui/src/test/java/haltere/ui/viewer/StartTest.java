@@ -36,7 +36,7 @@ class StartTest {
   }
 
   private void showStartPage() {
-    viewer.run(() -> viewer.window.actions().run("start-page"));
+    viewer.run(() -> viewer.window.context().actions().run("start-page"));
     // what is inside of it can be found once it was laid out
     viewer.waitFor("the start page", () -> viewer.isThere("start-scene-fly"));
   }
@@ -77,7 +77,7 @@ class StartTest {
                 SessionRequest.recording(empty, ReadOptions.DEFAULT)
                     .firstSession(Optional.empty()));
     first.run();
-    viewer.run(() -> viewer.window.open(first, empty.toString(), ReadOptions.DEFAULT));
+    viewer.run(() -> viewer.window.context().sessions().open(first, empty.toString()));
     // what is inside of it can be found once it was laid out
     viewer.waitFor("the start page", () -> viewer.isThere("start-scene-fly"));
     assertEquals(
@@ -87,14 +87,16 @@ class StartTest {
 
   @Test
   void theFlyBeginsInSlowMotionWithACaptionThatGoesByAClick() throws IOException {
-    viewer.run(() -> viewer.window.actions().run("open-scene"));
+    viewer.run(() -> viewer.window.context().actions().run("open-scene"));
     viewer.waitUntilOpen("Fly scene");
     viewer.waitFor(
-        "slow motion", () -> viewer.onFx(viewer.window.playback().speedProperty()::get) == 0.01);
+        "slow motion",
+        () -> viewer.onFx(viewer.window.context().playback().speedProperty()::get) == 0.01);
     assertTrue(isVisible("fly-caption"));
     assertTrue(viewer.text("fly-caption").contains("orange: brighter (ON), blue: darker (OFF)"));
-    assertEquals(100_000, viewer.onFx(() -> viewer.window.plots().window().spanUs()));
-    List<Lane> lanes = viewer.onFx(() -> viewer.window.plots().lanes());
+    assertEquals(
+        100_000, viewer.onFx(() -> viewer.window.context().panels().plots().window().spanUs()));
+    List<Lane> lanes = viewer.onFx(() -> viewer.window.context().panels().plots().lanes());
     assertEquals(2, lanes.size());
     viewer.click("fly-caption");
     viewer.waitFor("no caption", () -> !isVisible("fly-caption"));
@@ -103,15 +105,15 @@ class StartTest {
     viewer.openRecording(file);
     viewer.waitFor(
         "the speed of before",
-        () -> viewer.onFx(viewer.window.playback().speedProperty()::get) == 1);
+        () -> viewer.onFx(viewer.window.context().playback().speedProperty()::get) == 1);
   }
 
   @Test
   void theManualAndTheFactsOfTheProgramAreShown() {
-    viewer.run(() -> viewer.window.actions().run("manual"));
+    viewer.run(() -> viewer.window.context().actions().run("manual"));
     viewer.waitFor("the manual", () -> viewer.isThere("manual"));
     viewer.run(() -> viewer.node("manual", Node.class).getScene().getWindow().hide());
-    viewer.run(() -> viewer.window.actions().run("about"));
+    viewer.run(() -> viewer.window.context().actions().run("about"));
     viewer.waitFor("the facts", () -> viewer.isThere("about"));
     String facts = viewer.text("about");
     assertTrue(facts.contains("Apache-2.0") && facts.contains(System.getProperty("java.vendor")));

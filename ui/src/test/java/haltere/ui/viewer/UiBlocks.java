@@ -69,7 +69,7 @@ final class UiBlocks implements AutoCloseable {
     long durationUs = viewer.status().durationUs();
     for (int i = 1; i <= 10; i++) {
       long placeUs = durationUs * (i * 7 % 11) / 11;
-      viewer.run(() -> viewer.window.playback().seek(placeUs));
+      viewer.run(() -> viewer.window.context().playback().seek(placeUs));
       viewer.waitFor("there", () -> viewer.status().elapsedUs() >= placeUs);
     }
     exportPart(viewer, durationUs, target);
@@ -78,9 +78,9 @@ final class UiBlocks implements AutoCloseable {
   /** Of a long recording the last half minute, so that it comes to an end in the usual patience. */
   private static void exportPart(ViewerHarness viewer, long durationUs, Path target) {
     long fromUs = Math.max(0, durationUs - LONGEST_EXPORT_US);
-    viewer.run(() -> viewer.window.playback().seek(fromUs));
+    viewer.run(() -> viewer.window.context().playback().seek(fromUs));
     viewer.waitFor("there", () -> viewer.status().elapsedUs() >= fromUs);
-    viewer.run(viewer.window.playback()::markIn);
+    viewer.run(viewer.window.context().playback()::markIn);
     viewer.run(() -> ViewerHarness.join(viewer.session().player().setLoop(Loop.OFF)));
     viewer.run(() -> viewer.window.feature(ExportFeature.class).exportData(target));
     viewer.waitFor(
@@ -97,8 +97,8 @@ final class UiBlocks implements AutoCloseable {
     Path recording = Path.of(args[0]);
     try (ViewerHarness viewer = new ViewerHarness()) {
       // a window that has just started shows the scene
-      viewer.run(() -> viewer.window.actions().run("open-scene"));
-      viewer.waitFor("the scene", () -> viewer.window.framesShown() > 60);
+      viewer.run(() -> viewer.window.context().actions().run("open-scene"));
+      viewer.waitFor("the scene", () -> viewer.window.context().panels().framesShown() > 60);
       UiBlocks blocks = new UiBlocks();
       work(viewer, recording, Path.of(args[1]));
       blocks.close();

@@ -59,7 +59,7 @@ class UsualFiltersTest {
     assertEquals(
         List.of(false, false, true),
         viewer.session().chain().stages().stream().map(ChainStage::isEnabled).toList());
-    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.run(() -> viewer.window.context().actions().run("undo"));
     viewer.waitFor("noise filters again", () -> isOn("usual-denoise"));
   }
 
@@ -78,7 +78,7 @@ class UsualFiltersTest {
     viewer = ViewerHarness.withRecording(folder, 4_000_000);
     FilterChain refractory = new FilterChain(BlobSource.GEOMETRY);
     refractory.add(Filters.named("refractory"));
-    viewer.run(() -> viewer.window.editor().replaceAll(refractory));
+    viewer.run(() -> viewer.window.context().editor().replaceAll(refractory));
     viewer.waitFor(
         "the share", () -> viewer.text("hidden-share").endsWith("of the events hidden,"));
     viewer.waitFor(
@@ -112,19 +112,19 @@ class UsualFiltersTest {
   @Test
   void theFlySceneAlwaysHasItsWingTrackerAndUsualChainBringsItBack() throws IOException {
     viewer = new ViewerHarness();
-    viewer.run(() -> viewer.window.actions().run("open-scene"));
+    viewer.run(() -> viewer.window.context().actions().run("open-scene"));
     viewer.waitUntilOpen("Fly scene");
     List<String> usual = kinds();
     assertTrue(usual.contains("wing-tracker"), usual.toString());
     ChainStage tracker = viewer.session().chain().stages().get(usual.indexOf("wing-tracker"));
-    viewer.run(() -> viewer.window.editor().remove(tracker));
+    viewer.run(() -> viewer.window.context().editor().remove(tracker));
     viewer.waitFor("no wing tracker", () -> !kinds().contains("wing-tracker"));
-    viewer.run(() -> viewer.window.actions().run("usual-chain"));
+    viewer.run(() -> viewer.window.context().actions().run("usual-chain"));
     viewer.waitFor("the usual chain", () -> kinds().equals(usual));
-    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.run(() -> viewer.window.context().actions().run("undo"));
     viewer.waitFor("no wing tracker", () -> !kinds().contains("wing-tracker"));
     viewer.openRecording(ViewerHarness.recording(folder, "other.aedat"));
-    viewer.run(() -> viewer.window.actions().run("open-scene"));
+    viewer.run(() -> viewer.window.context().actions().run("open-scene"));
     viewer.waitUntilOpen("Fly scene");
     assertEquals(usual, kinds());
   }

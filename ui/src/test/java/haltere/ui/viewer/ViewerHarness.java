@@ -121,7 +121,7 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
     for (String name : filters) {
       chain.add(Filters.named(name));
     }
-    run(() -> window.editor().replaceAll(chain));
+    run(() -> window.context().editor().replaceAll(chain));
     waitFor(
         "the cards of all filters",
         () -> Arrays.stream(filters).allMatch(filter -> isThere("stage-" + filter)));
@@ -177,19 +177,26 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
   public void open(Callable<Playable> playable) {
     run(
         () ->
-            window.open(
-                new SessionRequest(
-                    playable, Optional.empty(), ReadOptions.DEFAULT, "test", FirstView.OBJECTS)));
-    waitFor("a session", () -> window.session().isPresent());
-    waitFor("frames", () -> window.framesShown() > 0);
+            window
+                .context()
+                .sessions()
+                .open(
+                    new SessionRequest(
+                        playable,
+                        Optional.empty(),
+                        ReadOptions.DEFAULT,
+                        "test",
+                        FirstView.OBJECTS)));
+    waitFor("a session", () -> window.context().sessions().session().isPresent());
+    waitFor("frames", () -> window.context().panels().framesShown() > 0);
     waitFor("what plays", () -> status().elapsedUs() > 0);
   }
 
   /** Opens a recording, also the one that is open already, and waits until it plays. */
   void openRecording(Path file) {
-    Optional<ViewerSession> before = onFx(() -> window.session());
-    run(() -> window.open(file, ReadOptions.DEFAULT));
-    waitFor("another session", () -> !window.session().equals(before));
+    Optional<ViewerSession> before = onFx(() -> window.context().sessions().session());
+    run(() -> window.context().sessions().open(file, ReadOptions.DEFAULT));
+    waitFor("another session", () -> !window.context().sessions().session().equals(before));
     waitUntilOpen(file.getFileName().toString());
   }
 
@@ -198,13 +205,13 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
     waitFor(
         name + " is open",
         () ->
-            window.session().isPresent()
+            window.context().sessions().session().isPresent()
                 && session().player().playable().name().equals(name)
                 && status().eventsIn() > 0);
   }
 
   public ViewerSession session() {
-    return window.session().orElseThrow();
+    return window.context().sessions().session().orElseThrow();
   }
 
   public PlayerStatus status() {
@@ -255,7 +262,7 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
 
   /** The part of the window that shows events, as it is drawn. JavaFX thread only. */
   WritableImage picture() {
-    EventView view = window.view();
+    EventView view = window.context().panels().view();
     Bounds place = view.localToScene(view.getLayoutBounds());
     WritableImage all = stage.getScene().snapshot(null);
     return new WritableImage(

@@ -51,7 +51,7 @@ class ViewerWindowTest {
           new FutureTask<>(() -> SessionRequest.scene().firstSession(java.util.Optional.empty()));
       new Thread(first).start();
       try (ViewerHarness opened = new ViewerHarness()) {
-        opened.run(() -> opened.window.open(first, "the fly scene", ReadOptions.DEFAULT));
+        opened.run(() -> opened.window.context().sessions().open(first, "the fly scene"));
         opened.waitFor("events in the view", () -> lit(opened) > 100);
       }
       bestSeconds = Math.min(bestSeconds, (System.nanoTime() - start) / 1e9);
@@ -62,13 +62,13 @@ class ViewerWindowTest {
   @Test
   void theFlySceneBeginsWithItsWingsTrackedAndPlotted() throws IOException {
     viewer = new ViewerHarness();
-    viewer.run(() -> viewer.window.actions().run("open-scene"));
+    viewer.run(() -> viewer.window.context().actions().run("open-scene"));
     viewer.waitUntilOpen("Fly scene");
     viewer.waitFor("the card of the wing tracker", () -> viewer.isThere("stage-wing-tracker"));
     viewer.waitFor(
         "curves of both wings in both plots",
         () -> {
-          List<Lane> lanes = viewer.window.plots().lanes();
+          List<Lane> lanes = viewer.window.context().panels().plots().lanes();
           return lanes.size() == 2
               && lanes.stream()
                   .allMatch(
@@ -80,7 +80,7 @@ class ViewerWindowTest {
         });
     Path file = folder.resolve("other.aedat");
     ViewerHarness.writeRecording(file, 500_000);
-    viewer.run(() -> viewer.window.open(file, ReadOptions.DEFAULT));
+    viewer.run(() -> viewer.window.context().sessions().open(file, ReadOptions.DEFAULT));
     viewer.waitUntilOpen("other.aedat");
     viewer.waitFor(
         "no filter, because recordings are raw at first",
@@ -92,11 +92,12 @@ class ViewerWindowTest {
     viewer = ViewerHarness.withRecording(folder, 1_000_000);
     assertEquals("blob.aedat \u2013 Haltere", viewer.onFx(viewer.stage::getTitle));
     assertEquals(1_000_000, viewer.status().durationUs(), 100);
-    viewer.waitFor("the rate profile", () -> viewer.window.seekBar().hasProfile());
+    viewer.waitFor(
+        "the rate profile", () -> viewer.window.context().panels().seekBar().hasProfile());
     viewer.waitFor(
         "the profile on the screen",
         () -> {
-          WritableImage bar = viewer.window.seekBar().snapshot(null, null);
+          WritableImage bar = viewer.window.context().panels().seekBar().snapshot(null, null);
           PixelReader pixels = bar.getPixelReader();
           Set<Integer> colours = new HashSet<>();
           for (int x = 0; x < bar.getWidth(); x++) {
@@ -122,7 +123,7 @@ class ViewerWindowTest {
     Files.write(file, new byte[] {1, 2, 3});
     viewer = ViewerHarness.withBlob();
     ViewerSession before = viewer.session();
-    viewer.run(() -> viewer.window.open(file, ReadOptions.DEFAULT));
+    viewer.run(() -> viewer.window.context().sessions().open(file, ReadOptions.DEFAULT));
     viewer.waitFor("the error", () -> viewer.text("status-message").startsWith(file.toString()));
     assertEquals(1, viewer.text("status-message").lines().count());
     assertEquals(before, viewer.session());
@@ -131,7 +132,7 @@ class ViewerWindowTest {
     viewer.waitFor("no error", () -> viewer.text("status-message").startsWith("blob"));
 
     Path missing = folder.resolve("missing.aedat");
-    viewer.run(() -> viewer.window.open(missing, ReadOptions.DEFAULT));
+    viewer.run(() -> viewer.window.context().sessions().open(missing, ReadOptions.DEFAULT));
     viewer.waitFor(
         "the error", () -> viewer.text("status-message").contains("there is no such file"));
   }
@@ -141,11 +142,11 @@ class ViewerWindowTest {
     viewer = ViewerHarness.withBlob();
     viewer.waitFor("some events", () -> viewer.status().elapsedUs() > 200_000);
     viewer.pause();
-    viewer.waitFor("the last frame", () -> !viewer.session().display().isStale());
+    viewer.waitFor("the last frame", () -> !viewer.session().display().maker().isStale());
     viewer.waitFor(
         "the blob is where it belongs",
         () -> {
-          EventView view = viewer.window.view();
+          EventView view = viewer.window.context().panels().view();
           WritableImage image = viewer.picture();
           double x = BlobSource.x(viewer.status().timeUs());
           return lit(image, view, x, BlobSource.Y, 4) > 100
@@ -159,15 +160,15 @@ class ViewerWindowTest {
     viewer = ViewerHarness.withBlob();
     viewer.waitFor("time for the tracker", () -> viewer.status().elapsedUs() > 500_000);
     viewer.pause();
-    viewer.waitFor("the last frame", () -> !viewer.session().display().isStale());
-    viewer.run(() -> viewer.window.display().marksProperty().set(false));
+    viewer.waitFor("the last frame", () -> !viewer.session().display().maker().isStale());
+    viewer.run(() -> viewer.window.context().display().marksProperty().set(false));
     WritableImage without = viewer.onFx(viewer::picture);
-    viewer.run(() -> viewer.window.display().marksProperty().set(true));
+    viewer.run(() -> viewer.window.context().display().marksProperty().set(true));
     WritableImage with = viewer.onFx(viewer::picture);
-    EventView view = viewer.window.view();
-    double scale = viewer.onFx(view::scale);
-    double x = viewer.onFx(() -> view.viewX(BlobSource.x(viewer.status().timeUs())));
-    double y = viewer.onFx(() -> view.viewY(BlobSource.Y));
+    EventView view = viewer.window.context().panels().view();
+    double scale = viewer.onFx(view.viewpoint()::scale);
+    double x = viewer.onFx(() -> view.viewpoint().viewX(BlobSource.x(viewer.status().timeUs())));
+    double y = viewer.onFx(() -> view.viewpoint().viewY(BlobSource.Y));
     int marked = 0;
     int left = Integer.MAX_VALUE;
     int right = 0;
@@ -203,20 +204,20 @@ class ViewerWindowTest {
         ColourMap.DARK.background(),
         viewer.onFx(() -> viewer.picture().getPixelReader().getArgb(2, 2)),
         "beside the picture");
-    viewer.run(() -> viewer.window.display().themeProperty().set(Theme.LIGHT));
+    viewer.run(() -> viewer.window.context().display().themeProperty().set(Theme.LIGHT));
     viewer.waitFor(
         "a light picture",
         () -> viewer.picture().getPixelReader().getArgb(2, 2) == ColourMap.LIGHT.background());
     int events = viewer.onFx(() -> lit(viewer));
     assertTrue(events > 0);
-    viewer.run(() -> viewer.window.display().themeProperty().set(Theme.DARK));
+    viewer.run(() -> viewer.window.context().display().themeProperty().set(Theme.DARK));
   }
 
   @Test
   void theWheelZoomsAndTheReadOutNamesThePixel() {
     viewer = ViewerHarness.withBlob();
-    EventView view = viewer.window.view();
-    double before = viewer.onFx(view::scale);
+    EventView view = viewer.window.context().panels().view();
+    double before = viewer.onFx(view.viewpoint()::scale);
     viewer.click("event-view", 0.5, 0.5);
     viewer.waitFor("the read-out", () -> viewer.text("cursor-readout").endsWith(" ev/s near"));
     String pixel = viewer.text("cursor-readout");
@@ -224,9 +225,9 @@ class ViewerWindowTest {
     assertTrue(
         pixel.matches("x 6[345]   y 6[345]" + event + "   [\\d.]+( [kM])? ev/s near"), pixel);
     viewer.wheel("event-view", 3);
-    viewer.waitFor("closer", () -> view.scale() > before * 1.5);
+    viewer.waitFor("closer", () -> view.viewpoint().scale() > before * 1.5);
     viewer.press(KeyCode.CONTROL, KeyCode.DIGIT0);
-    viewer.waitFor("all of it", () -> view.scale() == before);
+    viewer.waitFor("all of it", () -> view.viewpoint().scale() == before);
   }
 
   @Test
@@ -259,16 +260,16 @@ class ViewerWindowTest {
 
   /** Pixels of the view that are not background. */
   private static int lit(ViewerHarness viewer) {
-    return lit(viewer.picture(), viewer.window.view(), 64, 64, 60);
+    return lit(viewer.picture(), viewer.window.context().panels().view(), 64, 64, 60);
   }
 
   /** Pixels around a place on the sensor that differ from the view's corner. */
   private static int lit(WritableImage image, EventView view, double x, double y, double radius) {
     int background = image.getPixelReader().getArgb(2, 2);
-    int left = (int) Math.max(0, view.viewX(x - radius));
-    int right = (int) Math.min(image.getWidth(), view.viewX(x + radius));
-    int top = (int) Math.max(0, view.viewY(y + radius));
-    int bottom = (int) Math.min(image.getHeight(), view.viewY(y - radius));
+    int left = (int) Math.max(0, view.viewpoint().viewX(x - radius));
+    int right = (int) Math.min(image.getWidth(), view.viewpoint().viewX(x + radius));
+    int top = (int) Math.max(0, view.viewpoint().viewY(y + radius));
+    int bottom = (int) Math.min(image.getHeight(), view.viewpoint().viewY(y - radius));
     int lit = 0;
     for (int row = top; row < bottom; row++) {
       for (int column = left; column < right; column++) {

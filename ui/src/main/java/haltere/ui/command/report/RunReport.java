@@ -21,7 +21,6 @@ import haltere.ui.command.terminal.Quantities;
 import haltere.ui.plot.EventRate;
 import haltere.ui.plot.PlotField;
 import haltere.ui.plot.PlotSet;
-import haltere.ui.plot.RowFields;
 import haltere.ui.plot.TimeBins;
 import haltere.ui.rendering.ContactSheet;
 import java.io.IOException;

@@ -21,8 +21,7 @@ public final class LiveStatus extends TerminalLine {
   private long nanosBefore;
 
   /** A status of open cameras that has not been shown yet. */
-  public LiveStatus(
-      PrintStream err, boolean shown, List<Camera> cameras, LongSupplier nanoTime) {
+  public LiveStatus(PrintStream err, boolean shown, List<Camera> cameras, LongSupplier nanoTime) {
     super(err, shown, nanoTime);
     this.cameras = List.copyOf(cameras);
     eventsBefore = new long[cameras.size()];

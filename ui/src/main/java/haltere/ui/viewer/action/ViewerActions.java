@@ -18,13 +18,14 @@ import javafx.beans.value.ObservableBooleanValue;
  */
 public final class ViewerActions {
   private final Map<String, ViewerAction> actions = new LinkedHashMap<>();
+  private final Map<String, List<ViewerAction>> offers = new HashMap<>();
   private final Map<String, Integer> groups = new HashMap<>();
   private int group;
   private final List<Runnable> listeners = new ArrayList<>();
 
   /** Adds actions in the order of their menus; refuses an id or a key that is taken. */
   public void add(ViewerAction... added) {
-    put(added);
+    put(List.of(added));
     listeners.forEach(Runnable::run);
   }
 
@@ -45,7 +46,12 @@ public final class ViewerActions {
 
   /** Adds a switch of the table, which turns a property over. */
   public void add(String id, BooleanProperty on) {
-    add(id, on, () -> on.set(!on.get()), ViewerAction.NONE);
+    add(id, on, ViewerAction.NONE);
+  }
+
+  /** Adds a switch of the table, which turns a property over, with why it cannot be used now. */
+  public void add(String id, BooleanProperty on, Supplier<String> obstacle) {
+    add(id, on, () -> on.set(!on.get()), obstacle);
   }
 
   /** Adds a switch of the table whose state somebody else keeps, with why it cannot be used now. */
@@ -63,14 +69,15 @@ public final class ViewerActions {
     return groups.getOrDefault(action.id(), 0);
   }
 
-  /** Puts actions in place of others; listeners are called once. */
-  public void replace(List<String> old, ViewerAction... added) {
-    old.forEach(actions::remove);
-    put(added);
+  /** Puts actions in place of those that were offered under the same name before. */
+  public void offer(String name, List<ViewerAction> offered) {
+    offers.getOrDefault(name, List.of()).forEach(old -> actions.remove(old.id()));
+    offers.put(name, offered);
+    put(offered);
     listeners.forEach(Runnable::run);
   }
 
-  private void put(ViewerAction... added) {
+  private void put(List<ViewerAction> added) {
     for (ViewerAction action : added) {
       if (actions.containsKey(action.id())) {
         throw new IllegalArgumentException("there is an action " + action.id() + " already");
@@ -84,12 +91,6 @@ public final class ViewerActions {
       actions.put(action.id(), action);
       groups.putIfAbsent(action.id(), group);
     }
-  }
-
-  /** Takes actions away again; those that are not there are none. */
-  public void removeAll(List<String> ids) {
-    ids.forEach(actions::remove);
-    listeners.forEach(Runnable::run);
   }
 
   /** All of them, in the order in which they came. */

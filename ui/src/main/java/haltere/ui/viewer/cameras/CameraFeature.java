@@ -1,6 +1,5 @@
 package haltere.ui.viewer.cameras;
 
-import haltere.core.camera.BiasSliders;
 import haltere.core.camera.Camera;
 import haltere.core.camera.CameraInfo;
 import haltere.core.camera.CameraOptions;
@@ -21,8 +20,9 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.RegionTool;
 import haltere.ui.viewer.session.ViewerSession;
-import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javafx.animation.PauseTransition;
@@ -52,7 +52,6 @@ public final class CameraFeature implements ViewerFeature {
   private ViewerContext window;
   private CameraPanel panel;
   private Optional<CameraPlayable> open = Optional.empty();
-  private List<String> listed = List.of();
   private boolean everListed;
   private boolean saidUnplugged;
   private Optional<CameraProvider.Watch> watch = Optional.empty();
@@ -80,12 +79,12 @@ public final class CameraFeature implements ViewerFeature {
     Supplier<String> obstacle = () -> open.isPresent() ? "" : "no camera is open";
     actions.add("list-cameras", this::list);
     actions.add("camera-reset-time", this::resetTime, obstacle);
-    actions.add("camera-region", drawing, () -> drawing.set(!drawing.get()), obstacle);
+    actions.add("camera-region", drawing, obstacle);
     actions.add("camera-plug", this::togglePlug, obstacle);
     window.bindTool(
         drawing, new RegionTool(() -> open.orElseThrow().geometry(), region -> setRegion(region)));
     window.sessions().sessionProperty().subscribe((was, is) -> follow(is, shown));
-    window.every(NUMBERS_NANOS, this::pulse);
+    window.panels().every(NUMBERS_NANOS, this::pulse);
     window.stage().addEventHandler(WindowEvent.WINDOW_HIDDEN, event -> end());
   }
 
@@ -145,25 +144,18 @@ public final class CameraFeature implements ViewerFeature {
   }
 
   private void show(List<CameraInfo> seen) {
-    window.actions().removeAll(listed);
-    List<String> ids = new ArrayList<>();
+    Map<String, ViewerAction> actions = new LinkedHashMap<>();
     for (CameraInfo info : seen) {
       String id = ID + info.id().replace(':', '-');
-      if (!ids.contains(id)) {
-        ids.add(id);
-        window.add(
-            ViewerAction.of(id, words(info), menu(info), () -> choose(info)).withHelp(info.note()));
-      }
+      Runnable choose = () -> choose(info);
+      actions.putIfAbsent(
+          id, ViewerAction.of(id, words(info), menu(info), choose).withHelp(info.note()));
     }
-    listed = ids;
-  }
-
-  private static boolean isSimulated(CameraInfo info) {
-    return info.id().startsWith(SIMULATED);
+    window.actions().offer(MENU, List.copyOf(actions.values()));
   }
 
   private static String menu(CameraInfo info) {
-    return isSimulated(info) ? OPEN_SIMULATED : OPEN;
+    return info.id().startsWith(SIMULATED) ? OPEN_SIMULATED : OPEN;
   }
 
   private static String words(CameraInfo info) {
@@ -235,11 +227,6 @@ public final class CameraFeature implements ViewerFeature {
         region.map(part -> new Region(part.left(), part.bottom(), part.width(), part.height()));
     tellFacet(
         RegionOfInterest.class, "can send a part of its sensor", roi -> roi.setRegion(wanted));
-  }
-
-  /** Moves a slider of the camera's biases. */
-  void slide(BiasSliders.Slider slider, double value) {
-    tellFacet(BiasSliders.class, "has biases", sliders -> sliders.set(slider, value));
   }
 
   // ---- What it says

@@ -29,8 +29,6 @@ import javafx.scene.layout.VBox;
 /**
  * What a camera has to be set, and what came from it: four sliders for everybody, sets of biases,
  * and each bias by itself.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class CameraPanel extends ScrollPane {
   /** Latency from which on a camera's events count as shown late. */

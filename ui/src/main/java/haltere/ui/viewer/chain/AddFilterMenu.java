@@ -18,8 +18,6 @@ import javafx.scene.layout.VBox;
 /**
  * All filters that can be added to a chain, and a chain inside the chain, with a sentence each and
  * a search.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class AddFilterMenu extends MenuButton {
   /** A menu with an id and words on what it adds to; the id of its search adds "-search". */

@@ -26,7 +26,7 @@ import javafx.application.Platform;
  */
 public final class ChainEditor {
   private final Consumer<String> problems;
-  private final Consumer<List<StageState>> changed;
+  private final List<Consumer<List<StageState>>> followers = new ArrayList<>();
   private final List<BiConsumer<ChainStage, Record>> adopters;
   private final List<Runnable> listeners = new ArrayList<>();
   private final EditHistory history;
@@ -35,23 +35,18 @@ public final class ChainEditor {
   private Optional<ChainAccess> player = Optional.empty();
   private Optional<ChainPresets> presets = Optional.empty();
 
-  /**
-   * An editor without a chain; tells what went wrong in one line, and the stages after every change
-   * of their order or number.
-   */
-  public ChainEditor(Consumer<String> problems, Consumer<List<StageState>> changed) {
-    this(problems, changed, new ArrayList<>(), new EditHistory(), "", null);
+  /** An editor without a chain; tells what went wrong in one line. */
+  public ChainEditor(Consumer<String> problems) {
+    this(problems, new ArrayList<>(), new EditHistory(), "", null);
   }
 
   private ChainEditor(
       Consumer<String> problems,
-      Consumer<List<StageState>> changed,
       List<BiConsumer<ChainStage, Record>> adopters,
       EditHistory history,
       String prefix,
       ChainEditor outermost) {
     this.problems = problems;
-    this.changed = changed;
     this.adopters = adopters;
     this.history = history;
     this.prefix = prefix;
@@ -64,14 +59,8 @@ public final class ChainEditor {
    */
   public ChainEditor inside(ChainStage nested) {
     String name = nested.name();
-    ChainEditor inner =
-        new ChainEditor(
-            problems,
-            stages -> change(chain -> {}),
-            adopters,
-            history,
-            path(nested) + "/",
-            outermost);
+    ChainEditor inner = new ChainEditor(problems, adopters, history, path(nested) + "/", outermost);
+    inner.onStages(stages -> change(chain -> {}));
     ChainAccess.Work read =
         work -> run(access -> access.read().run(chain -> work.accept(find(chain, name))));
     inner.player =
@@ -104,6 +93,11 @@ public final class ChainEditor {
   /** Calls something whenever there is another chain, or other filters in it. */
   public void onChange(Runnable listener) {
     listeners.add(listener);
+  }
+
+  /** Calls something with the stages after every change of their order or number. */
+  public void onStages(Consumer<List<StageState>> follower) {
+    followers.add(follower);
   }
 
   /** What can be taken back. */
@@ -348,7 +342,7 @@ public final class ChainEditor {
                 Platform.runLater(
                     () -> {
                       if (player.equals(edited)) {
-                        changed.accept(after.get());
+                        followers.forEach(follower -> follower.accept(after.get()));
                         listeners.forEach(Runnable::run);
                       }
                     }));

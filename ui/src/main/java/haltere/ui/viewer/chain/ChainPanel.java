@@ -3,9 +3,12 @@ package haltere.ui.viewer.chain;
 import atlantafx.base.theme.Styles;
 import haltere.ui.viewer.controls.Controls;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.Executor;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
+import javafx.scene.control.TextField;
+import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -19,14 +22,16 @@ import javafx.scene.layout.VBox;
  */
 public final class ChainPanel extends VBox {
   private final StageList cards;
+  private final TextField words = Controls.named(new TextField(), "settings-search", Styles.SMALL);
+  private final ToggleButton changedOnly =
+      Controls.named(new ToggleButton("Changed"), "changed-only", Styles.SMALL);
   private final Label nothing =
       Controls.named(
           new Label("No setting matches."), "settings-none", Styles.TEXT_MUTED, "settings-none");
 
   /** A panel without stages, whose changes an editor makes. */
   public ChainPanel(ChainEditor editor) {
-    getStyleClass().add("chain-panel");
-    setId("chain-panel");
+    Controls.named(this, "chain-panel", "chain-panel");
     Label title = Controls.label("Chain", Styles.TITLE_4);
     Region space = Controls.growing(new Region());
     HBox head =
@@ -39,18 +44,27 @@ public final class ChainPanel extends VBox {
             Styles.TEXT_MUTED,
             "chain-empty");
     cards = new StageList(editor, empty);
-    narrow(SettingsSearch.ALL);
+    HBox search = Controls.named(Controls.row(6, words, changedOnly), null, "settings-search");
+    words.setPromptText("Search settings");
+    words.setAccessibleText("Search settings");
+    Controls.growing(words);
+    words.textProperty().subscribe(this::narrow);
+    changedOnly.setAccessibleText("Only the settings that I changed");
+    Controls.help(changedOnly, "Only the settings that are not at their defaults");
+    changedOnly.selectedProperty().subscribe(this::narrow);
+    narrow();
     editor.onSettings(cards::adopt);
-    ScrollPane scroll = new ScrollPane(cards);
-    scroll.setFitToWidth(true);
-    scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
+    editor.onStages(cards::show);
+    ScrollPane scroll = Controls.scrolling(cards);
     VBox.setVgrow(scroll, Priority.ALWAYS);
-    getChildren().addAll(head, new SettingsSearchField(this::narrow), nothing, scroll);
+    getChildren().addAll(head, search, nothing, scroll);
   }
 
-  private void narrow(SettingsSearch search) {
-    boolean any = cards.narrow(search) || !search.isActive();
-    Controls.show(!any, nothing);
+  private void narrow() {
+    SettingsSearch search =
+        new SettingsSearch(
+            words.getText().strip().toLowerCase(Locale.ROOT), changedOnly.isSelected());
+    Controls.show(!cards.narrow(search) && search.isActive(), nothing);
   }
 
   /** Lets stages that come together be shown one after the other, each in a step. */

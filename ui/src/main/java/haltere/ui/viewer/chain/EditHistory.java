@@ -2,6 +2,7 @@ package haltere.ui.viewer.chain;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.function.Function;
 
 /**
  * What a person has changed, to be taken back and done again. Changes of the same value that follow
@@ -63,24 +64,21 @@ public final class EditHistory {
 
   /** Takes the last change back; what it was, or empty if there is none. */
   public String undo() {
-    if (done.isEmpty()) {
-      return "";
-    }
-    Step step = done.pop();
-    undone.push(step);
-    step.undo().run();
-    listener.run();
-    return step.words();
+    return go(done, undone, Step::undo);
   }
 
   /** Makes the change that was taken back last once more; what it was, or empty. */
   public String redo() {
-    if (undone.isEmpty()) {
+    return go(undone, done, Step::redo);
+  }
+
+  private String go(Deque<Step> from, Deque<Step> to, Function<Step, Runnable> way) {
+    if (from.isEmpty()) {
       return "";
     }
-    Step step = undone.pop();
-    done.push(step);
-    step.redo().run();
+    Step step = from.pop();
+    to.push(step);
+    way.apply(step).run();
     listener.run();
     return step.words();
   }

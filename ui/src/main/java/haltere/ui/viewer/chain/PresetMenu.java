@@ -8,11 +8,7 @@ import javafx.scene.control.Menu;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 
-/**
- * Keeps a chain inside the chain as a preset, or puts a preset in its place.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Keeps a chain inside the chain as a preset, or puts a preset in its place. */
 final class PresetMenu extends Menu {
   private final ChainEditor chain;
 

@@ -64,8 +64,7 @@ final class SettingsPanel<S extends Record> extends VBox {
       fields.add(field);
       getChildren().add(field);
     }
-    resetAll.setId("reset-all-" + id);
-    resetAll.getStyleClass().addAll(Styles.SMALL, Styles.FLAT);
+    Controls.named(resetAll, "reset-all-" + id, Styles.SMALL, Styles.FLAT);
     resetAll.setOnAction(event -> send(schema.defaults(), "all settings", problem -> {}));
     FlowPane starts = new FlowPane(6, 0, resetAll);
     presets().forEach((name, preset) -> starts.getChildren().add(startFrom(id, name, preset)));

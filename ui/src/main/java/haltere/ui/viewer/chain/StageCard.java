@@ -20,7 +20,7 @@ import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.input.ClipboardContent;
-import javafx.scene.input.DragEvent;
+import javafx.scene.input.Dragboard;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.TransferMode;
@@ -28,11 +28,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 
-/**
- * One stage of the chain: its switch, what it does to the stream, its place, its settings.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** One stage of the chain: its switch, what it does to the stream, its place, its settings. */
 final class StageCard extends VBox {
   private static final PseudoClass TARGET = PseudoClass.getPseudoClass("target");
   private static final PseudoClass OFF = PseudoClass.getPseudoClass("off");
@@ -61,16 +57,19 @@ final class StageCard extends VBox {
     last = stage.timing();
     id = editor.path(stage).replace('/', '-');
     String title = Texts.title(stage.name());
-    getStyleClass().add("stage");
-    setId("stage-" + id);
+    Controls.named(this, "stage-" + id, "stage");
     firstSettings =
         state.settings().filter(found -> found.getClass().getRecordComponents().length > 0);
     up = item("up-", "Move up   (Ctrl+Shift+\u2191)", () -> editor.move(stage, -1));
     down = item("down-", "Move down   (Ctrl+Shift+\u2193)", () -> editor.move(stage, 1));
     into = item("into-", "Move into the chain above", this::moveIntoNeighbour);
     expand =
-        Controls.button("expand-" + id, Icons.RIGHT, "Settings of " + title, this::toggleSettings);
-    expand.getStyleClass().add(Styles.SMALL);
+        Controls.button(
+            "expand-" + id,
+            Icons.RIGHT,
+            "Settings of " + title,
+            this::toggleSettings,
+            Styles.SMALL);
     inside =
         stage.filter() instanceof FilterChain ? Optional.of(insideOf(state)) : Optional.empty();
     expand.setVisible(firstSettings.isPresent() || inside.isPresent());
@@ -133,8 +132,7 @@ final class StageCard extends VBox {
   }
 
   private void setUpCounts() {
-    counts.setId("counts-" + id);
-    counts.getStyleClass().addAll(Styles.TEXT_SMALL, "stage-counts");
+    Controls.named(counts, "counts-" + id, Styles.TEXT_SMALL, "stage-counts");
     Controls.help(
         counts,
         "Events into and out of the filter per second of real time, the share that it lets"
@@ -155,10 +153,6 @@ final class StageCard extends VBox {
         .getStyleClass()
         .add("stages-inside");
     return list;
-  }
-
-  ChainStage stage() {
-    return stage;
   }
 
   /** Shows what a chain inside the chain consists of now. */
@@ -291,30 +285,15 @@ final class StageCard extends VBox {
           handle.startDragAndDrop(TransferMode.MOVE).setContent(content);
           event.consume();
         });
-    setOnDragOver(
-        event -> {
-          if (dragged(event).isPresent()) {
-            event.acceptTransferModes(TransferMode.MOVE);
-            event.consume();
-          }
-        });
-    setOnDragEntered(event -> pseudoClassStateChanged(TARGET, dragged(event).isPresent()));
+    Controls.onDrop(this, TransferMode.MOVE, this::dragged, this::drop);
+    setOnDragEntered(
+        event -> pseudoClassStateChanged(TARGET, dragged(event.getDragboard()).isPresent()));
     setOnDragExited(event -> pseudoClassStateChanged(TARGET, false));
-    setOnDragDropped(
-        event -> {
-          dragged(event)
-              .ifPresent(
-                  path -> {
-                    drop(path);
-                    event.setDropCompleted(true);
-                    event.consume();
-                  });
-        });
   }
 
   /** The path of the card that is dragged, if it may come here. */
-  private Optional<String> dragged(DragEvent event) {
-    return StageList.dragged(event).filter(this::accepts);
+  private Optional<String> dragged(Dragboard board) {
+    return StageList.dragged(board).filter(this::accepts);
   }
 
   /** Whether the card of a path may be dropped on this one. */

@@ -1,31 +1,27 @@
 package haltere.ui.viewer.chain;
 
 import haltere.core.chain.ChainStage;
+import haltere.ui.viewer.controls.Controls;
 import java.util.ArrayList;
-import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import javafx.scene.Node;
 import javafx.scene.input.DataFormat;
-import javafx.scene.input.DragEvent;
+import javafx.scene.input.Dragboard;
 import javafx.scene.input.TransferMode;
 import javafx.scene.layout.VBox;
 
-/**
- * A card for each stage of a chain, in order.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** A card for each stage of a chain, in order. */
 final class StageList extends VBox {
   /** What is carried while a card is dragged: the path of its stage. */
   static final DataFormat STAGE = new DataFormat("application/x-haltere-stage");
 
   private final ChainEditor editor;
   private final Node empty;
-  private final Map<String, StageCard> cardOf = new HashMap<>();
-  private List<StageCard> cards = List.of();
+  private final Map<ChainStage, StageCard> cards = new LinkedHashMap<>();
 
   /** The stages that are shown, or are about to come. */
   private List<StageState> wanted = List.of();
@@ -39,35 +35,13 @@ final class StageList extends VBox {
     this.empty = empty;
     getStyleClass().add("cards");
     getChildren().add(empty);
-    takeDropped();
+    Controls.onDrop(
+        this, TransferMode.MOVE, board -> dragged(board).filter(editor::takes), this::drop);
   }
 
   /** The path of the stage whose card is dragged. */
-  static Optional<String> dragged(DragEvent event) {
-    return event.getDragboard().getContent(STAGE) instanceof String path
-        ? Optional.of(path)
-        : Optional.empty();
-  }
-
-  /** Takes what is dropped between or below the cards. */
-  private void takeDropped() {
-    setOnDragOver(
-        event -> {
-          if (dragged(event).filter(editor::takes).isPresent()) {
-            event.acceptTransferModes(TransferMode.MOVE);
-            event.consume();
-          }
-        });
-    setOnDragDropped(
-        event ->
-            dragged(event)
-                .filter(editor::takes)
-                .ifPresent(
-                    path -> {
-                      drop(path);
-                      event.setDropCompleted(true);
-                      event.consume();
-                    }));
+  static Optional<String> dragged(Dragboard board) {
+    return board.getContent(STAGE) instanceof String path ? Optional.of(path) : Optional.empty();
   }
 
   /** The card of a path was dropped below all others. */
@@ -86,8 +60,7 @@ final class StageList extends VBox {
   /** Shows another chain in place of the one before. */
   void startAnew(List<StageState> stages) {
     wanted = stages;
-    cards = List.of();
-    cardOf.clear();
+    cards.clear();
     getChildren().clear();
     // all steps are asked for now, so that what is asked for behind them finds all cards
     for (int i = 0; i < Math.max(1, stages.size()); i++) {
@@ -98,7 +71,7 @@ final class StageList extends VBox {
   /** Shows a chain, keeping the cards of stages that were there. */
   void show(List<StageState> stages) {
     wanted = stages;
-    int more = (int) stages.stream().filter(state -> !hasCard(state)).count() - 1;
+    int more = (int) stages.stream().filter(state -> !cards.containsKey(state.stage())).count() - 1;
     grow(stages);
     for (int i = 0; i < more; i++) {
       steps.execute(() -> grow(stages));
@@ -113,41 +86,30 @@ final class StageList extends VBox {
     List<StageState> now = new ArrayList<>();
     int made = 0;
     for (StageState state : stages) {
-      if (hasCard(state) || made++ == 0) {
+      if (cards.containsKey(state.stage()) || made++ == 0) {
         now.add(state);
       }
     }
     place(now);
   }
 
-  private boolean hasCard(StageState state) {
-    StageCard card = cardOf.get(state.stage().name());
-    return card != null && card.stage() == state.stage();
-  }
-
   private void place(List<StageState> stages) {
-    List<StageCard> order = new ArrayList<>();
+    Map<ChainStage, StageCard> before = Map.copyOf(cards);
+    cards.clear();
+    Optional<StageCard> above = Optional.empty();
     for (StageState state : stages) {
-      StageCard card;
-      if (hasCard(state)) {
-        card = cardOf.get(state.stage().name());
-        card.followInside(state);
-      } else {
+      StageCard card = before.get(state.stage());
+      if (card == null) {
         card = new StageCard(state, editor);
         card.narrow(search);
+      } else {
+        card.followInside(state);
       }
-      order.add(card);
+      cards.put(state.stage(), card);
+      card.setPlace(above, cards.size() == stages.size());
+      above = Optional.of(card);
     }
-    cards = order;
-    cardOf.clear();
-    for (int i = 0; i < order.size(); i++) {
-      cardOf.put(order.get(i).stage().name(), order.get(i));
-      order
-          .get(i)
-          .setPlace(
-              i == 0 ? Optional.empty() : Optional.of(order.get(i - 1)), i == order.size() - 1);
-    }
-    List<? extends Node> shown = order.isEmpty() ? List.of(empty) : order;
+    List<? extends Node> shown = cards.isEmpty() ? List.of(empty) : List.copyOf(cards.values());
     if (!getChildren().equals(shown)) {
       Node focus = getScene() == null ? null : getScene().getFocusOwner();
       getChildren().setAll(shown);
@@ -160,14 +122,14 @@ final class StageList extends VBox {
 
   /** Shows settings that a filter was given other than by a card. */
   void adopt(ChainStage of, Record settings) {
-    cards.forEach(card -> card.adopt(of, settings));
+    cards.values().forEach(card -> card.adopt(of, settings));
   }
 
   /** Shows those settings only that are searched for; whether there are any. */
   boolean narrow(SettingsSearch newSearch) {
     search = newSearch;
     boolean any = false;
-    for (StageCard card : cards) {
+    for (StageCard card : cards.values()) {
       any |= card.narrow(search);
     }
     return any;
@@ -175,8 +137,6 @@ final class StageList extends VBox {
 
   /** Shows what the stages do now; called a few times a second. */
   void update(long elapsedNanos) {
-    for (int i = 0; i < cards.size(); i++) {
-      cards.get(i).update(elapsedNanos);
-    }
+    cards.values().forEach(card -> card.update(elapsedNanos));
   }
 }

@@ -19,7 +19,6 @@ import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.DisplayFrame;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.EventView;
-import haltere.ui.viewer.session.Sources;
 import haltere.ui.viewer.session.ViewerSession;
 import java.util.List;
 import java.util.Map;
@@ -73,7 +72,7 @@ public final class CompareFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    editor = new ChainEditor(window.status()::showError, this::showStages);
+    editor = new ChainEditor(window.status()::showError);
     chainPanel = new ChainPanel(editor);
     chainPanel.setId("second-chain-panel");
     chainPanel.setSteps(window.steps());
@@ -93,8 +92,12 @@ public final class CompareFeature implements ViewerFeature {
     firstName.setMinWidth(0);
     secondName.setMinWidth(0);
     settingsShown =
-        window.panels().offer("second-chain", "Second chain", PanelPlace.SIDE, () -> settings);
-    shown = window.panels().offer("compare", "Compare", PanelPlace.BESIDE, () -> named);
+        window
+            .panels()
+            .panelLayout()
+            .offer("second-chain", "Second chain", PanelPlace.SIDE, () -> settings);
+    shown =
+        window.panels().panelLayout().offer("compare", "Compare", PanelPlace.BESIDE, () -> named);
     firstName.visibleProperty().bind(shown);
     firstName.managedProperty().bind(shown);
     window.actions().add("compare", shown);
@@ -116,7 +119,7 @@ public final class CompareFeature implements ViewerFeature {
             () ->
                 running.ifPresent(
                     now -> {
-                      now.second().display().setOptions(window.display().options());
+                      now.second().display().maker().setOptions(window.display().options());
                       now.player().refresh();
                     }));
     window.panels().onPulse(() -> running.ifPresent(this::pulse));
@@ -144,7 +147,9 @@ public final class CompareFeature implements ViewerFeature {
   private void begin(int start, ViewerSession session, String json) {
     DisplayOptions options = window.display().options();
     window.file(
-        () -> new SecondChain(Sources.chain(session.chain().geometry(), json), options),
+        () ->
+            new SecondChain(
+                ChainFile.parse(json, "the chain", session.chain().geometry()), options),
         made -> {
           if (start == starts) {
             begin(session, made);
@@ -160,7 +165,7 @@ public final class CompareFeature implements ViewerFeature {
     player.addRawSink(made);
     window.editor().presets().ifPresent(editor::setPresets);
     editor.setAccess(ChainAccess.beside(player, made.chain()));
-    showStages(stages);
+    chainPanel.show(stages);
     // both chains run from as far before this moment as they remember
     window.playback().jump(0);
   }
@@ -191,38 +196,28 @@ public final class CompareFeature implements ViewerFeature {
     Controls.help(label, words);
   }
 
-  private void showStages(List<StageState> stages) {
-    chainPanel.show(stages);
-  }
-
   /** Both chains' numbers are taken from the chains as they are now. */
   private void listen(Running now) {
-    editor.read(
-        second -> {
-          if (secondMeans != null) {
-            secondMeans.close();
-          }
-          secondMeans = new PublishedMeans(second);
-          return second;
-        },
-        done ->
-            window
-                .editor()
-                .read(
-                    first -> {
-                      if (firstMeans != null) {
-                        firstMeans.close();
-                      }
-                      firstMeans = new PublishedMeans(first);
-                      // both means begin here
-                      secondMeans.take();
-                      return first;
-                    },
-                    listening -> {}));
+    window
+        .editor()
+        .read(
+            first -> {
+              firstMeans = anew(firstMeans, first);
+              secondMeans = anew(secondMeans, now.second().chain());
+              return first;
+            },
+            listening -> {});
+  }
+
+  private static PublishedMeans anew(PublishedMeans before, FilterChain chain) {
+    if (before != null) {
+      before.close();
+    }
+    return new PublishedMeans(chain);
   }
 
   private void pulse(Running now) {
-    DisplayFrame frame = now.second().display().exchange().fetch();
+    DisplayFrame frame = now.second().display().maker().exchange().fetch();
     if (frame != null) {
       view.show(frame);
     }

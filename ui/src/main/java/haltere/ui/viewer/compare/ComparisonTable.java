@@ -20,8 +20,6 @@ import javafx.scene.layout.Priority;
 /**
  * The numbers that two chains publish, side by side: means over the last second and how much the
  * second one differs.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class ComparisonTable extends ScrollPane {
   /** A line of the table, below the heading of what publishes it. */
@@ -30,10 +28,9 @@ final class ComparisonTable extends ScrollPane {
   private final GridPane grid = new GridPane();
 
   ComparisonTable() {
-    setId("comparison");
     setAccessibleText("Published numbers of both chains");
     setFitToWidth(true);
-    getStyleClass().add("comparison");
+    Controls.named(this, "comparison", "comparison");
     grid.setHgap(6);
     ColumnConstraints names = new ColumnConstraints();
     names.setHgrow(Priority.ALWAYS);

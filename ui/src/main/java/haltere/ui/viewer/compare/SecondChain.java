@@ -36,9 +36,7 @@ final class SecondChain implements SliceSink {
   @Override
   public void packet(EventPacket packet) {
     copy.clear();
-    for (int i = 0; i < packet.size(); i++) {
-      copy.append(packet.timesUs()[i], packet.addresses()[i]);
-    }
+    copy.append(packet, 0, packet.size());
     chain.process(copy);
     display.packet(copy);
   }

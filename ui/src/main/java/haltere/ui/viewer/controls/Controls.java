@@ -1,7 +1,10 @@
 package haltere.ui.viewer.controls;
 
 import atlantafx.base.theme.Styles;
-import java.util.Map;
+import java.util.Collection;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -14,7 +17,9 @@ import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
+import javafx.scene.input.Dragboard;
 import javafx.scene.input.MouseEvent;
+import javafx.scene.input.TransferMode;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -37,17 +42,18 @@ public final class Controls {
    * @param help its tooltip, and its name for screen readers
    * @param action what pressing it does
    */
-  public static Button button(String id, Icons icon, String help, Runnable action) {
+  public static Button button(
+      String id, Icons icon, String help, Runnable action, String... styles) {
     Button button = new Button();
-    dress(button, id, icon, help);
+    dress(button, id, icon, help, styles);
     button.setOnAction(event -> action.run());
     return button;
   }
 
   /** A switch with an icon, as {@link #button}. */
-  public static ToggleButton toggle(String id, Icons icon, String help) {
+  public static ToggleButton toggle(String id, Icons icon, String help, String... styles) {
     ToggleButton button = new ToggleButton();
-    dress(button, id, icon, help);
+    dress(button, id, icon, help, styles);
     return button;
   }
 
@@ -177,8 +183,9 @@ public final class Controls {
     }
   }
 
-  private static void dress(ButtonBase button, String id, Icons icon, String help) {
-    button.setId(id);
+  private static void dress(
+      ButtonBase button, String id, Icons icon, String help, String... styles) {
+    named(button, id, styles);
     button.setGraphic(icon.node());
     button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
     help(button, help);
@@ -229,22 +236,54 @@ public final class Controls {
   }
 
   /**
+   * Lets something be dropped on a node.
+   *
+   * @param wanted what there is to drop, if anything that the node takes
+   * @param dropped takes it
+   */
+  public static <T> void onDrop(
+      Node target,
+      TransferMode mode,
+      Function<Dragboard, Optional<T>> wanted,
+      Consumer<T> dropped) {
+    target.setOnDragOver(
+        event -> {
+          if (wanted.apply(event.getDragboard()).isPresent()) {
+            event.acceptTransferModes(mode);
+            event.consume();
+          }
+        });
+    target.setOnDragDropped(
+        event ->
+            wanted
+                .apply(event.getDragboard())
+                .ifPresent(
+                    there -> {
+                      dropped.accept(there);
+                      event.setDropCompleted(true);
+                      event.consume();
+                    }));
+  }
+
+  /**
    * A list of values to choose from.
    *
    * @param help its tooltip, and its name for screen readers
-   * @param words what each value is called, in order
+   * @param values in order
+   * @param words what each is called
    */
-  public static <T> ChoiceBox<T> choice(String id, String help, Map<T, String> words) {
+  public static <T> ChoiceBox<T> choice(
+      String id, String help, Collection<T> values, Function<T, String> words) {
     ChoiceBox<T> box = new ChoiceBox<>();
     box.setId(id);
     box.setAccessibleText(help);
     help(box, help);
-    box.getItems().setAll(words.keySet());
+    box.getItems().setAll(values);
     box.setConverter(
         new StringConverter<>() {
           @Override
           public String toString(T value) {
-            return words.getOrDefault(value, "");
+            return value == null ? "" : words.apply(value);
           }
 
           @Override

@@ -5,13 +5,16 @@ import haltere.core.settings.Parameter;
 import java.math.BigDecimal;
 import java.util.Optional;
 import java.util.function.Consumer;
+import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Control;
 import javafx.scene.control.Label;
+import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
@@ -22,7 +25,7 @@ import javafx.scene.layout.VBox;
  *
  * <p>Thread rule: JavaFX thread only.
  */
-public class SettingField extends VBox {
+public final class SettingField extends VBox {
   /** Takes a value that a person has set. */
   public interface Change {
     /** Tries a text or a value of the setting's type; tells in one line why it cannot be. */
@@ -35,9 +38,11 @@ public class SettingField extends VBox {
   private final Label problem = new Label();
   private final Label name = new Label();
   private final String id;
+
+  /** Puts a value into the control, whose own listeners must not take it for a change. */
   private Consumer<Object> shower = value -> {};
 
-  SettingField(String stage, Parameter parameter, Change change) {
+  private SettingField(String stage, Parameter parameter, Change change) {
     this.parameter = parameter;
     this.change = change;
     this.id = stage + "-" + parameter.name().replace('.', '-');
@@ -50,21 +55,20 @@ public class SettingField extends VBox {
             "reset-" + id,
             Icons.RESET,
             "Back to the default, " + text(parameter.defaultValue()) + " " + unit(),
-            () -> set(parameter.defaultValue()));
-    reset.getStyleClass().addAll(Styles.SMALL, "reset-setting");
-    problem.setId("problem-" + id);
+            () -> set(parameter.defaultValue()),
+            Styles.SMALL,
+            "reset-setting");
+    Controls.named(problem, "problem-" + id, Styles.TEXT_SMALL, Styles.DANGER, "problem");
     problem.setWrapText(true);
-    problem.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.DANGER, "problem");
     showProblem("");
   }
 
   /** The field that suits a setting's type. */
   public static SettingField of(String stage, Parameter parameter, Change change) {
-    if (parameter.isNumber()) {
-      return new NumberField(stage, parameter, change);
-    }
     SettingField field = new SettingField(stage, parameter, change);
-    if (parameter.type() == boolean.class) {
+    if (parameter.isNumber()) {
+      field.addNumber();
+    } else if (parameter.type() == boolean.class) {
       field.addCheckBox();
     } else if (parameter.type().isEnum()) {
       field.addChoice();
@@ -72,6 +76,54 @@ public class SettingField extends VBox {
       field.addText();
     }
     return field;
+  }
+
+  /** A slider for finding a value, an entry for an exact one. */
+  private void addNumber() {
+    SliderScale scale = SliderScale.of(parameter);
+    Slider slider = control(new Slider(0, 1, 0), "slider-");
+    slider.setBlockIncrement(0.01);
+    slider.getStyleClass().add(Styles.SMALL);
+    boolean[] showing = new boolean[1];
+    slider
+        .valueProperty()
+        .subscribe(
+            (old, now) -> {
+              if (!showing[0]) {
+                set(scale.value(now.doubleValue()));
+              }
+            });
+    TextField entry = entry(6);
+    entry.setAccessibleText(Texts.label(parameter) + " exactly");
+    entry.setAlignment(Pos.CENTER_RIGHT);
+    entry.setOnKeyPressed(
+        event -> {
+          if (event.getCode() == KeyCode.UP || event.getCode() == KeyCode.DOWN) {
+            slider.setValue(slider.getValue() + (event.getCode() == KeyCode.UP ? 0.01 : -0.01));
+            event.consume();
+          }
+        });
+    shower =
+        value -> {
+          showing[0] = true;
+          double position = scale.position(((Number) value).doubleValue());
+          if (!slider.isValueChanging() || Math.abs(slider.getValue() - position) > 0.02) {
+            slider.setValue(position);
+          }
+          entry.setText(text(value));
+          showing[0] = false;
+        };
+    slider.setMaxWidth(Double.MAX_VALUE);
+    layOutBelow(
+        slider, entry, Controls.whole(unit(), Styles.TEXT_SMALL, Styles.TEXT_MUTED, "unit"));
+  }
+
+  private TextField entry(int columns) {
+    TextField entry = control(new TextField(), "entry-");
+    entry.setPrefColumnCount(columns);
+    entry.getStyleClass().add(Styles.SMALL);
+    Controls.onEntered(entry, () -> set(entry.getText()));
+    return entry;
   }
 
   private void addCheckBox() {
@@ -91,16 +143,13 @@ public class SettingField extends VBox {
   }
 
   private void addText() {
-    TextField entry = control(new TextField(), "entry-");
-    entry.setPrefColumnCount(12);
-    entry.getStyleClass().add(Styles.SMALL);
-    Controls.onEntered(entry, () -> set(entry.getText()));
+    TextField entry = entry(12);
     shower = value -> entry.setText(text(value));
     layOutBelow(entry);
   }
 
   /** A control of the setting, whose id begins with its kind. */
-  final <T extends Control> T control(T made, String kind) {
+  private <T extends Control> T control(T made, String kind) {
     made.setId(kind + id);
     made.setAccessibleText(Texts.label(parameter));
     Controls.help(made, help());
@@ -113,14 +162,9 @@ public class SettingField extends VBox {
   }
 
   /** Shows the value in force. */
-  public final void show(Object value, boolean changed) {
+  public void show(Object value, boolean changed) {
     reset.setVisible(changed);
     showProblem("");
-    showValue(value);
-  }
-
-  /** Puts a value into the control; the control's own listeners must not take it for a change. */
-  void showValue(Object value) {
     shower.accept(value);
   }
 
@@ -132,12 +176,12 @@ public class SettingField extends VBox {
     return parameter.help() + range;
   }
 
-  final String unit() {
+  private String unit() {
     return Texts.unit(parameter.unit());
   }
 
   /** The name, and below it controls that take the whole width. */
-  final void layOutBelow(Node... controls) {
+  private void layOutBelow(Node... controls) {
     HBox.setHgrow(controls[0], Priority.ALWAYS);
     getChildren().addAll(line(name, reset), line(controls), problem);
   }
@@ -148,7 +192,7 @@ public class SettingField extends VBox {
   }
 
   /** A person has set a value. */
-  final void set(Object value) {
+  private void set(Object value) {
     showProblem("");
     change.to(value, this::showProblem);
   }

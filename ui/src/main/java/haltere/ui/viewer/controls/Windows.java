@@ -1,16 +1,18 @@
 package haltere.ui.viewer.controls;
 
+import java.util.function.Consumer;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.scene.control.Alert;
 import javafx.scene.control.ButtonType;
+import javafx.scene.control.TextInputDialog;
 import javafx.stage.Modality;
 import javafx.stage.Stage;
 import javafx.stage.Window;
 
 /**
- * Opens windows beside the viewer's own, in its style.
+ * Opens windows and questions beside the viewer's own window, in its style.
  *
  * <p>Thread rule: JavaFX thread only; nothing here waits.
  */
@@ -38,5 +40,30 @@ public final class Windows {
     alert.initOwner(owner);
     alert.initModality(Modality.NONE);
     alert.show();
+  }
+
+  /**
+   * Asks for a line of text, and hands over what was entered unless the question was closed or left
+   * empty.
+   */
+  public static void ask(
+      Window owner, String title, String words, String usual, Consumer<String> answer) {
+    TextInputDialog dialog = new TextInputDialog(usual);
+    dialog.initOwner(owner);
+    dialog.setTitle(title);
+    dialog.setHeaderText(null);
+    dialog.setGraphic(null);
+    dialog.setContentText(words);
+    dialog.getEditor().setId("answer");
+    dialog.getEditor().setAccessibleText(words);
+    dialog
+        .resultProperty()
+        .subscribe(
+            (was, is) -> {
+              if (is != null && !is.isBlank()) {
+                answer.accept(is.strip());
+              }
+            });
+    dialog.show();
   }
 }

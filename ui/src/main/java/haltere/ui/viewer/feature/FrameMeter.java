@@ -1,10 +1,6 @@
 package haltere.ui.viewer.feature;
 
-/**
- * Counts pictures shown and says how many a second that is.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Counts pictures shown and says how many a second that is. */
 final class FrameMeter {
   private static final double SMOOTHING = 0.5;
 

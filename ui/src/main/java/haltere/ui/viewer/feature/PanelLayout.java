@@ -22,7 +22,10 @@ import javafx.scene.control.TabPane;
  *
  * <p>Thread rule: JavaFX thread only.
  */
-final class PanelLayout {
+public final class PanelLayout extends SplitPane {
+  /** How much a panel grows at a time, as a share of what it is a part of. */
+  private static final double PANEL_STEP = 0.05;
+
   private static final double BELOW_SHARE = 0.6;
   private static final double BESIDE_SHARE = 0.55;
 
@@ -38,31 +41,23 @@ final class PanelLayout {
   /** The row, and below it what stands there. */
   private final SplitPane left = new SplitPane();
 
-  /** All of that, and the column at the right. */
-  private final SplitPane middle = new SplitPane();
-
   private final TabPane tabs = Controls.named(new TabPane(), "side-tabs");
-  private final List<Tab> shownTabs = new ArrayList<>();
 
   PanelLayout(Node events, Node chain) {
     this.events = events;
     this.chain = chain;
     left.setOrientation(Orientation.VERTICAL);
     left.getItems().add(events);
-    middle.getItems().addAll(left, chain);
-    middle.setDividerPositions(0.72);
+    getItems().addAll(left, chain);
+    setDividerPositions(0.72);
     SplitPane.setResizableWithParent(chain, false);
     SplitPane.setResizableWithParent(tabs, false);
     tabs.setAccessibleText("Panels at the side");
   }
 
-  SplitPane node() {
-    return middle;
-  }
-
   /** Gives the panels the shares that were kept, and keeps those that they get. */
-  void keep(UserSettings settings) {
-    keep(settings, "share.side", middle);
+  public void keep(UserSettings settings) {
+    keep(settings, "share.side", this);
     keep(settings, "share.below", left);
     keep(settings, "share.beside", row);
   }
@@ -106,26 +101,26 @@ final class PanelLayout {
     shown.add(events);
     row.getItems().stream().filter(node -> node != events).forEach(shown::add);
     left.getItems().stream().filter(node -> node != events && node != row).forEach(shown::add);
-    shown.add(middle.getItems().get(1));
+    shown.add(getItems().get(1));
     return shown;
   }
 
-  /** Gives what stands at a place more room than it has, or less. */
-  void enlarge(PanelPlace place, double share) {
+  /** Gives what stands at a place some steps more room than it has, or less. */
+  public void enlarge(PanelPlace place, int steps) {
     SplitPane pane =
         switch (place) {
-          case SIDE -> middle;
+          case SIDE -> this;
           case BELOW -> left;
           case BESIDE -> row;
         };
     if (!pane.getDividers().isEmpty()) {
       double before = pane.getDividerPositions()[0];
-      pane.setDividerPosition(0, Math.max(0, Math.min(1, before - share)));
+      pane.setDividerPosition(0, Math.max(0, Math.min(1, before - steps * PANEL_STEP)));
     }
   }
 
   /** Offers a panel; the property that comes back shows and hides it. */
-  BooleanProperty offer(
+  public BooleanProperty offer(
       String id, String title, PanelPlace place, Supplier<? extends Node> content) {
     BooleanProperty shown = new SimpleBooleanProperty();
     if (place == PanelPlace.SIDE) {
@@ -159,31 +154,29 @@ final class PanelLayout {
     if (tab.getContent() == null) {
       tab.setContent(content.get());
     }
-    if (!show) {
-      tabs.getTabs().remove(tab);
-      shownTabs.remove(tab);
-    } else if (!shownTabs.contains(tab)) {
-      shownTabs.add(tab);
-    }
-    double place = middle.getDividerPositions()[0];
-    if (shownTabs.isEmpty()) {
-      // the chain alone needs no tabs
-      tabs.getTabs().clear();
-      middle.getItems().set(1, chain);
-    } else if (show) {
-      if (tabs.getTabs().isEmpty()) {
-        middle.getItems().remove(chain);
+    double place = getDividerPositions()[0];
+    List<Tab> shown = tabs.getTabs();
+    if (show) {
+      if (shown.isEmpty()) {
+        getItems().remove(chain);
         Tab first = tab("chain", "Chain", chain);
         first.setClosable(false);
-        tabs.getTabs().setAll(first);
-        middle.getItems().add(tabs);
+        shown.add(first);
+        getItems().add(tabs);
       }
-      if (!tabs.getTabs().contains(tab)) {
-        tabs.getTabs().add(tab);
+      if (!shown.contains(tab)) {
+        shown.add(tab);
       }
       tabs.getSelectionModel().select(tab);
+    } else {
+      shown.remove(tab);
+      if (shown.size() == 1) {
+        // the chain alone needs no tabs
+        shown.clear();
+        getItems().set(1, chain);
+      }
     }
-    middle.setDividerPositions(place);
+    setDividerPositions(place);
   }
 
   private void showBelow(Node panel, boolean show) {

@@ -61,17 +61,18 @@ public final class StatusLine extends HBox {
 
   /** A line that says nothing yet. */
   public StatusLine() {
-    getStyleClass().add("status-line");
-    setId("status-line");
+    Controls.named(this, "status-line", "status-line");
     setAlignment(Pos.CENTER_LEFT);
     message.setAccessibleRole(AccessibleRole.TEXT);
     message.setMinWidth(0);
     message.setMaxWidth(Double.MAX_VALUE);
     HBox.setHgrow(message, Priority.ALWAYS);
-    dismiss = Controls.button("dismiss", Icons.REMOVE, "Dismiss the message", this::clearError);
-    dismiss.getStyleClass().add(Styles.SMALL);
-    more = Controls.button("details", Icons.MORE, "All that is known of this", this::showDetails);
-    more.getStyleClass().add(Styles.SMALL);
+    dismiss =
+        Controls.button(
+            "dismiss", Icons.REMOVE, "Dismiss the message", this::clearError, Styles.SMALL);
+    more =
+        Controls.button(
+            "details", Icons.MORE, "All that is known of this", this::showDetails, Styles.SMALL);
     getChildren().addAll(message, more, dismiss, live, time, rate, speed, frames, dropped);
     setLive("");
     clearError();

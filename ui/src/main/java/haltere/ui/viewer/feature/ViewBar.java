@@ -4,12 +4,9 @@ import atlantafx.base.theme.Styles;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
-import java.util.Arrays;
-import java.util.LinkedHashMap;
+import java.util.Collection;
 import java.util.List;
-import java.util.Map;
 import java.util.function.Function;
-import java.util.stream.Collectors;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.Property;
@@ -34,11 +31,6 @@ public final class ViewBar extends HBox {
     super(6);
     getStyleClass().add("view-bar");
     setAlignment(Pos.CENTER_LEFT);
-    Map<DisplayMode, String> modes =
-        Arrays.stream(DisplayMode.values())
-            .collect(
-                Collectors.toMap(
-                    Function.identity(), DisplayMode::words, (a, b) -> a, LinkedHashMap::new));
     Region space = Controls.growing(new Region());
     tools.setAlignment(Pos.CENTER_RIGHT);
     getChildren()
@@ -47,21 +39,23 @@ public final class ViewBar extends HBox {
                 "show-as",
                 "What the colour of a pixel says about its events",
                 display.modeProperty(),
-                modes),
+                List.of(DisplayMode.values()),
+                DisplayMode::words),
             Controls.whole("Fading", Styles.TEXT_MUTED, Styles.TEXT_SMALL),
             choice(
                 "fading",
                 "How fast events fade, or that only those of the last slice are shown",
                 display.decayUsProperty(),
-                DisplayControl.DECAYS),
+                DisplayControl.DECAYS.keySet(),
+                DisplayControl.DECAYS::get),
             space,
             tools);
   }
 
   /** Adds the switch of the camera's frames and their opacity, where what is open has frames. */
   public void addFrames(BooleanProperty on, DoubleProperty opacity, ObservableBooleanValue seen) {
-    ToggleButton button = Controls.toggle("frames", Icons.FRAME, "Frames below the events");
-    button.getStyleClass().add(Styles.SMALL);
+    ToggleButton button =
+        Controls.toggle("frames", Icons.FRAME, "Frames below the events", Styles.SMALL);
     button.selectedProperty().bindBidirectional(on);
     Slider slider = Controls.slider("frame-opacity", "Opacity of the frames", 0.1, 1);
     slider.setValue(opacity.get());
@@ -78,15 +72,18 @@ public final class ViewBar extends HBox {
 
   /** Adds the button of a tool or a panel. */
   public void tool(String id, Icons icon, String help, BooleanProperty on) {
-    ToggleButton button = Controls.toggle(id, icon, help);
-    button.getStyleClass().add(Styles.SMALL);
+    ToggleButton button = Controls.toggle(id, icon, help, Styles.SMALL);
     button.selectedProperty().bindBidirectional(on);
     tools.getChildren().add(button);
   }
 
   private static <T> Node choice(
-      String id, String help, Property<T> property, Map<T, String> words) {
-    ChoiceBox<T> box = Controls.choice(id, help, words);
+      String id,
+      String help,
+      Property<T> property,
+      Collection<T> values,
+      Function<T, String> words) {
+    ChoiceBox<T> box = Controls.choice(id, help, values, words);
     box.getStyleClass().add(Styles.SMALL);
     box.setMinWidth(90);
     box.valueProperty().bindBidirectional(property);

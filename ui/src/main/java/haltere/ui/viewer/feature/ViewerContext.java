@@ -2,14 +2,12 @@ package haltere.ui.viewer.feature;
 
 import haltere.core.chain.ChainFile;
 import haltere.core.event.SensorGeometry;
-import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.controls.FileDialogs;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.picture.ViewTool;
 import haltere.ui.viewer.playback.PlaybackController;
-import haltere.ui.viewer.session.SessionHost;
 import haltere.ui.viewer.session.ViewerSession;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -42,7 +40,7 @@ import javafx.stage.Stage;
  */
 public record ViewerContext(
     Stage stage,
-    SessionHost sessions,
+    Sessions sessions,
     ViewerActions actions,
     PlaybackController playback,
     ChainEditor editor,
@@ -65,15 +63,11 @@ public record ViewerContext(
    */
   public BooleanProperty addPanel(String id, PanelPlace place, Supplier<? extends Node> content) {
     String action = "show-" + id;
-    BooleanProperty shown = panels.offer(id, ViewerActions.words(action), place, content);
+    BooleanProperty shown =
+        panels.panelLayout().offer(id, ViewerActions.words(action), place, content);
     settings.keep("panel." + id, shown);
     actions.add(action, shown);
     return shown;
-  }
-
-  /** Calls something at the first pulse of JavaFX after each time span, while something is open. */
-  public void every(long nanos, Runnable listener) {
-    panels.every(nanos, listener);
   }
 
   /**
@@ -85,11 +79,6 @@ public record ViewerContext(
         .sessionProperty()
         .subscribe(
             (was, is) -> is.ifPresent(made -> steps.execute(() -> callWhileShown(made, listener))));
-  }
-
-  /** Adds what a person can do. */
-  public void add(ViewerAction... added) {
-    actions.add(added);
   }
 
   /** Works on what is open, if something is. */

@@ -1,13 +1,11 @@
 package haltere.ui.viewer.feature;
 
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.summary.RateProfile;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.chain.ChainPanel;
-import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.picture.DisplayFrame;
@@ -22,8 +20,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
-import java.util.function.Supplier;
-import javafx.beans.property.BooleanProperty;
 import javafx.geometry.Insets;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -43,9 +39,6 @@ import javafx.scene.layout.VBox;
 public final class ViewerPanels extends BorderPane {
   /** How often words and numbers are brought up to date while playing. */
   private static final long NUMBERS_NANOS = 125_000_000;
-
-  /** How much a panel grows at a time, as a share of the window. */
-  private static final double PANEL_STEP = 0.05;
 
   private final PlaybackController playback;
   private final ChainEditor editor;
@@ -86,11 +79,16 @@ public final class ViewerPanels extends BorderPane {
     picture.setMinSize(0, 0);
     VBox.setVgrow(pictureRow, Priority.ALWAYS);
     layout = new PanelLayout(pictureColumn, chainPanel);
-    setCenter(new StackPane(layout.node()));
+    setCenter(new StackPane(layout));
     setTop(menu);
     setBottom(new VBox(seekBar, transport, statusLine));
     getStyleClass().add("viewer");
     view.setGeometry(new SensorGeometry(128, 128), DisplayOptions.DEFAULT.colours());
+  }
+
+  /** The panels around the picture. */
+  public PanelLayout panelLayout() {
+    return layout;
   }
 
   /** The picture of the events. */
@@ -101,7 +99,7 @@ public final class ViewerPanels extends BorderPane {
   /** Puts a page in place of all panels, and of the bars of playback; none shows the panels. */
   public void showPage(Optional<Node> page) {
     StackPane center = (StackPane) getCenter();
-    center.getChildren().setAll(page.orElse(layout.node()));
+    center.getChildren().setAll(page.orElse(layout));
     for (Node bar : List.of(seekBar, transport)) {
       Controls.show(page.isEmpty(), bar);
     }
@@ -166,23 +164,6 @@ public final class ViewerPanels extends BorderPane {
     shownStatus = null;
   }
 
-  /** Shows how many events there are along the recording. */
-  public void setProfile(RateProfile profile) {
-    seekBar.setProfile(profile);
-  }
-
-  /** Shows what the chain consists of. */
-  public void showStages(List<StageState> stages) {
-    chainPanel.show(stages);
-    plots.followChain();
-  }
-
-  /** Offers a panel; the property that comes back shows and hides it. */
-  public BooleanProperty offer(
-      String id, String title, PanelPlace place, Supplier<? extends Node> content) {
-    return layout.offer(id, title, place, content);
-  }
-
   /** What F6 goes through: the panels that are shown, and the bars below them. */
   public List<Node> areas() {
     List<Node> areas = new ArrayList<>(layout.shown());
@@ -192,23 +173,13 @@ public final class ViewerPanels extends BorderPane {
     return areas;
   }
 
-  /** Gives what stands at a place a step more room, or less. */
-  public void enlarge(PanelPlace place, int steps) {
-    layout.enlarge(place, steps * PANEL_STEP);
-  }
-
-  /** Gives the panels the sizes that were kept, and keeps those that they get. */
-  public void keepLayout(UserSettings settings) {
-    layout.keep(settings);
-  }
-
   /** Calls something at each pulse of JavaFX while something is open. */
   public void onPulse(Runnable listener) {
     pulseListeners.add(listener);
   }
 
   /** Calls something at the first pulse of JavaFX after each time span, while something is open. */
-  void every(long nanos, Runnable listener) {
+  public void every(long nanos, Runnable listener) {
     long[] lastNanos = {System.nanoTime() - nanos};
     onPulse(
         () -> {
@@ -228,12 +199,12 @@ public final class ViewerPanels extends BorderPane {
 
   /** Brings all panels up to date with a session; called at each pulse of JavaFX. */
   public void pulse(ViewerSession open, long nowNanos) {
-    open.display().setScreenPlace(view.screenPlace());
-    DisplayFrame frame = open.display().exchange().fetch();
+    open.display().maker().setScreenPlace(view.screenPlace());
+    DisplayFrame frame = open.display().maker().exchange().fetch();
     if (frame != null) {
       view.show(frame);
       meter.shown();
-    } else if (open.display().isStale() && !repaintAsked) {
+    } else if (open.display().maker().isStale() && !repaintAsked) {
       repaintAsked = true;
       editor.read(
           chain -> {
@@ -249,7 +220,7 @@ public final class ViewerPanels extends BorderPane {
     if (now == shownStatus && nowNanos - numbersNanos < NUMBERS_NANOS) {
       return;
     }
-    seekBar.update(now, playback.reach(), playback.marks());
+    seekBar.update(now);
     boolean held = now.state() != State.PLAYING;
     if (held || nowNanos - numbersNanos >= NUMBERS_NANOS) {
       showNumbers(open, now, nowNanos);
@@ -258,8 +229,9 @@ public final class ViewerPanels extends BorderPane {
   }
 
   private void showNumbers(ViewerSession open, PlayerStatus now, long nowNanos) {
-    transport.update(now, playback.reach());
-    statusLine.update(now, meter.perSecond(nowNanos), open.display().exchange().conflated());
+    transport.update(now);
+    statusLine.update(
+        now, meter.perSecond(nowNanos), open.display().maker().exchange().conflated());
     chainPanel.update(nowNanos - numbersNanos);
     numbersNanos = nowNanos;
   }

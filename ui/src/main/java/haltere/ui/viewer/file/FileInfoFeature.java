@@ -5,7 +5,9 @@ import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.session.RecordingFacts;
+import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
+import java.nio.file.Path;
 import java.util.Optional;
 
 /**
@@ -31,7 +33,7 @@ public final class FileInfoFeature implements ViewerFeature {
   private void begin(ViewerSession made) {
     banner.show(made.remarks(), Optional.empty());
     panel.say(
-        made.file().isPresent()
+        made.request().file().isPresent()
             ? "Reading the file \u2026"
             : "What is open is no file: " + made.player().playable().name() + ".");
   }
@@ -42,10 +44,11 @@ public final class FileInfoFeature implements ViewerFeature {
   }
 
   private void useSensor(SensorGeometry sensor) {
-    Optional<ViewerSession> open = window.sessions().session();
-    if (open.isPresent() && open.get().file().isPresent()) {
+    Optional<SessionRequest> asked = window.sessions().session().map(ViewerSession::request);
+    Optional<Path> file = asked.flatMap(SessionRequest::file);
+    if (file.isPresent()) {
       window.sessions().keepSensor(sensor);
-      window.sessions().open(open.get().file().get(), open.get().options().withSensor(sensor));
+      window.sessions().open(file.get(), asked.get().options().withSensor(sensor));
     }
   }
 

@@ -19,18 +19,13 @@ import javafx.scene.layout.Region;
 
 /**
  * The facts of the recording that is open: format, sensor, times, counts, rates, header, warnings.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class FileInfoPanel extends ScrollPane {
   private final GridPane grid = new GridPane();
 
   FileInfoPanel() {
-    setId("file-info");
-    getStyleClass().add("file-info");
-    setFitToWidth(true);
-    setHbarPolicy(ScrollBarPolicy.NEVER);
-    setContent(grid);
+    Controls.named(this, "file-info", "file-info");
+    Controls.scrolling(this, grid);
     grid.getStyleClass().add("file-info-grid");
     ColumnConstraints name = new ColumnConstraints();
     name.setMinWidth(Region.USE_PREF_SIZE);

@@ -10,7 +10,7 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.session.RecordingFacts;
 import haltere.ui.viewer.session.RecordingFacts.Moment;
-import haltere.ui.viewer.session.Sources;
+import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
 import java.util.List;
@@ -36,7 +36,6 @@ public final class SamplesFeature implements ViewerFeature {
   private final BooleanProperty hasFrames = new SimpleBooleanProperty();
   private final Label trigger = Controls.named(new Label(), "trigger-mark", "readout");
   private ViewerContext window;
-  private Optional<RecordingFacts> facts = Optional.empty();
   private boolean reading;
 
   @Override
@@ -67,7 +66,6 @@ public final class SamplesFeature implements ViewerFeature {
         .factsProperty()
         .subscribe(
             (was, is) -> {
-              facts = is;
               hasFrames.set(is.filter(found -> !found.frames().isEmpty()).isPresent());
               window
                   .panels()
@@ -88,6 +86,7 @@ public final class SamplesFeature implements ViewerFeature {
   }
 
   private void pulse(ViewerSession open) {
+    Optional<RecordingFacts> facts = window.sessions().factsProperty().get();
     if (facts.isEmpty()) {
       trigger.setVisible(false);
       return;
@@ -96,7 +95,7 @@ public final class SamplesFeature implements ViewerFeature {
     long shownUs = now.elapsedUs() + now.sliceUs();
     name(facts.get().triggers(), shownUs, NAMED_SLICES * Math.max(1, now.sliceUs()));
     int frame = lastAt(facts.get().frames(), shownUs);
-    if (!reading && frame >= 0 && open.display().frames().isSought()) {
+    if (!reading && frame >= 0 && open.display().maker().frames().isSought()) {
       read(open, facts.get(), facts.get().frames().get(frame));
     }
   }
@@ -155,7 +154,7 @@ public final class SamplesFeature implements ViewerFeature {
 
   private static Optional<Frame> frameAt(RecordingFacts of, ViewerSession open, long elapsedUs)
       throws IOException {
-    try (Playable own = Sources.recording(of.file(), open.options())) {
+    try (Playable own = SessionRequest.play(of.file(), open.request().options())) {
       own.seek(elapsedUs);
       Frame[] found = new Frame[1];
       StreamHandler consumer =

@@ -23,8 +23,6 @@ import javafx.scene.layout.VBox;
 /**
  * Warnings about the file that is open, above the picture: one line that can be opened and put
  * aside, and the question for the camera where the file does not name it.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class WarningBanner extends VBox {
   /** Cameras of the usual sizes, for a person who does not know the size. */
@@ -42,16 +40,16 @@ final class WarningBanner extends VBox {
   private final Label first = Controls.named(new Label(), "warning-first");
   private final Hyperlink more = Controls.named(new Hyperlink(), "warnings-more");
   private final VBox all = new VBox(2);
-  private final ChoiceBox<String> sizes = Controls.named(new ChoiceBox<String>(), "camera-choice");
+  private final ChoiceBox<SensorGeometry> sizes =
+      Controls.choice(
+          "camera-choice", "Camera that made the recording", List.of(), WarningBanner::words);
   private final HBox question;
   private List<String> warnings = List.of();
-  private List<SensorGeometry> offered = List.of();
 
   /** A banner that is not seen. */
   WarningBanner(Consumer<SensorGeometry> chosen) {
     this.chosen = chosen;
-    setId("warnings");
-    getStyleClass().add("warning-banner");
+    Controls.named(this, "warnings", "warning-banner");
     first.setMinWidth(0);
     first.setMaxWidth(Double.MAX_VALUE);
     HBox.setHgrow(first, Priority.ALWAYS);
@@ -65,7 +63,6 @@ final class WarningBanner extends VBox {
             more,
             Controls.button("warnings-dismiss", Icons.REMOVE, "Dismiss the warnings", this::hide));
     Label asked = new Label("Camera:");
-    sizes.setAccessibleText("Camera that made the recording");
     Button use = Controls.named(new Button("Use and remember"), "camera-use", Styles.SMALL);
     use.setMinWidth(Region.USE_PREF_SIZE);
     use.setOnAction(event -> answer());
@@ -124,8 +121,7 @@ final class WarningBanner extends VBox {
         sensors.add(sensor);
       }
     }
-    offered = sensors;
-    sizes.getItems().setAll(sensors.stream().map(WarningBanner::words).toList());
+    sizes.getItems().setAll(sensors);
     sizes.getSelectionModel().select(0);
   }
 
@@ -135,10 +131,7 @@ final class WarningBanner extends VBox {
   }
 
   private void answer() {
-    int index = sizes.getSelectionModel().getSelectedIndex();
-    if (index >= 0) {
-      hide();
-      chosen.accept(offered.get(index));
-    }
+    hide();
+    chosen.accept(sizes.getValue());
   }
 }

@@ -6,10 +6,7 @@ import haltere.core.event.Frame;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorSample;
 import haltere.core.playback.SliceSink;
-import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamNotification;
-import haltere.filters.frequency.PixelRegion;
-import haltere.ui.rendering.FrameExchange;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
@@ -19,9 +16,8 @@ import java.util.Optional;
  * events are gathered and painted by a {@link PictureMaker}, on a {@link PictureThread} of its own
  * or at once.
  *
- * <p>Thread rule: {@link #setOptions}, {@link #setScreenPlace}, {@link #point}, {@link #setRegion},
- * {@link #isStale()} and the exchange's showing side are for the JavaFX thread, all else for the
- * processing thread.
+ * <p>Thread rule: processing thread; {@link #maker()}, {@link #setFrameOpacity} and {@link
+ * #setAllEvents} are for the JavaFX thread.
  */
 public final class DisplaySink implements SliceSink {
   private final LayerTaps taps;
@@ -48,39 +44,9 @@ public final class DisplaySink implements SliceSink {
     return new DisplaySink(geometry, chain, options, true);
   }
 
-  /** Where finished frames are fetched. */
-  public FrameExchange<DisplayFrame> exchange() {
-    return maker.exchange();
-  }
-
-  /** Shows events in another way from the next frame on. */
-  public void setOptions(DisplayOptions newOptions) {
-    maker.setOptions(newOptions);
-  }
-
-  /** Where frames are drawn as they are on the screen, or nowhere. */
-  public void setScreenPlace(Optional<ScreenPlace> place) {
-    maker.setScreenPlace(place);
-  }
-
-  /** The mouse is over a pixel, or over none. */
-  public void point(int x, int y, boolean over) {
-    maker.point(x, y, over);
-  }
-
-  /** The region of interest, or none. */
-  public void setRegion(Optional<PixelRegion> region) {
-    maker.setRegion(region);
-  }
-
-  /** Whether there is something newer than the frame that was published last. */
-  public boolean isStale() {
-    return maker.isStale();
-  }
-
-  /** The camera's frames below the events. */
-  public FrameLayer frames() {
-    return maker.frames();
+  /** What paints, for whoever shows its frames or wants them otherwise. */
+  public PictureMaker maker() {
+    return maker;
   }
 
   /** Shows frames below the events: 0 not at all, 1 as they are. */
@@ -109,25 +75,10 @@ public final class DisplaySink implements SliceSink {
   }
 
   /** Takes the events before the chain. */
-  public SliceSink beforeChain() {
-    return new SliceSink() {
-      @Override
-      public void packet(EventPacket packet) {
-        if (allEvents) {
-          gather(packet);
-        }
-      }
-
-      @Override
-      public void notified(StreamNotification notification) {
-        // the end of the chain is told as well
-      }
-
-      @Override
-      public void sliceEnd(long fromUs, long toUs) {
-        // the end of the chain is told as well
-      }
-    };
+  public void beforeChain(EventPacket packet) {
+    if (allEvents) {
+      gather(packet);
+    }
   }
 
   @Override
@@ -151,10 +102,7 @@ public final class DisplaySink implements SliceSink {
 
   @Override
   public void notified(StreamNotification notification) {
-    boolean anew = notification.endsContinuity() && !(notification instanceof DataLost);
-    if (anew) {
-      taps.clear();
-    }
+    boolean anew = taps.notified(notification);
     later(
         () -> {
           maker.notified(notification);

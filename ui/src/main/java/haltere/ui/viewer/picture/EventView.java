@@ -34,7 +34,7 @@ public final class EventView extends Region implements ArrowKeys {
     void pointed(int x, int y, boolean over);
   }
 
-  private final Viewpoint viewpoint = new Viewpoint();
+  private final Viewpoint viewpoint = new Viewpoint(this::requestLayout);
   private final SensorPicture picture = new SensorPicture();
   private final Rectangle frame = new Rectangle();
   private final Label readout = Controls.named(new Label(), "cursor-readout", "readout");
@@ -54,8 +54,7 @@ public final class EventView extends Region implements ArrowKeys {
 
   /** A view without a frame. */
   public EventView() {
-    getStyleClass().add("event-view");
-    setId("event-view");
+    Controls.named(this, "event-view", "event-view");
     setAccessibleRole(AccessibleRole.IMAGE_VIEW);
     setAccessibleText("Events");
     setFocusTraversable(true);
@@ -78,7 +77,7 @@ public final class EventView extends Region implements ArrowKeys {
     setOnMouseClicked(
         event -> {
           if (!worksWithTool(event) && event.getClickCount() == 2) {
-            showAll();
+            viewpoint.showAll();
           }
         });
     setOnMouseMoved(this::pointed);
@@ -92,7 +91,6 @@ public final class EventView extends Region implements ArrowKeys {
       geometry = newGeometry;
       picture.setGeometry(geometry, colours);
       viewpoint.setSensor(geometry);
-      requestLayout();
     }
   }
 
@@ -129,32 +127,19 @@ public final class EventView extends Region implements ArrowKeys {
     pointer = listener;
   }
 
+  /** Which part of the sensor is seen, and how large. */
+  public Viewpoint viewpoint() {
+    return viewpoint;
+  }
+
   /** What the ends of the colours mean. */
   public ScaleLegend legend() {
     return legend;
   }
 
-  /** Enlarges a region as far as the view has room. */
-  public void zoomTo(PixelRegion region) {
-    viewpoint.zoomTo(region);
-    requestLayout();
-  }
-
-  /** Makes the picture larger or smaller around its middle. */
-  public void zoomBy(double factor) {
-    viewpoint.zoomBy(factor);
-    requestLayout();
-  }
-
   /** Makes each pixel of the sensor as large as it gets, where the mouse was last. */
   public void zoomToPixels() {
-    zoomTo(PixelRegion.around(pointedX, pointedY, 4));
-  }
-
-  /** Moves the picture by shares of the view. */
-  public void pan(double right, double up) {
-    viewpoint.move(right * getWidth(), up * getHeight());
-    requestLayout();
+    viewpoint.zoomTo(PixelRegion.around(pointedX, pointedY, 4));
   }
 
   /** Takes a tool into the hand, in place of the one that is there, or none. */
@@ -194,34 +179,13 @@ public final class EventView extends Region implements ArrowKeys {
   }
 
   /** Draws the picture once more, because what lies over it has changed. */
-  public void redrawMarks() {
-    redraw();
-  }
-
-  /** Shows the whole sensor. */
-  public void showAll() {
-    viewpoint.showAll();
-    requestLayout();
-  }
-
-  /** Pixels of the screen per pixel of the sensor. */
-  public double scale() {
-    return viewpoint.scale();
-  }
-
-  /** Where a place on the sensor is in this view, from the left. */
-  public double viewX(double sensorX) {
-    return viewpoint.viewX(sensorX);
-  }
-
-  /** Where a place on the sensor is in this view, from the top. */
-  public double viewY(double sensorY) {
-    return viewpoint.viewY(sensorY);
+  public void redraw() {
+    picture.draw(this::drawLayers);
   }
 
   @Override
   protected void layoutChildren() {
-    double scale = scale();
+    double scale = viewpoint.scale();
     double left = viewpoint.left();
     double top = viewpoint.top();
     double density = getScene() == null ? 1 : getScene().getWindow().getRenderScaleX();
@@ -231,14 +195,9 @@ public final class EventView extends Region implements ArrowKeys {
     frame.setWidth(geometry.width() * scale + 1);
     frame.setHeight(geometry.height() * scale + 1);
     redraw();
-    readout.autosize();
-    readout.relocate(12, getHeight() - readout.getHeight() - 10);
+    showReadout(readout.getText());
     legend.autosize();
     legend.relocate(getWidth() - legend.getWidth() - 12, getHeight() - legend.getHeight() - 10);
-  }
-
-  private void redraw() {
-    picture.draw(this::drawLayers);
   }
 
   private void drawLayers(OverlayCanvas canvas) {
@@ -253,7 +212,6 @@ public final class EventView extends Region implements ArrowKeys {
     }
     double notches = event.getDeltaY() / Math.max(1, event.getMultiplierY());
     viewpoint.zoomAt(event.getX(), event.getY(), notches);
-    requestLayout();
     event.consume();
   }
 
@@ -297,7 +255,6 @@ public final class EventView extends Region implements ArrowKeys {
     } else if (viewpoint.isClose()) {
       setCursor(Cursor.CLOSED_HAND);
       viewpoint.move(dragX - event.getX(), event.getY() - dragY);
-      requestLayout();
     }
     dragX = event.getX();
     dragY = event.getY();
@@ -319,11 +276,11 @@ public final class EventView extends Region implements ArrowKeys {
     keys.press(event.getCode(), event.isShiftDown(), tool.get(), geometry);
     viewpoint.keepInSight(keys.x(), keys.y());
     point(keys.x(), keys.y());
-    requestLayout();
     event.consume();
   }
 
-  private static int pixel(double place, int size) {
+  /** The pixel at a place, or the nearest one. */
+  static int pixel(double place, int size) {
     return (int) Math.max(0, Math.min(size - 1, Math.rint(place)));
   }
 

@@ -35,8 +35,7 @@ public final class HiddenEvents extends HBox {
   public HiddenEvents(BooleanProperty shown) {
     super(4);
     this.shown = shown;
-    setId("hidden-events");
-    getStyleClass().addAll("readout", "hidden-events");
+    Controls.named(this, "hidden-events", "readout", "hidden-events");
     setAlignment(Pos.CENTER_LEFT);
     setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
     change.setAccessibleText("Show or hide the events that filters remove");

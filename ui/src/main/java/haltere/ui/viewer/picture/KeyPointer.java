@@ -9,8 +9,6 @@ import javafx.scene.input.KeyCode;
 /**
  * Does with keys what the mouse does with a tool: arrow keys move a cross over the picture, by ten
  * pixels with Shift; Enter presses the tool down where the cross is, and lets it go again.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class KeyPointer {
   private static final int STRIDE = 10;

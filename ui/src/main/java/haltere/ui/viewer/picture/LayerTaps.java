@@ -2,6 +2,8 @@ package haltere.ui.viewer.picture;
 
 import haltere.core.chain.FilterChain;
 import haltere.core.overlay.OverlayLayer;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamNotification;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -50,9 +52,13 @@ public final class LayerTaps {
     }
   }
 
-  /** Forgets all snapshots. */
-  public void clear() {
-    taps.forEach(LayerTap::clear);
+  /** Forgets all snapshots where the stream goes on elsewhere; whether it does. */
+  public boolean notified(StreamNotification notification) {
+    boolean anew = notification.endsContinuity() && !(notification instanceof DataLost);
+    if (anew) {
+      taps.forEach(LayerTap::clear);
+    }
+    return anew;
   }
 
   /** Ends all subscriptions; the processing thread has ended or calls this. */

@@ -27,7 +27,7 @@ import java.util.Optional;
  * {@link #isStale()} and the exchange's showing side from any thread, all else on the thread that
  * paints.
  */
-final class PictureMaker {
+public final class PictureMaker {
   /** No more than one frame in this time replaces another that nobody has seen. */
   private static final long MIN_FRAME_NANOS = 25_000_000;
 
@@ -73,39 +73,41 @@ final class PictureMaker {
     exchange = new FrameExchange<>(() -> new DisplayFrame(geometry));
   }
 
-  FrameExchange<DisplayFrame> exchange() {
+  /** Where finished frames are fetched. */
+  public FrameExchange<DisplayFrame> exchange() {
     return exchange;
   }
 
   /** The camera's frames below the events. */
-  FrameLayer frames() {
+  public FrameLayer frames() {
     return frames;
   }
 
-  void setOptions(DisplayOptions newOptions) {
+  /** Shows events in another way from the next frame on. */
+  public void setOptions(DisplayOptions newOptions) {
     options = newOptions;
     stale = true;
   }
 
   /** Where frames are drawn as they are on the screen, or nowhere: they are drawn elsewhere. */
-  void setScreenPlace(Optional<ScreenPlace> place) {
+  public void setScreenPlace(Optional<ScreenPlace> place) {
     screenPlace = place;
   }
 
   /** The mouse is over a pixel, or over none. */
-  void point(int x, int y, boolean over) {
+  public void point(int x, int y, boolean over) {
     probes.point(x, y, over);
     stale = true;
   }
 
   /** The region of interest, or none. */
-  void setRegion(Optional<PixelRegion> region) {
+  public void setRegion(Optional<PixelRegion> region) {
     probes.setRegion(region);
     stale = true;
   }
 
   /** Whether there is something newer than the frame that was published last. */
-  boolean isStale() {
+  public boolean isStale() {
     return stale;
   }
 

@@ -2,11 +2,11 @@ package haltere.ui.viewer.picture;
 
 import haltere.core.event.EventPacket;
 import haltere.core.pipeline.PacketPool;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 /**
  * A thread that gathers and paints, so that the thread of the chain need not. It gets copies of
@@ -99,18 +99,9 @@ final class PictureThread implements AutoCloseable {
   }
 
   /** Does something behind the packets that were handed over, and waits for it. */
-  <T> T now(Callable<T> step) {
-    CompletableFuture<T> result = new CompletableFuture<>();
-    later(
-        () -> {
-          try {
-            result.complete(step.call());
-          } catch (Exception | Error thrown) {
-            result.completeExceptionally(thrown);
-          }
-        });
+  <T> T now(Supplier<T> step) {
     try {
-      return result.join();
+      return CompletableFuture.supplyAsync(step, this::later).join();
     } catch (CompletionException thrown) {
       throw thrown.getCause() instanceof RuntimeException cause ? cause : thrown;
     }

@@ -13,16 +13,17 @@ import haltere.ui.viewer.controls.Texts;
  * @param region the pixels
  * @param reading what it is doing
  */
-record RegionMarks(PixelRegion region, RegionReading reading) {
+public record RegionMarks(PixelRegion region, RegionReading reading) {
   /** What the region is doing, in words. */
-  String words() {
+  public String words() {
     String rate = Texts.quantity(reading.rateEps()) + " ev/s";
     return Double.isNaN(reading.frequencyHz())
         ? rate
         : rate + "   " + Texts.digits(reading.frequencyHz()) + " Hz";
   }
 
-  void draw(OverlayCanvas canvas) {
+  /** Draws the region and what it is doing. */
+  public void draw(OverlayCanvas canvas) {
     canvas.rectangle(
         region.left() - 0.5,
         region.bottom() - 0.5,

@@ -46,10 +46,10 @@ public final class RegionTool implements ViewTool {
     consumer.accept(
         Optional.of(
             PixelRegion.between(
-                pixel(fromX, geometry.width()),
-                pixel(fromY, geometry.height()),
-                pixel(x, geometry.width()),
-                pixel(y, geometry.height()))));
+                EventView.pixel(fromX, geometry.width()),
+                EventView.pixel(fromY, geometry.height()),
+                EventView.pixel(x, geometry.width()),
+                EventView.pixel(y, geometry.height()))));
   }
 
   @Override
@@ -57,9 +57,5 @@ public final class RegionTool implements ViewTool {
     if (!drawn) {
       consumer.accept(Optional.empty());
     }
-  }
-
-  private static int pixel(double place, int size) {
-    return (int) Math.max(0, Math.min(size - 1, Math.rint(place)));
   }
 }

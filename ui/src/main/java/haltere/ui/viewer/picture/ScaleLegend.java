@@ -3,6 +3,7 @@ package haltere.ui.viewer.picture;
 import haltere.ui.rendering.ColourScale;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.rendering.Gradient;
+import haltere.ui.viewer.controls.Controls;
 import java.util.Optional;
 import java.util.StringJoiner;
 import javafx.geometry.Pos;
@@ -24,8 +25,7 @@ public final class ScaleLegend extends HBox {
 
   ScaleLegend() {
     super(6);
-    setId("scale-legend");
-    getStyleClass().addAll("readout", "scale-legend");
+    Controls.named(this, "scale-legend", "readout", "scale-legend");
     setAlignment(Pos.CENTER);
     setManaged(false);
     setMouseTransparent(true);

@@ -13,8 +13,6 @@ import javafx.scene.Node;
 /**
  * The pixels of the sensor on the screen, and the marks over them, drawn into pixels: by the thread
  * that paints frames, once it has been told {@link #screenPlace where}, else here.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class SensorPicture {
   private final PixelImage image = new PixelImage();

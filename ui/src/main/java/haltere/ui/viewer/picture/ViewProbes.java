@@ -114,12 +114,8 @@ final class ViewProbes {
 
   /** What the region of interest is doing, with its frequency however lately that was found. */
   RegionReading regionNow(long nowUs) {
-    follow();
-    if (region == null) {
-      return RegionReading.NOTHING;
-    }
-    region.advanceTo(nowUs);
-    return region.reading(true);
+    settle();
+    return region(nowUs).orElse(RegionReading.NOTHING);
   }
 
   /** What the region of interest is doing. */

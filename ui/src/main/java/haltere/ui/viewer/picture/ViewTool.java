@@ -14,7 +14,7 @@ public interface ViewTool {
   String hint();
 
   /** The mouse button went down. */
-  void pressed(double x, double y);
+  default void pressed(double x, double y) {}
 
   /** The mouse moved with the button down. */
   default void dragged(double x, double y) {}

@@ -9,7 +9,7 @@ import haltere.filters.frequency.PixelRegion;
  * <p>Places on the sensor are counted from the middle of its left bottom pixel, upwards; those in
  * the view from its left top corner, downwards. Thread rule: JavaFX thread only.
  */
-final class Viewpoint {
+public final class Viewpoint {
   private static final double MAX_PIXEL = 64;
   private static final double MAX_LOSS = 1.06;
   private static final double ZOOM_PER_NOTCH = 1.2;
@@ -27,6 +27,13 @@ final class Viewpoint {
 
   private double centreY;
 
+  private final Runnable changed;
+
+  /** A viewpoint that tells whenever something else is seen. */
+  Viewpoint(Runnable changed) {
+    this.changed = changed;
+  }
+
   /** Another sensor, all of which is shown. */
   void setSensor(SensorGeometry newSensor) {
     sensor = newSensor;
@@ -40,10 +47,11 @@ final class Viewpoint {
   }
 
   /** Shows the whole sensor. */
-  void showAll() {
+  public void showAll() {
     zoom = 1;
     centreX = sensor.width() / 2.0;
     centreY = sensor.height() / 2.0;
+    changed.run();
   }
 
   /** Whether less than the whole sensor is shown. */
@@ -52,19 +60,21 @@ final class Viewpoint {
   }
 
   /** Enlarges a region as far as the view has room. */
-  void zoomTo(PixelRegion region) {
+  public void zoomTo(PixelRegion region) {
     double wanted = Math.min(width / region.width(), height / region.height()) * ZOOM_MARGIN;
     zoom = Math.max(1, Math.min(MAX_PIXEL, wanted) / fit());
     centreX = region.left() + region.width() / 2.0;
     centreY = region.bottom() + region.height() / 2.0;
+    changed.run();
   }
 
   /** Makes the picture larger or smaller around its middle. */
-  void zoomBy(double factor) {
+  public void zoomBy(double factor) {
     zoom = Math.max(1, Math.min(Math.max(1, MAX_PIXEL / fit()), zoom * factor));
     if (zoom < 1.01) {
       showAll();
     }
+    changed.run();
   }
 
   /** Makes the picture larger or smaller; the place under the mouse stays there. */
@@ -77,6 +87,11 @@ final class Viewpoint {
       centreY += sensorY - sensorY(viewY);
       keepInside();
     }
+  }
+
+  /** Moves what is seen by shares of the view. */
+  public void pan(double right, double up) {
+    move(right * width, up * height);
   }
 
   /** Moves what is seen, in units of the view to the right and up. */
@@ -96,10 +111,11 @@ final class Viewpoint {
   private void keepInside() {
     centreX = Math.max(0, Math.min(sensor.width(), centreX));
     centreY = Math.max(0, Math.min(sensor.height(), centreY));
+    changed.run();
   }
 
   /** Units of the view per pixel of the sensor. */
-  double scale() {
+  public double scale() {
     double fit = fit() * zoom;
     double whole = Math.floor(fit);
     // whole numbers make all pixels alike, where they do not leave much room empty
@@ -121,11 +137,13 @@ final class Viewpoint {
     return Math.rint(height / 2 - (sensor.height() - centreY) * scale());
   }
 
-  double viewX(double sensorX) {
+  /** Where a place on the sensor is in the view, from the left. */
+  public double viewX(double sensorX) {
     return width / 2 + (sensorX + 0.5 - centreX) * scale();
   }
 
-  double viewY(double sensorY) {
+  /** Where a place on the sensor is in the view, from the top. */
+  public double viewY(double sensorY) {
     return height / 2 - (sensorY + 0.5 - centreY) * scale();
   }
 

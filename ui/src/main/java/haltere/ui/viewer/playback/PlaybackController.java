@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import java.util.stream.LongStream;
 import javafx.application.Platform;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanProperty;
@@ -248,13 +249,9 @@ public final class PlaybackController {
     status()
         .ifPresent(
             now -> {
-              OptionalLong out = loop.get().outUs();
-              boolean fits = out.isPresent() && out.getAsLong() > now.elapsedUs();
-              setLoop(
-                  new Loop(
-                      true,
-                      OptionalLong.of(Math.max(0, now.elapsedUs())),
-                      fits ? out : OptionalLong.empty()));
+              long inUs = Math.max(0, now.elapsedUs());
+              LongStream fits = loop.get().outUs().stream().filter(outUs -> outUs > inUs);
+              setLoop(new Loop(true, OptionalLong.of(inUs), fits.findFirst()));
             });
   }
 
@@ -264,9 +261,8 @@ public final class PlaybackController {
         .ifPresent(
             now -> {
               long outUs = Math.max(1, now.elapsedUs() + now.sliceUs());
-              OptionalLong in = loop.get().inUs();
-              boolean fits = in.isPresent() && in.getAsLong() < outUs;
-              setLoop(new Loop(true, fits ? in : OptionalLong.empty(), OptionalLong.of(outUs)));
+              LongStream fits = loop.get().inUs().stream().filter(inUs -> inUs < outUs);
+              setLoop(new Loop(true, fits.findFirst(), OptionalLong.of(outUs)));
             });
   }
 

@@ -4,9 +4,11 @@ import haltere.core.format.summary.RateProfile;
 import haltere.core.playback.Loop;
 import haltere.core.playback.Mark;
 import haltere.core.playback.PlayerStatus;
+import haltere.ui.plot.Curve;
 import haltere.ui.plot.Ticks;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Texts;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -81,6 +83,11 @@ public final class SeekBar extends Region {
 
   private static final long GROW_NANOS = 100_000_000;
 
+  /** Rates of a camera or a scene are no nearer to each other than this share of what is drawn. */
+  private static final long STEPS = 600;
+
+  private static final long MIN_STEP_US = 10_000;
+
   private final PlaybackController playback;
 
   /** The whole profile in the colour of what is to come; marks and loop. */
@@ -94,7 +101,10 @@ public final class SeekBar extends Region {
   private final Label hover = Controls.label("", "readout");
   private Ink ink = Ink.DARK;
   private Optional<RateProfile> profile = Optional.empty();
-  private final RateHistory history = new RateHistory();
+
+  /** Rates of what has come so far of a camera or a scene. */
+  private final Curve history = new Curve("", 0);
+
   private PlayerStatus status;
   private Optional<Reach> reach = Optional.empty();
 
@@ -112,14 +122,12 @@ public final class SeekBar extends Region {
   private List<Mark> marks = List.of();
   private long[] ticks = {};
   private final BooleanProperty logarithmic = new SimpleBooleanProperty();
-  private Loop loop = Loop.OFF;
   private boolean dirty = true;
 
   /** A bar without a recording, which seeks by a controller. */
   public SeekBar(PlaybackController playback) {
     this.playback = playback;
-    getStyleClass().add("seek-bar");
-    setId("seek-bar");
+    Controls.named(this, "seek-bar", "seek-bar");
     setAccessibleRole(AccessibleRole.SLIDER);
     setAccessibleText("Place in the recording");
     setFocusTraversable(true);
@@ -131,8 +139,12 @@ public final class SeekBar extends Region {
     hover.setMouseTransparent(true);
     hover.setManaged(false);
     hover.setVisible(false);
-    canvas.setManaged(false);
-    played.setManaged(false);
+    for (Canvas each : List.of(canvas, played)) {
+      each.setManaged(false);
+      each.widthProperty().bind(widthProperty());
+      each.heightProperty().bind(heightProperty());
+    }
+    playedClip.heightProperty().bind(heightProperty());
     played.setClip(playedClip);
     Controls.clip(this);
     getChildren().addAll(canvas, played, needle, hover);
@@ -158,22 +170,17 @@ public final class SeekBar extends Region {
         event -> {
           double notches = Math.signum(event.getDeltaY());
           if (notches == 0) {
-            scrollBy(-Math.signum(event.getDeltaX()) * spanUs / 10);
+            show(fromUs - Math.round(Math.signum(event.getDeltaX()) * spanUs / 10), spanUs);
           } else {
             zoomAt(event.getX(), Math.pow(ZOOM_PER_NOTCH, -notches));
           }
           event.consume();
         });
     setOnMouseExited(event -> hover.setVisible(false));
-    playback
-        .loopProperty()
-        .subscribe(
-            (old, now) -> {
-              loop = now;
-              dirty = true;
-            });
-    loop = playback.loopProperty().get();
+    playback.loopProperty().subscribe(() -> dirty = true);
     logarithmic.subscribe(() -> dirty = true);
+    widthProperty().subscribe(() -> dirty = true);
+    heightProperty().subscribe(() -> dirty = true);
   }
 
   /** Forgets the recording that was shown. */
@@ -215,11 +222,11 @@ public final class SeekBar extends Region {
   }
 
   /** Shows where the player is. */
-  public void update(PlayerStatus newStatus, Optional<Reach> newReach, List<Mark> newMarks) {
+  public void update(PlayerStatus newStatus) {
     status = newStatus;
-    reach = newReach;
-    if (!newMarks.equals(marks)) {
-      marks = newMarks;
+    reach = playback.reach();
+    if (!playback.marks().equals(marks)) {
+      marks = playback.marks();
       dirty = true;
     }
     reach.ifPresent(this::follow);
@@ -245,18 +252,6 @@ public final class SeekBar extends Region {
     };
   }
 
-  @Override
-  protected void layoutChildren() {
-    if (canvas.getWidth() != getWidth() || canvas.getHeight() != getHeight()) {
-      canvas.setWidth(getWidth());
-      canvas.setHeight(getHeight());
-      played.setWidth(getWidth());
-      played.setHeight(getHeight());
-      playedClip.setHeight(getHeight());
-      dirty = true;
-    }
-  }
-
   private boolean canSeek() {
     return status != null && reach.isPresent() && !reach.get().isEmpty();
   }
@@ -271,9 +266,12 @@ public final class SeekBar extends Region {
     if (history.lastUs() > all.toUs()) {
       history.clear();
     }
+    if (status.elapsedUs() < history.lastUs() + Math.max(MIN_STEP_US, newSpanUs / STEPS)) {
+      return;
+    }
+    history.add(status.elapsedUs(), status.eventRateEps());
     long nanos = System.nanoTime();
-    if (history.add(status.elapsedUs(), status.eventRateEps(), newSpanUs)
-        && nanos - grownNanos > GROW_NANOS) {
+    if (nanos - grownNanos > GROW_NANOS) {
       // the picture moves with what is drawn on it
       grownNanos = nanos;
       showWhole(all.fromUs(), newSpanUs);
@@ -306,10 +304,6 @@ public final class SeekBar extends Region {
     showHover(x);
   }
 
-  private void scrollBy(double us) {
-    show(fromUs + Math.round(us), spanUs);
-  }
-
   /** Turns to the part of the recording that playback comes to. */
   private void keepInView(long placeUs) {
     if (status.state() == PlayerStatus.State.PLAYING && !isInView(placeUs)) {
@@ -323,6 +317,7 @@ public final class SeekBar extends Region {
 
   /** What a press of the mouse takes hold of. */
   private Grip gripAt(double x) {
+    Loop loop = playback.loopProperty().get();
     if (loop.on() && isNear(loop.outUs(), x)) {
       return Grip.LOOP_END;
     }
@@ -336,16 +331,10 @@ public final class SeekBar extends Region {
   }
 
   private void drag(double x) {
-    if (grip == Grip.NEEDLE) {
-      seek(x);
+    if (canSeek() && grip == Grip.NEEDLE) {
+      playback.seek(placeAt(x));
     } else if (canSeek()) {
       playback.moveLoopEnd(grip == Grip.LOOP_START, placeAt(x));
-    }
-  }
-
-  private void seek(double x) {
-    if (canSeek()) {
-      playback.seek(placeAt(x));
     }
   }
 
@@ -380,6 +369,7 @@ public final class SeekBar extends Region {
     drawRuler(graphics, width, height);
     graphics.setFill(ink.base());
     graphics.fillRect(0, height - 1, width, 1);
+    Loop loop = playback.loopProperty().get();
     if (loop.on() && (loop.inUs().isPresent() || loop.outUs().isPresent())) {
       double from = xOf(loop.inUs().orElse(0));
       double to = loop.outUs().isPresent() ? xOf(loop.outUs().getAsLong()) : width;
@@ -453,7 +443,7 @@ public final class SeekBar extends Region {
   /** Events per second in each column. */
   private double[] rates(int columns) {
     if (profile.isEmpty()) {
-      return history.highest(fromUs, fromUs + spanUs, columns);
+      return ratesSoFar(columns);
     }
     RateProfile whole = profile.get();
     double[] rates = new double[columns];
@@ -468,6 +458,33 @@ public final class SeekBar extends Region {
       }
     }
     return rates;
+  }
+
+  /** The highest rate that was noted in each column, or that of the one before. */
+  private double[] ratesSoFar(int columns) {
+    double[] rates = new double[columns];
+    int[] filled = {0};
+    double[] before = {0};
+    history.paint(
+        fromUs,
+        fromUs + spanUs,
+        columns,
+        (from, to, lowest, highest, joined) -> {
+          int first = column(from, columns);
+          int last = column(to, columns);
+          Arrays.fill(rates, Math.min(filled[0], first), first, before[0]);
+          for (int column = first; column <= last; column++) {
+            rates[column] = Math.max(rates[column], highest);
+          }
+          filled[0] = last + 1;
+          before[0] = highest;
+        });
+    return rates;
+  }
+
+  private int column(long elapsedUs, int columns) {
+    double column = (elapsedUs - fromUs) / (double) spanUs * columns;
+    return (int) Math.max(0, Math.min(columns - 1, column));
   }
 
   private void drawRates(GraphicsContext graphics, double[] rates, Color colour) {

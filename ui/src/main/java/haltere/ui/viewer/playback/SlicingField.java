@@ -3,9 +3,7 @@ package haltere.ui.viewer.playback;
 import atlantafx.base.theme.Styles;
 import haltere.core.playback.Slicing;
 import haltere.ui.viewer.controls.Controls;
-import java.util.Arrays;
-import java.util.EnumMap;
-import java.util.Map;
+import java.util.List;
 import javafx.geometry.Pos;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
@@ -15,8 +13,6 @@ import javafx.scene.layout.HBox;
 /**
  * How the stream is cut into slices: finer than the screen's pictures, or by time, or by number of
  * events.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class SlicingField extends HBox {
   private enum Mode {
@@ -34,12 +30,6 @@ final class SlicingField extends HBox {
       this.unit = unit;
       this.usual = usual;
     }
-
-    static Map<Mode, String> words() {
-      Map<Mode, String> words = new EnumMap<>(Mode.class);
-      Arrays.stream(values()).forEach(mode -> words.put(mode, mode.words));
-      return words;
-    }
   }
 
   private final PlaybackController playback;
@@ -48,7 +38,8 @@ final class SlicingField extends HBox {
           "slicing",
           "What one step holds: what passes in 1/120 s at the present speed, a fixed time, a fixed"
               + " number of events, or one beat of the wings that are tracked.",
-          Mode.words());
+          List.of(Mode.values()),
+          each -> each.words);
   private final TextField size = Controls.named(new TextField(), "slice-size", Styles.SMALL);
   private final Label unit = Controls.label("", Styles.TEXT_MUTED);
 

@@ -1,6 +1,5 @@
 package haltere.ui.viewer.playback;
 
-import haltere.core.playback.Loop;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.ui.viewer.controls.Controls;
@@ -71,14 +70,12 @@ public final class TransportBar extends HBox {
     }
     backwards.setOnAction(event -> playback.toggleReverse());
     playback.reverseProperty().subscribe((was, is) -> backwards.setSelected(is));
-    playback.speedProperty().subscribe((old, now) -> showSpeed(now));
-    showSpeed(playback.speedProperty().get());
+    playback.speedProperty().subscribe(now -> speed.setText(Texts.speed(now)));
     for (Region kept : List.of(speed, elapsed, remaining)) {
       kept.setMinWidth(Region.USE_PREF_SIZE);
     }
     loop.setOnAction(event -> playback.setLooping(loop.isSelected()));
-    playback.loopProperty().subscribe((old, now) -> showLoop(now));
-    showLoop(playback.loopProperty().get());
+    playback.loopProperty().subscribe(now -> loop.setSelected(now.on()));
     Controls.help(elapsed, "Time since the start");
     Controls.help(remaining, "Time until the end, or until what comes just now");
     Region space = Controls.growing(new Region());
@@ -125,7 +122,8 @@ public final class TransportBar extends HBox {
   }
 
   /** Shows what the player is doing. */
-  public void update(PlayerStatus status, Optional<Reach> reach) {
+  public void update(PlayerStatus status) {
+    Optional<Reach> reach = playback.reach();
     boolean playing = status.state() == State.PLAYING;
     Node icon = playing ? pauseIcon : playIcon;
     if (play.getGraphic() != icon) {
@@ -140,14 +138,6 @@ public final class TransportBar extends HBox {
     boolean newest = reach.isEmpty() || reach.get().grows() && behindUs < status.sliceUs() + NOW_US;
     remaining.setText(newest ? "" : "/ " + Texts.time(-behindUs, fine));
     setObstacle(reach.isEmpty() ? NO_WAY_BACK : "");
-  }
-
-  private void showSpeed(double value) {
-    speed.setText(Texts.speed(value));
-  }
-
-  private void showLoop(Loop value) {
-    loop.setSelected(value.on());
   }
 
   private static Separator separator() {

@@ -18,8 +18,6 @@ import javafx.scene.text.TextAlignment;
 /**
  * Draws a lane: axes, grid and curves. Samples that share a column of pixels become one upright
  * line, so what it costs does not depend on how many there are.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class LanePicture {
   /** Room for the numbers of the vertical axis. */

@@ -1,9 +1,11 @@
 package haltere.ui.viewer.plots;
 
 import haltere.core.chain.FilterChain;
+import haltere.ui.plot.InertialFeed;
 import haltere.ui.plot.Lane;
 import haltere.ui.plot.PlotFeed;
 import haltere.ui.plot.PlotField;
+import haltere.ui.plot.SampleQueue;
 import haltere.ui.viewer.chain.ChainEditor;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -14,8 +16,6 @@ import java.util.function.Consumer;
 /**
  * Keeps the plots listening to the chain that is open: after each change of the chain or of the
  * lanes all subscriptions are made anew.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class PlotFeeds {
   /** What a chain offers, and what of it is listened to. */
@@ -27,12 +27,23 @@ final class PlotFeeds {
   private final ChainEditor editor;
   private final Consumer<List<PlotField>> offered;
   private List<PlotFeed> feeds = List.of();
+  private InertialFeed inertial = new InertialFeed();
   private int changes;
 
   /** Listens to nothing yet; tells what can be plotted whenever it may have changed. */
   PlotFeeds(ChainEditor editor, Consumer<List<PlotField>> offered) {
     this.editor = editor;
     this.offered = offered;
+  }
+
+  /** Takes the inertial samples of another recording from now on. */
+  void setInertial(InertialFeed newInertial) {
+    inertial = newInertial;
+  }
+
+  /** Whether there are inertial samples. */
+  boolean hasInertial() {
+    return inertial.hasSamples();
   }
 
   /** Listens to what some lanes need. */
@@ -63,22 +74,27 @@ final class PlotFeeds {
   /** Brings the samples that have come to their lanes; true if there were any. */
   boolean drainTo(List<Lane> lanes) {
     boolean[] any = new boolean[1];
-    for (PlotFeed feed : feeds) {
-      PlotField field = feed.field();
-      List<Lane> takers = lanes.stream().filter(lane -> lane.has(field)).toList();
-      feed.drainTo(
-          (timeUs, key, value) -> {
-            any[0] = true;
-            for (Lane lane : takers) {
-              if (timeUs < lane.lastUs(field) - MAX_DISORDER_US) {
-                // tracks of before would stand beside those that are found anew
-                lane.forgetFrom(timeUs);
-              }
-              lane.take(field, timeUs, key, value);
-            }
-          });
+    feeds.forEach(feed -> feed.drainTo(consumer(feed.field(), lanes, any)));
+    for (PlotField field : InertialFeed.FIELDS) {
+      inertial.drainTo(field, consumer(field, lanes, any));
     }
     return any[0];
+  }
+
+  /** Brings samples to the lanes of their field; those that no lane wants are let go. */
+  private static SampleQueue.SampleConsumer consumer(
+      PlotField field, List<Lane> lanes, boolean[] any) {
+    List<Lane> takers = lanes.stream().filter(lane -> lane.has(field)).toList();
+    return (timeUs, key, value) -> {
+      for (Lane lane : takers) {
+        any[0] = true;
+        if (timeUs < lane.lastUs(field) - MAX_DISORDER_US) {
+          // tracks of before would stand beside those that are found anew
+          lane.forgetFrom(timeUs);
+        }
+        lane.take(field, timeUs, key, value);
+      }
+    };
   }
 
   /** Samples that came too fast to be plotted. */

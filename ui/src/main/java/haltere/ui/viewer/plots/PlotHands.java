@@ -11,8 +11,6 @@ import javafx.scene.layout.Pane;
  * drag or the pages go back, a double click or End follows again; the mouse or the arrow keys point
  * at a time, to which Ctrl and a click, or Enter, take playback. Places are shares of the time that
  * is shown.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class PlotHands {
   private static final double UNITS_PER_DOUBLING = 80;

@@ -22,13 +22,8 @@ import javafx.scene.layout.Region;
 import javafx.scene.paint.Color;
 import javafx.scene.shape.Circle;
 import javafx.scene.shape.Line;
-import javafx.scene.shape.Rectangle;
 
-/**
- * A lane in the window: its name, the newest values or those under the mouse, and the plot.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** A lane in the window: its name, the newest values or those under the mouse, and the plot. */
 final class PlotLane extends BorderPane {
   private static final int NAMED_CURVES = 8;
 
@@ -55,10 +50,7 @@ final class PlotLane extends BorderPane {
     values.setAlignment(Pos.CENTER_LEFT);
     values.setMinWidth(0);
     values.setPrefWidth(0);
-    Rectangle clip = new Rectangle();
-    clip.widthProperty().bind(values.widthProperty());
-    clip.heightProperty().bind(values.heightProperty());
-    values.setClip(clip);
+    Controls.clip(values);
     values.getStyleClass().add("plot-values");
     HBox.setHgrow(values, Priority.ALWAYS);
     HBox head = Controls.row(8, title, values);

@@ -56,7 +56,6 @@ public final class PlotPanel extends BorderPane {
           "chain-empty");
   private final Label lost = Controls.label("", "problem");
   private List<PlotField> offered = List.of();
-  private InertialFeed inertial = new InertialFeed();
   private boolean offersInertial;
   private PlotInk ink = PlotInk.DARK;
   private double pointed = Double.NaN;
@@ -70,8 +69,7 @@ public final class PlotPanel extends BorderPane {
   public PlotPanel(ChainEditor editor, PlaybackController playback) {
     this.playback = playback;
     feeds = new PlotFeeds(editor, this::offer);
-    setId("plots");
-    getStyleClass().add("plots");
+    Controls.named(this, "plots", "plots");
     Controls.help(add, "What filters publish, over time");
     Controls.help(follow, "Follow the newest values");
     follow.setAccessibleText("Follow the newest values");
@@ -91,10 +89,8 @@ public final class PlotPanel extends BorderPane {
             Controls.button("plot-clear", Icons.RESET, "Forget what was plotted", this::clear));
     head.getStyleClass().addAll("plots-head");
     laneBox.setFillWidth(true);
-    ScrollPane lanesView = new ScrollPane(laneBox);
-    lanesView.setFitToWidth(true);
+    ScrollPane lanesView = Controls.scrolling(laneBox);
     lanesView.setFitToHeight(true);
-    lanesView.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
     lanesView.setFocusTraversable(false);
     VBox.setVgrow(lanesView, Priority.ALWAYS);
     empty.setWrapText(true);
@@ -103,6 +99,7 @@ public final class PlotPanel extends BorderPane {
     setMinHeight(120);
     offer(List.of());
     showSpan();
+    editor.onChange(this::followChain);
   }
 
   /** Draws for a dark window, or for a light one. */
@@ -128,7 +125,7 @@ public final class PlotPanel extends BorderPane {
 
   /** Another recording with its inertial samples: what was plotted is of no more use. */
   public void startAnew(InertialFeed newInertial) {
-    inertial = newInertial;
+    feeds.setInertial(newInertial);
     offersInertial = false;
     clear();
     setFollowing(true);
@@ -141,7 +138,7 @@ public final class PlotPanel extends BorderPane {
   }
 
   private void offer(List<PlotField> published) {
-    offersInertial = inertial.hasSamples();
+    offersInertial = feeds.hasInertial();
     List<PlotField> fields = new ArrayList<>(published);
     if (offersInertial) {
       fields.addAll(InertialFeed.FIELDS);
@@ -231,8 +228,7 @@ public final class PlotPanel extends BorderPane {
   }
 
   private void changed() {
-    empty.setVisible(lanes.isEmpty());
-    empty.setManaged(lanes.isEmpty());
+    Controls.show(lanes.isEmpty(), empty);
     dirty = true;
     followChain();
   }
@@ -287,7 +283,11 @@ public final class PlotPanel extends BorderPane {
   /** Takes in what has come and draws it; at most some 30 times a second. */
   public void update(PlayerStatus status, long nanos) {
     List<Lane> plotted = lanes();
-    boolean came = feeds.drainTo(plotted) | drainInertial(plotted);
+    if (feeds.hasInertial() && !offersInertial) {
+      followChain();
+      offersInertial = true;
+    }
+    boolean came = feeds.drainTo(plotted);
     // during a run-up there is no time that is shown
     if (nowUs != status.timeUs() && status.timeUs() != StreamNotification.NO_TIME_US) {
       if (status.timeUs() < nowUs) {
@@ -309,28 +309,6 @@ public final class PlotPanel extends BorderPane {
       dirty = false;
       draw(nanos);
     }
-  }
-
-  /** Samples that no lane wants are let go. */
-  private boolean drainInertial(List<Lane> plotted) {
-    if (inertial.hasSamples() && !offersInertial) {
-      followChain();
-      offersInertial = true;
-    }
-    boolean[] any = new boolean[1];
-    for (PlotField field : InertialFeed.FIELDS) {
-      inertial.drainTo(
-          field,
-          (timeUs, key, value) -> {
-            for (Lane lane : plotted) {
-              if (lane.has(field)) {
-                lane.take(field, timeUs, key, value);
-                any[0] = true;
-              }
-            }
-          });
-    }
-    return any[0];
   }
 
   private void draw(long nanos) {

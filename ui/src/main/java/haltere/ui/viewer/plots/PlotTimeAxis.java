@@ -9,11 +9,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.text.Font;
 import javafx.scene.text.TextAlignment;
 
-/**
- * The time that all lanes share, in seconds since the start of the recording.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** The time that all lanes share, in seconds since the start of the recording. */
 final class PlotTimeAxis extends Region {
   private static final double HEIGHT = 18;
   private static final Font FONT = Font.font(10.5);

@@ -8,25 +8,24 @@ import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
-import java.util.List;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.geometry.Point2D;
 
 /**
- * Says by a click where the road vanishes. Offered while there are Kalman tracks in the chain; the
+ * Says by a click where the road vanishes. Of use while there are Kalman tracks in the chain; the
  * first of them get the point.
  *
  * <p>Thread rule: JavaFX thread only.
  */
 public final class VanishingPointFeature implements ViewerFeature {
-  private static final String ID = "vanishing-point";
   private static final double STEPS_PER_PX = 10;
 
   private final BooleanProperty marking = new SimpleBooleanProperty();
   private final VanishingPointTool tool = new VanishingPointTool(this::mark);
   private ViewerContext window;
+  private boolean hasTracks;
 
   /** The tracks of a chain and their settings, read off on the processing thread. */
   private record Tracks(ChainStage stage, KalmanTracksSettings settings) {
@@ -56,6 +55,12 @@ public final class VanishingPointFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     window.bindTool(marking, tool);
+    window
+        .actions()
+        .add(
+            "vanishing-point",
+            marking,
+            () -> hasTracks ? "" : "no filter of Kalman tracks in the chain");
     window.editor().onChange(this::look);
     // Whoever takes the tool into the hand sees the mark as it is by then, however it was set.
     marking.subscribe((was, is) -> look());
@@ -67,19 +72,14 @@ public final class VanishingPointFeature implements ViewerFeature {
   }
 
   private void offer(Optional<Tracks> tracks) {
-    boolean offered = window.actions().find(ID).isPresent();
-    if (tracks.isPresent() && !offered) {
-      window.actions().add(ID, marking);
-    } else if (tracks.isEmpty() && offered) {
-      marking.set(false);
-      window.actions().removeAll(List.of(ID));
-    }
+    hasTracks = tracks.isPresent();
+    marking.set(marking.get() && hasTracks);
     tool.show(
         tracks
             .map(Tracks::point)
             .filter(VanishingPoint::marked)
             .map(point -> new Point2D(point.xPx(), point.yPx())));
-    window.panels().view().redrawMarks();
+    window.panels().view().redraw();
   }
 
   private void mark(Point2D at) {

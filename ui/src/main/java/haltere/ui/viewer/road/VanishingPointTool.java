@@ -11,8 +11,6 @@ import javafx.geometry.Point2D;
 /**
  * Marks where the road vanishes: by a click, or by a drag that ends there. While it is in the hand
  * the mark is drawn.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class VanishingPointTool implements ViewTool {
   private static final double RADIUS_PX = 3;

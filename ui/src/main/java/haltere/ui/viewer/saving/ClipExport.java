@@ -1,67 +1,48 @@
 package haltere.ui.viewer.saving;
 
-import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorSample;
-import haltere.core.playback.Playable;
-import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.export.FilmWriter;
+import haltere.ui.export.GifWriter;
+import haltere.ui.export.Mp4Writer;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.DisplaySink;
 import haltere.ui.viewer.picture.Overlays;
 import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.util.function.LongConsumer;
+import java.nio.file.Path;
+import java.util.Locale;
 
-/**
- * Plays a stretch of a recording through a chain, without a clock, and makes a picture with
- * overlays at even distances of recording time.
- *
- * <p>Thread rule: everything happens on the calling thread.
- */
-final class ClipExport implements StreamHandler {
-  /** Sent through the chain before the stretch, so that trackers are warm. */
+/** Makes a film of a part: a picture with overlays at even distances of recording time. */
+final class ClipExport extends PartExport {
+  /** Pictures of the film per second. */
+  static final double FRAMES_PER_SECOND = 25;
+
+  /** Sent through the chain before the part, so that trackers are warm. */
   private static final long RUN_UP_US = 500_000;
 
   /** Films longer than this are asked for by mistake. */
-  static final long MAX_PICTURES = 20_000;
+  private static final long MAX_PICTURES = 20_000;
 
-  private final Playable playable;
-  private final FilterChain chain;
   private final DisplaySink display;
   private final Overlays overlays;
   private final FilmWriter film;
-  private final long fromUs;
-  private final long toUs;
   private final double pictureUs;
   private final EventPacket slice = new EventPacket(4096);
-  private LongConsumer progress;
   private long pictures;
-  private long lastUs;
 
   /**
    * An export.
    *
-   * @param playable closed by the caller
-   * @param chain for its sensor
+   * @param file its name's ending says in which format
    * @param options how events are shown
    * @param overlays what lies over them
-   * @param fromUs start on the elapsed timeline
-   * @param toUs end, not included
    * @param pictureUs recording time from one picture to the next
    */
-  ClipExport(
-      Playable playable,
-      FilterChain chain,
-      DisplayOptions options,
-      Overlays overlays,
-      FilmWriter film,
-      long fromUs,
-      long toUs,
-      double pictureUs)
+  ClipExport(Part part, Path file, DisplayOptions options, Overlays overlays, double pictureUs)
       throws IOException {
-    long wanted = Math.round((toUs - fromUs) / pictureUs);
+    super(part, RUN_UP_US);
+    long wanted = Math.round((part.toUs() - part.fromUs()) / pictureUs);
     if (wanted > MAX_PICTURES) {
       throw new IOException(
           "that would be "
@@ -69,109 +50,82 @@ final class ClipExport implements StreamHandler {
               + " pictures; mark a shorter part or choose a higher speed (the film has the speed of"
               + " playback)");
     }
-    this.playable = playable;
-    this.chain = chain;
-    this.display = DisplaySink.direct(playable.geometry(), chain, options);
     this.overlays = overlays;
-    display.setRegion(overlays.region());
-    this.film = film;
-    this.fromUs = fromUs;
-    this.toUs = toUs;
     this.pictureUs = pictureUs;
-    this.lastUs = fromUs;
+    film = film(file);
+    display = DisplaySink.direct(part.playable().geometry(), part.chain(), options);
+    display.maker().setRegion(overlays.region());
   }
 
-  /**
-   * Runs, telling at each picture where on the elapsed timeline it is, and returns how many
-   * pictures the film has.
-   */
-  long run(LongConsumer toTell) throws IOException {
-    progress = toTell;
-    try {
-      long start = Math.max(0, fromUs - RUN_UP_US);
-      if (start > 0) {
-        playable.seek(start);
-      }
-      while (lastUs < toUs && playable.next(this)) {
-        stopIfAsked();
-      }
-      // the last picture, also where the recording ends before it
-      while (nextUs() <= toUs + 0.5) {
-        shoot();
-      }
-      film.finish();
-      return pictures;
-    } catch (UncheckedIOException problem) {
-      throw problem.getCause();
-    } finally {
-      display.close();
+  private static FilmWriter film(Path file) throws IOException {
+    String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
+    if (name.endsWith(".gif")) {
+      return new GifWriter(file, FRAMES_PER_SECOND);
     }
+    if (name.endsWith(".mp4")) {
+      return new Mp4Writer(file, FRAMES_PER_SECOND);
+    }
+    throw new IOException(file.getFileName() + ": a film's name ends in .gif or .mp4");
   }
 
   private double nextUs() {
-    return fromUs + (pictures + 1) * pictureUs;
+    return part.fromUs() + (pictures + 1) * pictureUs;
   }
 
   @Override
-  public void packet(EventPacket packet) {
-    long[] times = packet.timesUs();
-    int[] addresses = packet.addresses();
-    for (int i = 0; i < packet.size(); i++) {
-      long elapsedUs = playable.elapsedUs(times[i]);
-      if (elapsedUs >= toUs) {
-        lastUs = elapsedUs;
-        break;
-      }
-      while (elapsedUs >= nextUs()) {
-        shoot();
-      }
-      slice.append(times[i], addresses[i]);
-      lastUs = Math.max(lastUs, elapsedUs);
+  void take(EventPacket packet, long offsetUs) throws IOException {
+    int done = 0;
+    while (packet.lastTimeUs() + offsetUs >= nextUs()) {
+      int end = packet.indexAtOrAfter((long) Math.ceil(nextUs()) - offsetUs, done);
+      pass(packet, done, end);
+      shoot();
+      done = end;
     }
-    pass();
+    pass(packet, done, packet.size());
   }
 
-  private void pass() {
-    if (slice.size() > 0) {
-      chain.process(slice);
-      display.packet(slice);
+  private void pass(EventPacket packet, int from, int to) {
+    if (from < to) {
       slice.clear();
+      slice.append(packet, from, to);
+      part.chain().process(slice);
+      display.packet(slice);
     }
   }
 
-  private static void stopIfAsked() throws IOException {
-    if (Thread.currentThread().isInterrupted()) {
-      throw new IOException("the export was ended");
-    }
-  }
-
-  private void shoot() {
-    pass();
-    long offsetUs = offsetUs();
+  private void shoot() throws IOException {
+    // from the elapsed timeline to the source's clock
+    long offsetUs = -part.playable().elapsedUs(0);
     display.endSlice(Math.round(nextUs() - pictureUs) + offsetUs, Math.round(nextUs()) + offsetUs);
-    try {
-      stopIfAsked();
-      film.add(display.picture(overlays));
-    } catch (IOException problem) {
-      throw new UncheckedIOException(problem);
-    }
-    progress.accept(Math.round(nextUs()));
+    tell(Math.round(nextUs()));
+    film.add(display.picture(overlays));
     pictures++;
-  }
-
-  /** From the elapsed timeline to the source's clock. */
-  private long offsetUs() {
-    return -playable.elapsedUs(0);
   }
 
   @Override
   public void notified(StreamNotification notification) {
-    chain.notified(notification);
+    part.chain().notified(notification);
     display.notified(notification);
   }
 
   @Override
   public void sample(SensorSample sample) {
-    chain.sample(sample);
+    part.chain().sample(sample);
+  }
+
+  @Override
+  String finish() throws IOException {
+    // the last picture, also where the recording ends before it
+    while (nextUs() <= part.toUs() + 0.5) {
+      shoot();
+    }
+    film.finish();
+    return pictures + (pictures == 1 ? " picture" : " pictures");
+  }
+
+  @Override
+  public void close() throws IOException {
+    display.close();
+    film.close();
   }
 }

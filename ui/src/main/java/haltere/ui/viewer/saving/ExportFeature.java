@@ -2,32 +2,21 @@ package haltere.ui.viewer.saving;
 
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
-import haltere.core.format.ReadOptions;
-import haltere.core.format.RecordingWriter;
-import haltere.core.format.Recordings;
-import haltere.core.format.WriteOptions;
 import haltere.core.playback.KeptPlayable;
 import haltere.core.playback.Loop;
 import haltere.core.playback.Playable;
-import haltere.ui.export.FilmWriter;
-import haltere.ui.export.GifWriter;
-import haltere.ui.export.Mp4Writer;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.FileDialogs;
-import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.StatusLine;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.Overlays;
-import haltere.ui.viewer.session.Sources;
 import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.Future;
 import java.util.function.LongConsumer;
@@ -41,49 +30,15 @@ import javafx.application.Platform;
  * <p>Thread rule: JavaFX thread only.
  */
 public final class ExportFeature implements ViewerFeature {
-  private static final double FRAMES_PER_SECOND = 25;
+  private static final long BETWEEN_NANOS = 250_000_000;
 
   /** What is wanted, on the elapsed timeline of what {@code open} gives. */
-  private record Part(Callable<Playable> open, String chain, long fromUs, long toUs) {}
+  private record Wanted(Callable<Playable> open, String chain, long fromUs, long toUs) {}
 
-  /** Exports a part. */
+  /** Begins to export a part. */
   private interface Exporter {
-    /** In the background; says what was done. */
-    String export(Part part, Playable playable, FilterChain chain, LongConsumer progress)
-        throws IOException;
-  }
-
-  /** Says how far an export is, a few times a second. */
-  private final class Progress implements LongConsumer {
-    private static final long BETWEEN_NANOS = 250_000_000;
-
-    private final String name;
-    private final Part part;
-    private final int stopsBefore;
-    private long saidNanos = System.nanoTime();
-
-    Progress(String name, Part part, int stopsBefore) {
-      this.name = name;
-      this.part = part;
-      this.stopsBefore = stopsBefore;
-    }
-
-    @Override
-    public void accept(long elapsedUs) {
-      long now = System.nanoTime();
-      if (now - saidNanos < BETWEEN_NANOS) {
-        return;
-      }
-      saidNanos = now;
-      double share = (elapsedUs - part.fromUs()) / (double) (part.toUs() - part.fromUs());
-      int percent = (int) (100 * Math.max(0, Math.min(1, share)));
-      Platform.runLater(
-          () -> {
-            if (stops == stopsBefore) {
-              window.status().setActivity(exporting(name) + percent + " %");
-            }
-          });
-    }
+    /** In the background. */
+    PartExport begin(PartExport.Part part) throws IOException;
   }
 
   private ViewerContext window;
@@ -127,62 +82,23 @@ public final class ExportFeature implements ViewerFeature {
   /** Writes a film; its name's ending says in which format. */
   public void exportFilm(Path file) {
     double speed = window.playback().speedProperty().get();
-    double pictureUs = (Double.isInfinite(speed) ? 1 : speed) * 1e6 / FRAMES_PER_SECOND;
+    double pictureUs = (Double.isInfinite(speed) ? 1 : speed) * 1e6 / ClipExport.FRAMES_PER_SECOND;
     DisplayOptions options = window.display().options();
     Overlays overlays = window.display().overlays();
-    export(
-        file,
-        (part, playable, chain, progress) -> {
-          try (FilmWriter film = film(file)) {
-            ClipExport clip =
-                new ClipExport(
-                    playable,
-                    chain,
-                    options,
-                    overlays,
-                    film,
-                    part.fromUs(),
-                    part.toUs(),
-                    pictureUs);
-            long pictures = clip.run(progress);
-            return pictures + (pictures == 1 ? " picture" : " pictures");
-          }
-        });
-  }
-
-  private static FilmWriter film(Path file) throws IOException {
-    String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
-    if (name.endsWith(".gif")) {
-      return new GifWriter(file, FRAMES_PER_SECOND);
-    }
-    if (name.endsWith(".mp4")) {
-      return new Mp4Writer(file, FRAMES_PER_SECOND);
-    }
-    throw new IOException(file.getFileName() + ": a film's name ends in .gif or .mp4");
+    export(file, part -> new ClipExport(part, file, options, overlays, pictureUs));
   }
 
   /** Writes what the chain leaves of the events; the name's ending says in which format. */
   public void exportData(Path file) {
-    export(
-        file,
-        (part, playable, chain, progress) -> {
-          try (RecordingWriter writer =
-              Recordings.forWriting(file)
-                  .create(file, WriteOptions.of(playable.geometry()).withOverwrite(true))
-                  .orElseThrow(() -> new IOException(file + ": this format is only read"))) {
-            DataExport export = new DataExport(playable, chain, writer, part.fromUs(), part.toUs());
-            return Texts.count(export.run(progress)) + " events";
-          }
-        });
+    export(file, part -> new DataExport(part, file));
   }
 
   private void export(Path file, Exporter exporter) {
-    Optional<ViewerSession> session = window.sessions().session();
-    if (session.isEmpty()) {
-      return;
-    }
+    window.ifOpen(open -> export(open, file.getFileName().toString(), exporter));
+  }
+
+  private void export(ViewerSession open, String name, Exporter exporter) {
     StatusLine status = window.status();
-    String name = file.getFileName().toString();
     // an older problem would hide how far it is
     status.clearError();
     status.setActivity(exporting(name));
@@ -190,20 +106,21 @@ public final class ExportFeature implements ViewerFeature {
     window
         .editor()
         .read(
-            chain -> part(session.get(), loop, chain),
-            part -> begin(name, part, exporter),
+            chain -> wanted(open, loop, chain),
+            wanted -> begin(name, wanted, exporter),
             problem -> status.showError(name + " was not exported: " + problem));
   }
 
-  private void begin(String name, Part part, Exporter exporter) {
+  private void begin(String name, Wanted wanted, Exporter exporter) {
     StatusLine status = window.status();
     running.removeIf(Future::isDone);
     int stopsBefore = stops;
+    LongConsumer progress = progress(name, wanted);
     running.add(
         window
             .background()
             .export(
-                () -> export(part, exporter, new Progress(name, part, stopsBefore)),
+                () -> export(wanted, exporter, progress),
                 done -> status.setActivity("Exported " + name + ": " + done),
                 problem -> {
                   if (stops == stopsBefore) {
@@ -212,31 +129,47 @@ public final class ExportFeature implements ViewerFeature {
                 }));
   }
 
+  /** Says how far an export is, a few times a second, unless exports are stopped. */
+  private LongConsumer progress(String name, Wanted wanted) {
+    int stopsBefore = stops;
+    long[] saidNanos = {System.nanoTime()};
+    return elapsedUs -> {
+      long now = System.nanoTime();
+      if (now - saidNanos[0] >= BETWEEN_NANOS) {
+        saidNanos[0] = now;
+        double share = (elapsedUs - wanted.fromUs()) / (double) (wanted.toUs() - wanted.fromUs());
+        int percent = (int) (100 * Math.max(0, Math.min(1, share)));
+        Platform.runLater(
+            () -> {
+              if (stops == stopsBefore) {
+                window.status().setActivity(exporting(name) + percent + " %");
+              }
+            });
+      }
+    };
+  }
+
   /** What is marked, all where nothing is; processing thread. */
-  private static Part part(ViewerSession session, Loop loop, FilterChain chain) {
+  private static Wanted wanted(ViewerSession open, Loop loop, FilterChain chain) {
     String json = ChainFile.write(chain);
-    Playable playing = session.player().playable();
+    Playable playing = open.player().playable();
     long fromUs = Math.max(playing.earliestUs(), loop.inUs().orElse(0));
     long endUs = playing.durationUs().orElseGet(() -> playing.nearestUs(Long.MAX_VALUE));
     long toUs = Math.min(endUs, loop.outUs().orElse(Long.MAX_VALUE));
     if (playing instanceof KeptPlayable kept) {
       Playable copy = kept.copy(fromUs, toUs);
-      return new Part(() -> copy, json, fromUs, toUs);
+      return new Wanted(() -> copy, json, fromUs, toUs);
     }
-    Path recording = session.file().orElseThrow();
-    ReadOptions options = session.options().withSamples(true);
-    return new Part(() -> Sources.recording(recording, options), json, fromUs, toUs);
+    return new Wanted(open.request().playable(), json, fromUs, toUs);
   }
 
-  private static String export(Part part, Exporter exporter, LongConsumer progress)
+  private static String export(Wanted wanted, Exporter exporter, LongConsumer progress)
       throws Exception {
-    try (Playable playable = part.open().call()) {
-      FilterChain chain = Sources.chain(playable.geometry(), part.chain());
-      try {
-        return exporter.export(part, playable, chain, progress);
-      } finally {
-        chain.close();
-      }
+    try (Playable playable = wanted.open().call();
+        FilterChain chain = ChainFile.parse(wanted.chain(), "the chain", playable.geometry());
+        PartExport export =
+            exporter.begin(new PartExport.Part(playable, chain, wanted.fromUs(), wanted.toUs()))) {
+      return export.run(progress);
     }
   }
 }

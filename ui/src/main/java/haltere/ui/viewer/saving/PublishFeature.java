@@ -3,8 +3,8 @@ package haltere.ui.viewer.saving;
 import haltere.core.pipeline.LiveResults;
 import haltere.core.playback.Player;
 import haltere.core.sink.LineOutputs;
-import haltere.ui.viewer.controls.Questions;
 import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.PlayedOutput;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
@@ -50,7 +50,7 @@ public final class PublishFeature implements ViewerFeature {
       sending.stop();
       return;
     }
-    Questions.ask(
+    Windows.ask(
         window.stage(),
         "Send results",
         "tcp://HOST:PORT listens, udp://HOST:PORT sends, zmq://HOST:PORT binds",

@@ -12,20 +12,20 @@ import javafx.scene.control.Label;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 
-/**
- * Records what comes out of the chain, and says for how long it has and how large the file is.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Records what comes out of the chain, and says for how long it has and how large the file is. */
 final class RecordButton extends HBox {
-  private static final long NUMBERS_NANOS = 500_000_000;
+  /** How often the numbers are brought up to date. */
+  static final long NUMBERS_NANOS = 500_000_000;
 
   private final ToggleButton button =
-      Controls.toggle("record-button", Icons.RECORD, "Record what comes out of the chain (Ctrl+E)");
+      Controls.toggle(
+          "record-button",
+          Icons.RECORD,
+          "Record what comes out of the chain (Ctrl+E)",
+          "record-button");
   private final Label numbers = Controls.named(new Label(), "record-numbers", "time");
   private final BackgroundWork background;
   private long startNanos;
-  private long shownNanos;
 
   /**
    * A button of a recording that has not begun, which starts and stops it and asks for the size of
@@ -34,7 +34,6 @@ final class RecordButton extends HBox {
   RecordButton(Runnable toggle, BackgroundWork background) {
     this.background = background;
     setAlignment(Pos.CENTER_LEFT);
-    button.getStyleClass().add("record-button");
     button.setOnAction(
         event -> {
           button.setSelected(!button.isSelected());
@@ -48,20 +47,17 @@ final class RecordButton extends HBox {
   void setOn(boolean on) {
     button.setSelected(on);
     startNanos = System.nanoTime();
-    shownNanos = 0;
     numbers.setText("");
     Controls.show(on, numbers);
   }
 
   /** Shows how long the recording has gone on, and the size of its file. */
   void pulse(Optional<Path> file) {
-    long nanos = System.nanoTime();
-    if (!button.isSelected() || file.isEmpty() || nanos - shownNanos < NUMBERS_NANOS) {
+    if (!button.isSelected() || file.isEmpty()) {
       return;
     }
-    shownNanos = nanos;
     Path written = file.get();
-    String elapsed = Texts.time((nanos - startNanos) / 1000, false);
+    String elapsed = Texts.time((System.nanoTime() - startNanos) / 1000, false);
     background.file(
         () -> Files.exists(written) ? Files.size(written) : 0L,
         bytes -> numbers.setText(elapsed + "  " + Texts.quantity(bytes) + "B"),

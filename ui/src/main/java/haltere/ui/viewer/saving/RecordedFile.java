@@ -28,15 +28,20 @@ import java.util.Optional;
  * kept.
  *
  * <p>Thread rule: as {@link PlayedOutput.Output}.
+ *
+ * @param file where it is
+ * @param sink what it gets of the stream
+ * @param ending ends it, as {@link #finish()}
  */
-abstract class RecordedFile implements PlayedOutput.Output {
-  private static final String UNTIL_JUMP = ", until playback jumped";
-
-  private final Path file;
-
-  private RecordedFile(Path file) {
-    this.file = file;
+record RecordedFile(Path file, StreamHandler sink, Ending ending) implements PlayedOutput.Output {
+  /** Ends a file; what came of it, in words. */
+  @FunctionalInterface
+  interface Ending {
+    /** Ends it. */
+    String finish() throws IOException;
   }
+
+  private static final String UNTIL_JUMP = ", until playback jumped";
 
   /** A file for what is open. */
   static RecordedFile of(Path file, ViewerSession session) throws IOException {
@@ -45,31 +50,26 @@ abstract class RecordedFile implements PlayedOutput.Output {
         : ofRecording(file, session.player().playable().geometry());
   }
 
-  /** Where it is. */
-  Path file() {
-    return file;
-  }
-
   @Override
   public String begun() {
     return "Recording to " + file.getFileName();
   }
 
+  @Override
+  public String finish() throws IOException {
+    return ending.finish();
+  }
+
   private static RecordedFile ofRecording(Path file, SensorGeometry geometry) throws IOException {
     Recorder recorder =
         Recorder.inPlace(file, WriteOptions.of(geometry).withOverwrite(true), OverflowPolicy.BLOCK);
-    return new RecordedFile(file) {
-      @Override
-      public StreamHandler sink() {
-        return recorder;
-      }
-
-      @Override
-      public String finish() throws IOException {
-        RecorderReport report = recorder.finish();
-        return words(file, report.written()) + (report.afterStop() > 0 ? UNTIL_JUMP : "");
-      }
-    };
+    return new RecordedFile(
+        file,
+        recorder,
+        () -> {
+          RecorderReport report = recorder.finish();
+          return words(file, report.written()) + (report.afterStop() > 0 ? UNTIL_JUMP : "");
+        });
   }
 
   /**
@@ -95,24 +95,19 @@ abstract class RecordedFile implements PlayedOutput.Output {
                 Clock.systemUTC()),
             SessionRecorder.freeBytes(file));
     session.checkSpace();
-    return new RecordedFile(file) {
-      @Override
-      public StreamHandler sink() {
-        return session;
-      }
-
-      @Override
-      public String finish() throws IOException {
-        List<SessionRecorder.Part> parts = session.finish();
-        long events = parts.stream().mapToLong(part -> part.report().written()).sum();
-        long lost = parts.stream().mapToLong(part -> part.report().lost()).sum();
-        return words(file, events)
-            + (parts.size() > 1 ? " in " + parts.size() + " parts" : "")
-            + (parts.stream().anyMatch(part -> part.report().afterStop() > 0) ? UNTIL_JUMP : "")
-            + (lost > 0 ? "; the disk was too slow for " + Texts.count(lost) : "")
-            + session.endedEarly().map(line -> "; " + line).orElse("");
-      }
-    };
+    return new RecordedFile(
+        file,
+        session,
+        () -> {
+          List<SessionRecorder.Part> parts = session.finish();
+          long events = parts.stream().mapToLong(part -> part.report().written()).sum();
+          long lost = parts.stream().mapToLong(part -> part.report().lost()).sum();
+          return words(file, events)
+              + (parts.size() > 1 ? " in " + parts.size() + " parts" : "")
+              + (parts.stream().anyMatch(part -> part.report().afterStop() > 0) ? UNTIL_JUMP : "")
+              + (lost > 0 ? "; the disk was too slow for " + Texts.count(lost) : "")
+              + session.endedEarly().map(line -> "; " + line).orElse("");
+        });
   }
 
   private static String words(Path file, long events) {

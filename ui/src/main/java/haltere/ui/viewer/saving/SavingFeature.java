@@ -1,5 +1,8 @@
 package haltere.ui.viewer.saving;
 
+import haltere.core.chain.ChainFile;
+import haltere.core.format.AtomicFile;
+import haltere.ui.rendering.Pictures;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.FileDialogs;
 import haltere.ui.viewer.feature.PlayedOutput;
@@ -17,13 +20,11 @@ import java.nio.file.Path;
 public final class SavingFeature implements ViewerFeature {
 
   private ViewerContext window;
-  private Saving saving;
   private PlayedOutput<RecordedFile> recording;
 
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    saving = new Saving(window);
     recording = new PlayedOutput<>(window);
     FileDialogs dialogs = window.dialogs();
     ViewerActions actions = window.actions();
@@ -41,7 +42,8 @@ public final class SavingFeature implements ViewerFeature {
     RecordButton button = new RecordButton(this::toggleRecording, window.background());
     recording.runningProperty().subscribe((was, is) -> button.setOn(is));
     window.panels().transport().addTool(button);
-    window.panels().onPulse(() -> button.pulse(recording.output().map(RecordedFile::file)));
+    Runnable numbers = () -> button.pulse(recording.output().map(RecordedFile::file));
+    window.panels().every(RecordButton.NUMBERS_NANOS, numbers);
   }
 
   private String obstacle() {
@@ -55,13 +57,21 @@ public final class SavingFeature implements ViewerFeature {
 
   /** Saves the chain that is open. */
   public void saveChain(Path file) {
-    saving.chain(file);
+    window
+        .editor()
+        .read(ChainFile::write, json -> window.run(() -> AtomicFile.write(file, json, true)));
   }
 
   /** Saves what is shown as a picture. */
   public void savePicture(Path file) {
     Overlays overlays = window.display().overlays();
-    window.ifOpen(open -> saving.picture(file, open, overlays));
+    window.ifOpen(
+        open ->
+            window
+                .editor()
+                .read(
+                    chain -> open.display().picture(overlays),
+                    image -> window.run(() -> Pictures.write(file, image))));
   }
 
   /** Stops the recording that is under way, or asks where the next one goes. */

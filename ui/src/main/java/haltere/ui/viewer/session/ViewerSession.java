@@ -1,7 +1,6 @@
 package haltere.ui.viewer.session;
 
 import haltere.core.chain.FilterChain;
-import haltere.core.format.ReadOptions;
 import haltere.core.playback.CameraPlayable;
 import haltere.core.playback.KeptPlayable;
 import haltere.core.playback.Playable;
@@ -13,7 +12,6 @@ import haltere.ui.plot.InertialFeed;
 import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.DisplaySink;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
@@ -47,7 +45,7 @@ public final class ViewerSession implements AutoCloseable {
     this.firstStages = StageState.of(chain);
     this.display = DisplaySink.apart(playable.geometry(), chain, displayOptions);
     this.player = new Player(playable, chain, playerOptions);
-    player.addRawSink(display.beforeChain());
+    player.addRawSink(display::beforeChain);
     player.addSink(display);
     player.addSink(StreamHandler.ofSamples(inertial::take));
   }
@@ -57,19 +55,9 @@ public final class ViewerSession implements AutoCloseable {
     return remarks;
   }
 
-  /** What was asked for. */
+  /** What was asked for: where it is, what the user said of it, and how it begins. */
   public SessionRequest request() {
     return request;
-  }
-
-  /** Where the recording is, if it is one. */
-  public Optional<Path> file() {
-    return request.file();
-  }
-
-  /** What the user said of the file. */
-  public ReadOptions options() {
-    return request.options();
   }
 
   /** What was opened, whether its newest events are kept or not. */
@@ -86,11 +74,6 @@ public final class ViewerSession implements AutoCloseable {
   /** The chain, which belongs to the thread that plays. */
   public FilterChain chain() {
     return chain;
-  }
-
-  /** The filters and plots that suit it, for a user who has not chosen any. */
-  public FirstView start() {
-    return request.start();
   }
 
   /** The stages before the player starts. */

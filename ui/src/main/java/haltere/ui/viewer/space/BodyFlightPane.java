@@ -9,11 +9,7 @@ import javafx.scene.control.Slider;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.VBox;
 
-/**
- * A body in space and the cameras that see it, at a time that a slider chooses.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** A body in space and the cameras that see it, at a time that a slider chooses. */
 final class BodyFlightPane extends BorderPane {
   private final BodyFlight flight;
   private final BodyFlightDrawing drawing;

@@ -2,18 +2,16 @@ package haltere.ui.viewer.space;
 
 import haltere.core.camera.Cameras;
 import haltere.core.format.ReadOptions;
-import haltere.core.overlay.OverlayCanvas;
 import haltere.core.simulation.internal.flight.FlightSettings;
 import haltere.filters.orientation.camera.CameraFile;
 import haltere.filters.orientation.camera.CameraModel;
-import haltere.ui.space.CameraLineOverlay;
 import haltere.ui.space.CameraRig;
 import haltere.ui.space.LiveFlight;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
-import haltere.ui.viewer.session.Sources;
+import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -31,7 +29,6 @@ import javafx.beans.property.SimpleBooleanProperty;
  * <p>Thread rule: JavaFX thread only.
  */
 public final class LiveFlightFeature implements ViewerFeature {
-  private static final CameraLineOverlay LINES = new CameraLineOverlay();
 
   private final BooleanProperty linesShown = new SimpleBooleanProperty(true);
   private final LiveFlightPane pane = new LiveFlightPane(linesShown);
@@ -52,19 +49,12 @@ public final class LiveFlightFeature implements ViewerFeature {
         () -> chooseCalibration(calibrated -> openCameras(calibrated, Cameras.installed())));
     actions.add("camera-lines", linesShown);
     window.settings().keep("space.cameraLines", linesShown);
-    window.panels().view().addLayer(this::drawFirst);
-    linesShown.subscribe(() -> window.panels().view().redrawMarks());
+    window.panels().view().addLayer(over -> pane.drawLine(0, over));
+    linesShown.subscribe(() -> window.panels().view().redraw());
     window.display().onChange(() -> pane.setOptions(window.display().options()));
     window.sessions().sessionProperty().subscribe((was, is) -> follow(was, is));
     window.display().themeProperty().subscribe((was, is) -> pane.setTheme(is));
     window.panels().onPulse(() -> flight.ifPresent(live -> pane.update(live.latest())));
-  }
-
-  /** The line of the first camera, over the picture of the window. */
-  private void drawFirst(OverlayCanvas canvas) {
-    if (linesShown.get() && flight.isPresent()) {
-      pane.first().ifPresent(line -> LINES.draw(line, canvas));
-    }
   }
 
   /** Opens the simulated flight. */
@@ -99,7 +89,7 @@ public final class LiveFlightFeature implements ViewerFeature {
     open(
         () ->
             CameraRig.open(
-                cameras, number -> Sources.recording(files.get(number), ReadOptions.DEFAULT)),
+                cameras, number -> SessionRequest.play(files.get(number), ReadOptions.DEFAULT)),
         files.get(0).toString());
   }
 

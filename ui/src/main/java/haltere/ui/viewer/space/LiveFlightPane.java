@@ -1,52 +1,66 @@
 package haltere.ui.viewer.space;
 
+import haltere.core.chain.FilterChain;
+import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.OverlayCanvas;
 import haltere.core.playback.Playable;
 import haltere.ui.space.BodyFlight;
 import haltere.ui.space.BodyFlightDrawing;
 import haltere.ui.space.CameraLine;
+import haltere.ui.space.CameraLineOverlay;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Theme;
+import haltere.ui.viewer.picture.DisplayFrame;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.DisplaySink;
+import haltere.ui.viewer.picture.EventView;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.geometry.Orientation;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.SplitPane;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.ColumnConstraints;
+import javafx.scene.layout.GridPane;
+import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 
 /**
- * A body in space and the cameras that see it, now, and the pictures of all cameras but the first,
- * which the window itself shows.
+ * A body in space and the cameras that see it, now, and the events of all cameras but the first,
+ * which the window itself shows, each with the line of the body over it.
  *
- * <p>Thread rule: JavaFX thread only.
+ * <p>Thread rule: JavaFX thread only, but for the sinks, which are for the processing thread.
  */
 final class LiveFlightPane extends BorderPane {
   private static final String NOTHING = "Open a flight before several cameras, in the File menu.";
+  private static final CameraLineOverlay OVERLAY = new CameraLineOverlay();
 
+  private final BooleanProperty linesShown;
   private final SpaceCanvas canvas = new SpaceCanvas();
-  private final CameraPictures pictures;
-  private final SplitPane both;
+  private final GridPane pictures = new GridPane(2, 2);
+  private final SplitPane both = new SplitPane(canvas);
   private final Label words = Controls.named(new Label(NOTHING), "live-flight-words");
-  private Optional<CameraLine> first = Optional.empty();
+  private final List<EventView> views = new ArrayList<>();
+  private final List<DisplaySink> sinks = new ArrayList<>();
+  private List<CameraLine> lines = List.of();
 
   /** Nothing is open; lines are drawn over the pictures while they are shown. */
   LiveFlightPane(BooleanProperty linesShown) {
+    this.linesShown = linesShown;
+    linesShown.subscribe(() -> views.forEach(EventView::redraw));
     setId("live-flight");
-    pictures = new CameraPictures(linesShown);
-    both = new SplitPane(canvas);
+    pictures.setMinSize(0, 0);
     both.setOrientation(Orientation.VERTICAL);
     setCenter(both);
-    CheckBox lines = Controls.named(new CheckBox("Lines over the pictures"), "camera-lines");
-    lines.selectedProperty().bindBidirectional(linesShown);
+    CheckBox shown = Controls.named(new CheckBox("Lines over the pictures"), "camera-lines");
+    shown.selectedProperty().bindBidirectional(linesShown);
     Controls.help(
-        lines, "Accepted lines are green, gated ones red and broken, the estimated axis white.");
+        shown, "Accepted lines are green, gated ones red and broken, the estimated axis white.");
     words.setWrapText(true);
     words.setMinHeight(USE_PREF_SIZE);
-    VBox controls = new VBox(4, lines, words);
+    VBox controls = new VBox(4, shown, words);
     controls.getStyleClass().addAll("flight-controls");
     setBottom(controls);
   }
@@ -58,40 +72,70 @@ final class LiveFlightPane extends BorderPane {
       canvas.show(new BodyFlightDrawing(flight), Math.max(0, last));
       words.setText(
           last < 0 ? "no orientation yet" : SpaceCanvas.words(flight.moments().get(last)));
-      List<CameraLine> lines = last < 0 ? List.of() : flight.moments().get(last).lines();
-      first = lines.stream().findFirst();
-      pictures.setLines(lines.subList(Math.min(1, lines.size()), lines.size()));
+      lines = last < 0 ? List.of() : flight.moments().get(last).lines();
     }
-    pictures.update();
+    for (int i = 0; i < views.size(); i++) {
+      DisplayFrame frame = sinks.get(i).maker().exchange().fetch();
+      if (frame != null) {
+        views.get(i).show(frame);
+      }
+    }
   }
 
-  /** The newest line of the first camera; empty if there is no orientation. */
-  Optional<CameraLine> first() {
-    return first;
+  /** Draws the newest line of a camera, counted from 0, while lines are shown. */
+  void drawLine(int camera, OverlayCanvas over) {
+    if (linesShown.get() && camera < lines.size()) {
+      OVERLAY.draw(lines.get(camera), over);
+    }
   }
 
   /** Something else is open. */
   void clear() {
     canvas.clear();
-    pictures.clear();
+    clearPictures();
     both.getItems().setAll(canvas);
-    first = Optional.empty();
     words.setText(NOTHING);
+  }
+
+  private void clearPictures() {
+    pictures.getChildren().clear();
+    pictures.getColumnConstraints().clear();
+    views.clear();
+    sinks.clear();
+    lines = List.of();
   }
 
   /** Begins with other cameras; returns what takes the events of each. */
   List<DisplaySink> startAnew(List<Playable> cameras, DisplayOptions options) {
     canvas.lookAnew();
+    clearPictures();
     both.getItems().setAll(canvas, pictures);
     both.setDividerPositions(0.55);
-    first = Optional.empty();
     words.setText("no orientation yet");
-    return pictures.startAnew(cameras, options);
+    int columns = (int) Math.ceil(Math.sqrt(cameras.size()));
+    for (int i = 0; i < cameras.size(); i++) {
+      int camera = i + 1;
+      SensorGeometry geometry = cameras.get(i).geometry();
+      EventView view = Controls.named(new EventView(), "camera-picture-" + camera);
+      view.setAccessibleText("Events of camera " + (camera + 1));
+      view.setGeometry(geometry, options.colours());
+      view.addLayer(over -> drawLine(camera, over));
+      views.add(view);
+      sinks.add(DisplaySink.direct(geometry, new FilterChain(geometry), options));
+      GridPane.setVgrow(view, Priority.ALWAYS);
+      pictures.add(view, i % columns, i / columns);
+    }
+    for (int i = 0; i < columns; i++) {
+      ColumnConstraints column = new ColumnConstraints();
+      column.setPercentWidth(100.0 / columns);
+      pictures.getColumnConstraints().add(column);
+    }
+    return List.copyOf(sinks);
   }
 
   /** Shows events in another way. */
   void setOptions(DisplayOptions options) {
-    pictures.setOptions(options);
+    sinks.forEach(sink -> sink.maker().setOptions(options));
   }
 
   /** Draws as a theme wants it. */

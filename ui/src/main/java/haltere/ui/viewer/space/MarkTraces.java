@@ -28,24 +28,31 @@ final class MarkTraces {
   /** The n-th mark of a style at a moment. */
   private record Key(MarkStyle style, int number) {}
 
-  private final List<Deque<Position>> traces = new ArrayList<>();
-  private final List<MarkStyle> styles = new ArrayList<>();
-  private Map<Key, Deque<Position>> open = Map.of();
+  /** A trace that goes on, or has been kept. */
+  private record Kept(MarkStyle style, Deque<Position> positions) {
+    void forgetBefore(long timeUs) {
+      while (!positions.isEmpty() && positions.getFirst().timeUs() < timeUs) {
+        positions.removeFirst();
+      }
+    }
+  }
+
+  private final List<Kept> traces = new ArrayList<>();
+  private Map<Key, Kept> open = new HashMap<>();
 
   /** Adds the positions of all marks at a time. */
   void add(long timeUs, List<DisplayFrame.Marks<?>> marks) {
     Collector collector = new Collector();
     marks.forEach(each -> each.draw(timeUs, collector));
-    Map<Key, Deque<Position>> now = new HashMap<>();
+    Map<Key, Kept> now = new HashMap<>();
     collector.places.forEach(
         (key, place) -> {
-          Deque<Position> trace = open.get(key);
+          Kept trace = open.get(key);
           if (trace == null) {
-            trace = new ArrayDeque<>();
+            trace = new Kept(key.style(), new ArrayDeque<>());
             traces.add(trace);
-            styles.add(key.style());
           }
-          trace.add(new Position(timeUs, place[0], place[1]));
+          trace.positions().add(new Position(timeUs, place[0], place[1]));
           now.put(key, trace);
         });
     open = now;
@@ -53,17 +60,9 @@ final class MarkTraces {
 
   /** Forgets positions of before a time. */
   void forgetBefore(long timeUs) {
-    for (int i = traces.size() - 1; i >= 0; i--) {
-      Deque<Position> trace = traces.get(i);
-      while (!trace.isEmpty() && trace.getFirst().timeUs() < timeUs) {
-        trace.removeFirst();
-      }
-      if (trace.isEmpty()) {
-        traces.remove(i);
-        styles.remove(i);
-        open.values().remove(trace);
-      }
-    }
+    traces.forEach(trace -> trace.forgetBefore(timeUs));
+    traces.removeIf(trace -> trace.positions().isEmpty());
+    open.values().removeIf(trace -> trace.positions().isEmpty());
   }
 
   /** Forgets all positions. */
@@ -73,11 +72,9 @@ final class MarkTraces {
 
   /** A copy of the traces. */
   List<Trace> copy() {
-    List<Trace> copy = new ArrayList<>();
-    for (int i = 0; i < traces.size(); i++) {
-      copy.add(new Trace(styles.get(i), List.copyOf(traces.get(i))));
-    }
-    return copy;
+    return traces.stream()
+        .map(trace -> new Trace(trace.style(), List.copyOf(trace.positions())))
+        .toList();
   }
 
   /** Takes one position of each mark that stands for an object or a wing edge. */

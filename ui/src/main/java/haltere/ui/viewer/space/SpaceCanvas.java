@@ -11,11 +11,7 @@ import haltere.ui.viewer.controls.TurnPane;
 import java.util.Arrays;
 import java.util.Locale;
 
-/**
- * A body in space and the cameras that see it, at one time.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** A body in space and the cameras that see it, at one time. */
 final class SpaceCanvas extends TurnPane {
   private static final double ZOOM_PER_NOTCH = 1.2;
 

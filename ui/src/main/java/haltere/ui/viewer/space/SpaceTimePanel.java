@@ -26,8 +26,6 @@ import javafx.scene.layout.HBox;
  * Events in space and time. A drag turns, the wheel enlarges, a double click goes back to the first
  * view; arrow keys, plus, minus and Home do the same, and sliders, which also choose the part of
  * the time that stands out.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class SpaceTimePanel extends BorderPane {
   private static final double DOUBLINGS_PER_NOTCH = 0.2;
@@ -52,8 +50,7 @@ final class SpaceTimePanel extends BorderPane {
   SpaceTimePanel(ReadOnlyBooleanProperty marksShown) {
     this.marksShown = marksShown;
     marksShown.subscribe(() -> dirty = true);
-    setId("space-time");
-    getStyleClass().add("space-time");
+    Controls.named(this, "space-time", "space-time");
     picture.setAccessibleText("Events in space and time");
     picture.setMinSize(120, 120);
     Controls.clip(picture);

@@ -3,7 +3,6 @@ package haltere.ui.viewer.space;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
 import haltere.core.playback.SliceSink;
-import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.rendering.FrameExchange;
 import haltere.ui.rendering.SpaceTimeCloud;
@@ -74,8 +73,7 @@ final class SpaceTimeSink implements SliceSink {
   @Override
   public void notified(StreamNotification notification) {
     cloud.notified(notification);
-    if (notification.endsContinuity() && !(notification instanceof DataLost)) {
-      taps.clear();
+    if (taps.notified(notification)) {
       traces.clear();
       marks = List.of();
       tracedUs = 0;

@@ -25,8 +25,6 @@ import javafx.scene.layout.VBox;
 /**
  * What can be opened: a recording, recent ones, scenes with a picture and a sentence each, cameras.
  * Above that stands why something could not be opened.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class StartPage extends ScrollPane {
   private static final double PICTURE_WIDTH = 176;
@@ -42,10 +40,7 @@ final class StartPage extends ScrollPane {
 
   /** A page that offers nothing yet but to open a recording and to go back to what is open. */
   StartPage(Runnable open, Runnable close) {
-    setId("start-page");
-    getStyleClass().add("start-page");
-    setFitToWidth(true);
-    setHbarPolicy(ScrollBarPolicy.NEVER);
+    Controls.named(this, "start-page", "start-page");
     Label title = Controls.label("Haltere", Styles.TITLE_2);
     Label purpose =
         Controls.label("Plays, filters and tracks the events of event cameras.", Styles.TEXT_MUTED);
@@ -76,7 +71,7 @@ final class StartPage extends ScrollPane {
             cameras);
     page.getStyleClass().addAll("start-content");
     page.setMaxWidth(1080);
-    setContent(page);
+    Controls.scrolling(this, page);
   }
 
   /** Says why something could not be opened; nothing if the words are empty. */
@@ -103,14 +98,19 @@ final class StartPage extends ScrollPane {
   }
 
   private static Node recentLine(ViewerAction action) {
-    Hyperlink link = Controls.named(new Hyperlink(action.words()), "start-" + action.id());
-    link.setAccessibleText(action.help());
+    Hyperlink link = link(action, action.help());
     link.setMinWidth(Region.USE_PREF_SIZE);
-    link.setMnemonicParsing(false);
-    link.setOnAction(event -> action.work().run());
     Label folder = Controls.label(action.help(), Styles.TEXT_MUTED);
     folder.setMinWidth(0);
     return Controls.row(8, link, folder);
+  }
+
+  private static Hyperlink link(ViewerAction action, String accessible) {
+    Hyperlink link = Controls.named(new Hyperlink(action.words()), "start-" + action.id());
+    link.setAccessibleText(accessible);
+    link.setMnemonicParsing(false);
+    link.setOnAction(event -> action.work().run());
+    return link;
   }
 
   /** Offers scenes. */
@@ -156,10 +156,7 @@ final class StartPage extends ScrollPane {
         actions.stream()
             .<Node>map(
                 action -> {
-                  Hyperlink link =
-                      Controls.named(new Hyperlink(action.words()), "start-" + action.id());
-                  link.setAccessibleText("Open the camera " + action.words());
-                  link.setOnAction(event -> action.work().run());
+                  Hyperlink link = link(action, "Open the camera " + action.words());
                   Controls.help(link, action.help());
                   return link;
                 })

@@ -34,8 +34,6 @@ import javafx.scene.layout.VBox;
  * shown, with the name of each row. An entry that is being edited stands still until Enter takes it
  * over or Escape gives it up. A button beside a noise says whether the estimator adapts it or a
  * person has set it; a click changes that.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class FilterTables extends VBox {
   private static final MathContext FOUR_DIGITS = new MathContext(4);
@@ -51,19 +49,12 @@ final class FilterTables extends VBox {
   private static final Map<Source, String> SOURCES =
       Map.of(Source.SETTINGS, "", Source.ESTIMATOR, "adaptive", Source.BY_HAND, "by hand");
 
-  /** An entry and the number that it shows. */
-  private record Cell(TextField entry, Table table, int row, int column) {}
-
-  /** Says where a noise comes from. */
-  private record SourceButton(Hyperlink button, Table table, int row) {}
-
-  /** A number that follows from the tables. */
-  private record Derived(Label label, ToDoubleFunction<WingFilterState> number) {}
-
   private final Consumer<WingFilterEdit> edited;
-  private final List<Cell> cells = new ArrayList<>();
-  private final List<SourceButton> sources = new ArrayList<>();
-  private final List<Derived> derived = new ArrayList<>();
+
+  /** What shows a number; those of the column of P that is chosen come last. */
+  private final List<Consumer<WingFilterState>> numbers = new ArrayList<>();
+
+  private final int fixedNumbers;
   private final ChoiceBox<String> column =
       Controls.named(new ChoiceBox<String>(), "covariance-column");
   private final Label summary =
@@ -88,7 +79,9 @@ final class FilterTables extends VBox {
     column.setOnAction(event -> showColumn());
     FlowPane title = new FlowPane(6, 0, heading("Covariance P with"), column);
     title.setAlignment(Pos.CENTER_LEFT);
-    getChildren().addAll(summary, states(first), title, covariance(0));
+    Node states = states(first);
+    fixedNumbers = numbers.size();
+    getChildren().addAll(summary, states, title, covariance(0));
     show(first);
   }
 
@@ -110,7 +103,7 @@ final class FilterTables extends VBox {
 
   private Label derived(ToDoubleFunction<WingFilterState> number) {
     Label label = Controls.whole("", Styles.TEXT_SMALL, Styles.TEXT_MUTED);
-    derived.add(new Derived(label, number));
+    numbers.add(now -> label.setText(text(number.applyAsDouble(now), TWO_DIGITS)));
     return label;
   }
 
@@ -162,14 +155,18 @@ final class FilterTables extends VBox {
           double value = byHand ? Double.NaN : shown.value(table, row, 0);
           edited.accept(new WingFilterEdit(shown.part(), table, row, 0, value));
         });
-    sources.add(new SourceButton(button, table, row));
+    numbers.add(
+        now -> {
+          String words = SOURCES.get(now.source(table, row));
+          button.setText(words);
+          Controls.show(!words.isEmpty(), button);
+        });
     return button;
   }
 
   /** The column of P of the state that is chosen takes the place of the one before. */
   private void showColumn() {
-    cells.removeIf(cell -> cell.table() == Table.COVARIANCE);
-    derived.subList(shown.names().size(), derived.size()).clear();
+    numbers.subList(fixedNumbers, numbers.size()).clear();
     getChildren()
         .set(getChildren().size() - 1, covariance(column.getSelectionModel().getSelectedIndex()));
     show(shown);
@@ -200,8 +197,7 @@ final class FilterTables extends VBox {
             Styles.SMALL);
     entry.setPrefColumnCount(6);
     entry.setAccessibleText(name(table, row, column));
-    Cell cell = new Cell(entry, table, row, column);
-    entry.setOnAction(event -> take(cell));
+    entry.setOnAction(event -> take(entry, table, row, column));
     entry.setOnKeyPressed(
         event -> {
           if (event.getCode() == KeyCode.ESCAPE) {
@@ -209,7 +205,12 @@ final class FilterTables extends VBox {
             show(shown);
           }
         });
-    cells.add(cell);
+    numbers.add(
+        now -> {
+          if (!entry.isFocused()) {
+            entry.setText(text(now.value(table, row, column), FOUR_DIGITS));
+          }
+        });
     return entry;
   }
 
@@ -223,13 +224,12 @@ final class FilterTables extends VBox {
     };
   }
 
-  private void take(Cell cell) {
+  private void take(TextField entry, Table table, int row, int column) {
     try {
-      double value = Double.parseDouble(cell.entry().getText().trim());
-      edited.accept(
-          new WingFilterEdit(shown.part(), cell.table(), cell.row(), cell.column(), value));
+      double value = Double.parseDouble(entry.getText().trim());
+      edited.accept(new WingFilterEdit(shown.part(), table, row, column, value));
     } catch (IllegalArgumentException notOne) {
-      cell.entry().setText(text(shown.value(cell.table(), cell.row(), cell.column())));
+      entry.setText(text(shown.value(table, row, column), FOUR_DIGITS));
     }
     setFocusTraversable(true);
     requestFocus();
@@ -243,27 +243,11 @@ final class FilterTables extends VBox {
   /** Shows the numbers as they are now. */
   void show(WingFilterState now) {
     shown = now;
-    for (Cell cell : cells) {
-      if (!cell.entry().isFocused()) {
-        cell.entry().setText(text(now.value(cell.table(), cell.row(), cell.column())));
-      }
-    }
-    for (SourceButton source : sources) {
-      String words = SOURCES.get(now.source(source.table(), source.row()));
-      source.button().setText(words);
-      source.button().setVisible(!words.isEmpty());
-      source.button().setManaged(!words.isEmpty());
-    }
-    derived.forEach(
-        entry -> entry.label().setText(text(entry.number().applyAsDouble(now), TWO_DIGITS)));
+    numbers.forEach(number -> number.accept(now));
     summary.setText(
         Texts.count(now.events())
             + " events   NIS "
             + String.format(Locale.ROOT, "%.2f", now.nis()));
-  }
-
-  private static String text(double value) {
-    return text(value, FOUR_DIGITS);
   }
 
   /** Few digits, so that the columns of the panel hold them. */

@@ -15,8 +15,6 @@ import java.util.function.Supplier;
 /**
  * Says where the fly is: a click sets the body, a drag of the head turns the heading, a drag of the
  * circle sets the region of interest. What is said is an offset from what was found.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 final class FlyTool implements ViewTool {
   /** Where the handle of the heading is, as a share of the fly's size. */

@@ -25,6 +25,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import javafx.scene.control.Button;
 
 /**
  * What a person can do with the wing tracker: see and change its filters while they run, say where
@@ -52,7 +53,7 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
     window = installed;
     log = new PlayedOutput<>(window);
     shown = window.addPanel("wings", PanelPlace.SIDE, this::panel);
-    window.every(LOOK_NANOS, this::pulse);
+    window.panels().every(LOOK_NANOS, this::pulse);
     window
         .sessions()
         .sessionProperty()
@@ -64,7 +65,7 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
     window.bindTool(placing, new FlyTool(() -> seen, this::place));
     ViewerActions actions = window.actions();
     Supplier<String> obstacle = this::obstacle;
-    actions.add("wings-place", placing, () -> placing.set(!placing.get()), obstacle);
+    actions.add("wings-place", placing, obstacle);
     actions.add("wings-flip", this::flip, obstacle);
     actions.add("wings-search", this::search, obstacle);
     actions.add("wings-log", log.runningProperty(), this::toggleLog, obstacle);
@@ -115,32 +116,18 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
     panel =
         new WingsPanel(
             List.of(
-                Controls.button(
-                    "wings-panel-flip",
-                    "Flip",
-                    "Exchanges head and tail",
-                    this::flip,
-                    Styles.SMALL),
-                Controls.button(
-                    "wings-panel-place",
-                    "Place",
-                    "Click the body, drag the head or the circle",
-                    () -> placing.set(!placing.get()),
-                    Styles.SMALL),
-                Controls.button(
-                    "wings-panel-search",
-                    "Search",
-                    "Searches the fly anew",
-                    this::search,
-                    Styles.SMALL),
-                Controls.button(
-                    "wings-panel-log",
-                    "Log\u2026",
-                    "Starts or ends a log",
-                    this::toggleLog,
-                    Styles.SMALL)),
+                button("flip", "Flip", "Exchanges head and tail"),
+                button("place", "Place", "Click the body, drag the head or the circle"),
+                button("search", "Search", "Searches the fly anew"),
+                button("log", "Log\u2026", "Starts or ends a log")),
             this);
     return panel;
+  }
+
+  /** A button of the panel that does a command of the menu. */
+  private Button button(String command, String words, String help) {
+    Runnable work = () -> window.actions().run("wings-" + command);
+    return Controls.button("wings-panel-" + command, words, help, work, Styles.SMALL);
   }
 
   private void pulse() {

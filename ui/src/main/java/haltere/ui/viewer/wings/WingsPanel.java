@@ -17,11 +17,7 @@ import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.VBox;
 
-/**
- * The wing tracker's filters: which edges they take, and the numbers of each filter, live.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** The wing tracker's filters: which edges they take, and the numbers of each filter, live. */
 final class WingsPanel extends ScrollPane {
   /** What a person asks of the tracker here. */
   interface Actions {
@@ -52,7 +48,6 @@ final class WingsPanel extends ScrollPane {
   private final Label search = Controls.named(new Label(), "wings-search", Styles.TEXT_SMALL);
   private final VBox body = new VBox(8);
   private Optional<FilterTables> tables = Optional.empty();
-  private boolean showing;
 
   /**
    * A panel that shows nothing yet.
@@ -90,19 +85,12 @@ final class WingsPanel extends ScrollPane {
   private CheckBox edge(WingPart part) {
     CheckBox box =
         Controls.named(new CheckBox(part.toString()), "wings-edge-" + part, Styles.TEXT_SMALL);
-    box.selectedProperty()
-        .subscribe(
-            (was, is) -> {
-              if (!showing) {
-                actions.takeEdge(part, is);
-              }
-            });
+    box.setOnAction(event -> actions.takeEdge(part, box.isSelected()));
     return box;
   }
 
   /** Shows the tracker as it is now. */
   void show(Optional<WingsView> now) {
-    showing = true;
     List<WingFilterState> filters = now.map(WingsView::filters).orElse(List.of());
     now.ifPresent(view -> showEdges(view.settings().output()));
     search.setText(now.map(view -> SearchText.of(view.steps())).orElse(""));
@@ -125,7 +113,6 @@ final class WingsPanel extends ScrollPane {
     } else {
       showTables(chosen.get());
     }
-    showing = false;
   }
 
   private void showEdges(WingOutputSettings output) {
@@ -133,9 +120,7 @@ final class WingsPanel extends ScrollPane {
       output.leftLeading(), output.leftTrailing(), output.rightLeading(), output.rightTrailing()
     };
     for (int i = 0; i < on.length; i++) {
-      if (edges.get(i).isSelected() != on[i]) {
-        edges.get(i).setSelected(on[i]);
-      }
+      edges.get(i).setSelected(on[i]);
     }
   }
 

@@ -75,9 +75,9 @@ class ViewerActionsTest {
       TextField search = viewer.node("palette-search", TextField.class);
       viewer.waitFor("the focus", search::isFocused);
       viewer.run(() -> search.setText("overlays"));
-      assertTrue(viewer.onFx(() -> viewer.window.display().marksProperty().get()));
+      assertTrue(viewer.onFx(() -> viewer.window.context().display().marksProperty().get()));
       viewer.press(KeyCode.ENTER);
-      viewer.waitFor("no overlays", () -> !viewer.window.display().marksProperty().get());
+      viewer.waitFor("no overlays", () -> !viewer.window.context().display().marksProperty().get());
       viewer.waitFor("the palette is gone", () -> !viewer.isThere("palette-search"));
     }
   }

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.camera.BiasSliders.Slider;
 import haltere.core.camera.Biases;
 import haltere.core.camera.Camera;
 import haltere.core.camera.RegionOfInterest;
@@ -48,9 +47,9 @@ class CameraFeatureTest {
     try (ViewerHarness harness = ViewerHarness.withBlob()) {
       harness.waitFor(
           "the list of cameras",
-          () -> harness.window.actions().find("open-camera-simulated-fly").isPresent());
-      harness.run(() -> harness.window.actions().run("list-cameras"));
-      harness.run(() -> harness.window.actions().run("open-camera-simulated-fly"));
+          () -> harness.window.context().actions().find("open-camera-simulated-fly").isPresent());
+      harness.run(() -> harness.window.context().actions().run("list-cameras"));
+      harness.run(() -> harness.window.context().actions().run("open-camera-simulated-fly"));
       harness.waitUntilOpen("simulated:fly");
       harness.waitFor("the panel", () -> harness.isThere("camera-panel"));
       assertTrue(harness.text("camera-name").startsWith("Simulated fly"));
@@ -81,7 +80,9 @@ class CameraFeatureTest {
       harness.run(() -> sets.setValue("slow"));
       harness.waitFor("the set", () -> biases.get("bandwidthHz") == 300);
       harness.waitFor("the slider is in the middle", () -> threshold.getValue() == 0);
-      harness.run(() -> feature.slide(Slider.BANDWIDTH, 1));
+      javafx.scene.control.Slider bandwidth =
+          harness.node("camera-slider-bandwidth", javafx.scene.control.Slider.class);
+      harness.run(() -> bandwidth.setValue(1));
       harness.waitFor("the bandwidth", () -> biases.get("bandwidthHz") == 3000);
     }
   }

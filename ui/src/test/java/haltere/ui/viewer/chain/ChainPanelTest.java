@@ -131,7 +131,7 @@ class ChainPanelTest {
     viewer.waitFor("its counts", () -> viewer.text("counts-chain-polarity").contains("ev/s"));
     viewer.click("power-chain-polarity");
     viewer.waitFor("off", () -> !inner.isEnabled());
-    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.run(() -> viewer.window.context().actions().run("undo"));
     viewer.waitFor("on again", inner::isEnabled);
 
     Object before = value(inner, "keep");
@@ -139,10 +139,10 @@ class ChainPanelTest {
     ChoiceBox<?> keep = viewer.node("choice-chain-polarity-keep", ChoiceBox.class);
     viewer.run(() -> keep.getSelectionModel().selectNext());
     viewer.waitFor("the choice", () -> !value(inner, "keep").equals(before));
-    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.run(() -> viewer.window.context().actions().run("undo"));
     viewer.waitFor("the choice before", () -> value(inner, "keep").equals(before));
 
-    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.run(() -> viewer.window.context().actions().run("undo"));
     viewer.waitFor("its card is gone", () -> !viewer.isThere("stage-chain-polarity"));
     assertEquals(List.of(), inside("chain").stages());
   }
@@ -170,9 +170,9 @@ class ChainPanelTest {
     assertEquals(names().indexOf("chain") - 1, names().indexOf(NOISE));
     assertEquals(3, longValue(NOISE, "neighbours"));
 
-    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.run(() -> viewer.window.context().actions().run("undo"));
     viewer.waitFor("inside again", () -> viewer.isThere("stage-chain-" + NOISE));
-    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.run(() -> viewer.window.context().actions().run("undo"));
     viewer.waitFor("as at first", () -> names().equals(outside));
     assertEquals(3, longValue(NOISE, "neighbours"));
   }

@@ -26,7 +26,7 @@ class StageListTest {
     list =
         viewer.onFx(
             () -> {
-              ChainEditor editor = new ChainEditor(problem -> {}, stages -> {});
+              ChainEditor editor = new ChainEditor(problem -> {});
               StageList made = new StageList(editor, new Label("none"));
               made.setSteps(steps::add);
               return made;
@@ -49,7 +49,7 @@ class StageListTest {
   private List<String> cards() {
     return list.getChildren().stream()
         .filter(StageCard.class::isInstance)
-        .map(card -> ((StageCard) card).stage().name())
+        .map(card -> card.getId().substring("stage-".length()))
         .toList();
   }
 

@@ -49,7 +49,7 @@ class CompareTest {
   @Test
   void theSecondChainIsACopyThatIsChangedByItself() {
     viewer = ViewerHarness.withBlobAndNoiseFilters();
-    viewer.run(() -> viewer.window.actions().run("compare"));
+    viewer.run(() -> viewer.window.context().actions().run("compare"));
     viewer.waitFor("the second chain", () -> compare().secondChain().isPresent());
     FilterChain second = viewer.onFx(() -> compare().secondChain().orElseThrow());
     FilterChain first = viewer.session().chain();
@@ -70,7 +70,7 @@ class CompareTest {
         () -> viewer.text("second-chain-name").equals("Second chain: Hot pixels, Object tracker"));
     viewer.waitFor("the second is shorter", () -> second.stages().size() == 2);
     assertEquals(3, first.stages().size());
-    viewer.run(() -> viewer.window.actions().run("compare"));
+    viewer.run(() -> viewer.window.context().actions().run("compare"));
     viewer.waitFor("one chain again", () -> !viewer.isThere("second-event-view"));
     assertTrue(viewer.onFx(() -> compare().secondChain().isEmpty()));
   }
@@ -79,7 +79,7 @@ class CompareTest {
   void twoIdenticalChainsShowNoDifference() {
     viewer = ViewerHarness.withBlobAndNoiseFilters();
     viewer.waitFor("a track", () -> viewer.status().elapsedUs() > 300_000);
-    viewer.run(() -> viewer.window.actions().run("compare"));
+    viewer.run(() -> viewer.window.context().actions().run("compare"));
     viewer.waitFor("the second chain", () -> compare().secondChain().isPresent());
     viewer.waitFor(
         "pictures of the same height",
@@ -132,11 +132,12 @@ class CompareTest {
     viewer = new ViewerHarness(UserSettings.load(folder));
     viewer.open(() -> new ScenePlayable(() -> new BlobSource(Long.MAX_VALUE), "blob"));
     viewer.addNoiseFilters();
-    viewer.run(() -> viewer.window.editor().addChain());
+    viewer.run(() -> viewer.window.context().editor().addChain());
     viewer.waitFor("its card", () -> viewer.isThere("stage-chain"));
     FilterChain inside = (FilterChain) viewer.session().chain().stage("chain").filter();
     ChainEditor editor =
-        viewer.onFx(() -> viewer.window.editor().inside(viewer.session().chain().stage("chain")));
+        viewer.onFx(
+            () -> viewer.window.context().editor().inside(viewer.session().chain().stage("chain")));
     viewer.run(() -> editor.moveHere("hot-pixels", Optional.empty()));
     viewer.waitFor("a filter inside", () -> names(inside).equals(List.of("hot-pixels")));
     viewer.run(() -> presets().save("inner", editor));
@@ -161,7 +162,7 @@ class CompareTest {
                 .fire());
     viewer.waitFor("it is back", () -> names(inside).equals(List.of("hot-pixels")));
     assertFalse(names(viewer.session().chain()).contains("hot-pixels"));
-    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.run(() -> viewer.window.context().actions().run("undo"));
     viewer.waitFor("that is taken back", () -> insideNow().isEmpty());
   }
 
@@ -175,15 +176,16 @@ class CompareTest {
     viewer = new ViewerHarness(settings);
     viewer.open(() -> new ScenePlayable(() -> new BlobSource(Long.MAX_VALUE), "blob"));
     viewer.addNoiseFilters();
-    viewer.run(() -> presets().save("usual", viewer.window.editor()));
+    viewer.run(() -> presets().save("usual", viewer.window.context().editor()));
     viewer.waitFor("the file", () -> Files.exists(folder.resolve("presets").resolve("usual.json")));
-    viewer.waitFor("the offer", () -> viewer.window.actions().find("preset-usual").isPresent());
+    viewer.waitFor(
+        "the offer", () -> viewer.window.context().actions().find("preset-usual").isPresent());
     ChainStage last = viewer.session().chain().stages().get(2);
     viewer.run(() -> viewer.session().player().edit(chain -> chain.remove(last)));
     viewer.waitFor("a shorter chain", () -> viewer.session().chain().stages().size() == 2);
-    viewer.run(() -> viewer.window.actions().run("preset-usual"));
+    viewer.run(() -> viewer.window.context().actions().run("preset-usual"));
     viewer.waitFor("the preset", () -> viewer.session().chain().stages().size() == 3);
-    viewer.run(() -> presets().save("a/b", viewer.window.editor()));
+    viewer.run(() -> presets().save("a/b", viewer.window.context().editor()));
     viewer.waitFor(
         "what is wrong", () -> viewer.text("status-message").contains("cannot be named"));
   }

@@ -134,9 +134,9 @@ class GoldenPicturesTest {
     MeasuringTape tape = new MeasuringTape(new SimpleObjectProperty<>(Optional.empty()));
     tape.pressed(10, 20);
     tape.dragged(70, 60);
-    RegionLayer region = new RegionLayer();
-    region.setRegion(Optional.of(PixelRegion.between(60, 80, 100, 110)));
-    region.setReading(new RegionReading(12_340, 0.5, 187.3, 800_000));
+    RegionMarks region =
+        new RegionMarks(
+            PixelRegion.between(60, 80, 100, 110), new RegionReading(12_340, 0.5, 187.3, 800_000));
     int[] argb = new int[SENSOR.pixels()];
     Arrays.fill(argb, ColourMap.DARK.background());
     GoldenPictures.check(

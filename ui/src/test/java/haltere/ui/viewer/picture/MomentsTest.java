@@ -211,11 +211,11 @@ class MomentsTest {
     try (Shown shown = new Shown(recording(), CLUSTERS, DisplayMode.POLARITY);
         Shown counts = new Shown(recording(), CLUSTERS, DisplayMode.COUNTS)) {
       int[] polarity = shown.seek(350_000).picture();
-      shown.display.setOptions(shownAs(DisplayMode.COUNTS));
+      shown.display.maker().setOptions(shownAs(DisplayMode.COUNTS));
       shown.player.refresh();
       shown.awaitPicture(counts.seek(350_000).picture(), "events counted");
       shown.player.edit(chain -> chain.setEnabled(chain.stages().get(0), false));
-      shown.display.setOptions(shownAs(DisplayMode.POLARITY));
+      shown.display.maker().setOptions(shownAs(DisplayMode.POLARITY));
       shown.player.refresh();
       try (Shown raw =
           new Shown(

@@ -36,7 +36,7 @@ class PlotPanelTest {
   }
 
   private PlotPanel plots() {
-    return viewer.window.plots();
+    return viewer.window.context().panels().plots();
   }
 
   private long lastUs() {
@@ -46,7 +46,7 @@ class PlotPanelTest {
   private void plot(PlotField field) {
     viewer.run(
         () -> {
-          viewer.window.actions().run("show-plots");
+          viewer.window.context().actions().run("show-plots");
           plots().addLane(field);
         });
   }
@@ -57,7 +57,7 @@ class PlotPanelTest {
     plot(X);
     viewer.waitFor("samples", () -> lastUs() > 100_000);
     viewer.waitFor("a curve on the screen", () -> hasCurve(PlotInk.DARK));
-    viewer.run(() -> viewer.window.display().themeProperty().set(Theme.LIGHT));
+    viewer.run(() -> viewer.window.context().display().themeProperty().set(Theme.LIGHT));
     viewer.waitFor("the curve in the colours of the light theme", () -> hasCurve(PlotInk.LIGHT));
   }
 
@@ -80,16 +80,16 @@ class PlotPanelTest {
     viewer = new ViewerHarness();
     Path recording = folder.resolve("blob.aedat");
     ViewerHarness.writeRecording(recording, 200_000);
-    viewer.run(() -> viewer.window.open(SessionRequest.scene()));
+    viewer.run(() -> viewer.window.context().sessions().open(SessionRequest.scene()));
     viewer.waitFor("its plots", () -> plots().lanes().size() == 2);
-    viewer.run(() -> viewer.window.open(recording, ReadOptions.DEFAULT));
+    viewer.run(() -> viewer.window.context().sessions().open(recording, ReadOptions.DEFAULT));
     viewer.waitUntilOpen("blob.aedat");
     viewer.waitFor("no plots", () -> plots().lanes().isEmpty());
     viewer.waitFor("no panel", () -> !viewer.isThere("plots"));
-    viewer.run(() -> viewer.window.open(SessionRequest.scene()));
+    viewer.run(() -> viewer.window.context().sessions().open(SessionRequest.scene()));
     viewer.waitFor("its plots again", () -> plots().lanes().size() == 2);
     viewer.run(() -> plots().addLane(X));
-    viewer.run(() -> viewer.window.open(recording, ReadOptions.DEFAULT));
+    viewer.run(() -> viewer.window.context().sessions().open(recording, ReadOptions.DEFAULT));
     viewer.waitUntilOpen("blob.aedat");
     assertEquals(3, viewer.onFx(() -> plots().lanes().size()));
   }
@@ -169,7 +169,7 @@ class PlotPanelTest {
     ViewerHarness.writeRecording(file, 3_000_000);
     viewer.run(() -> viewer.window.dropped(List.of(file.toFile())));
     viewer.waitUntilOpen("next.aedat");
-    viewer.run(() -> viewer.window.actions().run("usual-objects"));
+    viewer.run(() -> viewer.window.context().actions().run("usual-objects"));
     viewer.waitFor("samples of the recording", () -> lastUs() > 0 && lastUs() < 3_000_000);
   }
 
@@ -194,7 +194,7 @@ class PlotPanelTest {
   void plotsThatAreHiddenTakeNoRoom() {
     viewer = ViewerHarness.withBlob();
     plot(X);
-    viewer.run(() -> viewer.window.actions().run("show-plots"));
+    viewer.run(() -> viewer.window.context().actions().run("show-plots"));
     assertTrue(viewer.onFx(() -> plots().getScene() == null));
   }
 }

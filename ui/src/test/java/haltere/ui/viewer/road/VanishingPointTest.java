@@ -8,6 +8,7 @@ import haltere.filters.plane.VanishingPoint;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.RoadTracksSettings;
 import haltere.ui.viewer.ViewerHarness;
+import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.picture.ViewTool;
 import javafx.scene.control.TextField;
@@ -32,7 +33,11 @@ class VanishingPointTest {
   }
 
   private boolean isOffered() {
-    return viewer.onFx(() -> viewer.window.actions().find(ACTION).isPresent());
+    return viewer.onFx(
+        () -> {
+          ViewerAction action = viewer.window.context().actions().find(ACTION).orElseThrow();
+          return action.obstacle().get().isEmpty();
+        });
   }
 
   private void addTracks() {
@@ -53,9 +58,9 @@ class VanishingPointTest {
   }
 
   private void clickAt(double x, double y) {
-    EventView view = viewer.window.view();
-    double shareX = viewer.onFx(() -> view.viewX(x) / view.getWidth());
-    double shareY = viewer.onFx(() -> view.viewY(y) / view.getHeight());
+    EventView view = viewer.window.context().panels().view();
+    double shareX = viewer.onFx(() -> view.viewpoint().viewX(x) / view.getWidth());
+    double shareY = viewer.onFx(() -> view.viewpoint().viewY(y) / view.getHeight());
     viewer.click("event-view", shareX, shareY);
   }
 
@@ -63,19 +68,19 @@ class VanishingPointTest {
   void isOfferedWhileThereAreTracksInTheChain() {
     assertFalse(isOffered());
     addTracks();
-    viewer.run(() -> viewer.window.actions().run(ACTION));
-    viewer.waitFor("the tool", () -> viewer.window.view().tool().isPresent());
+    viewer.run(() -> viewer.window.context().actions().run(ACTION));
+    viewer.waitFor("the tool", () -> viewer.window.context().panels().view().tool().isPresent());
     viewer.click("more-" + TRACKS);
     viewer.click("remove-" + TRACKS);
     viewer.waitFor("the action is gone", () -> !isOffered());
-    assertTrue(viewer.onFx(() -> viewer.window.view().tool().isEmpty()));
+    assertTrue(viewer.onFx(() -> viewer.window.context().panels().view().tool().isEmpty()));
   }
 
   @Test
   void aClickSetsItAndIsTakenBack() {
     addTracks();
     viewer.click("expand-" + TRACKS);
-    viewer.run(() -> viewer.window.actions().run(ACTION));
+    viewer.run(() -> viewer.window.context().actions().run(ACTION));
     clickAt(40, 100);
     viewer.waitFor("tracks on a road", () -> road().mapToRoad() && point().marked());
     assertEquals(40, point().xPx(), 1);
@@ -86,18 +91,18 @@ class VanishingPointTest {
         viewer.node("entry-" + TRACKS + "-road-view-vanishingPoint-xPx", TextField.class);
     viewer.waitFor(
         "the setting in its card", () -> Double.parseDouble(entry.getText()) == point().xPx());
-    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.run(() -> viewer.window.context().actions().run("undo"));
     viewer.waitFor("no road", () -> !road().mapToRoad() && !point().marked());
     viewer.waitFor("no mark", () -> tool.mark().isEmpty());
-    viewer.run(() -> viewer.window.actions().run("redo"));
+    viewer.run(() -> viewer.window.context().actions().run("redo"));
     viewer.waitFor("the road again", () -> road().mapToRoad() && point().marked());
   }
 
   @Test
   void aPlaceWhereNoRoadCanVanishIsRefusedInALine() {
     addTracks();
-    viewer.run(() -> viewer.window.actions().run(ACTION));
-    ViewTool tool = viewer.onFx(() -> viewer.window.view().tool().orElseThrow());
+    viewer.run(() -> viewer.window.context().actions().run(ACTION));
+    ViewTool tool = viewer.onFx(() -> viewer.window.context().panels().view().tool().orElseThrow());
     viewer.run(
         () -> {
           tool.pressed(40, -3);

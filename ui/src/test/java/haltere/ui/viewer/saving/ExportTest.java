@@ -49,14 +49,14 @@ class ExportTest {
     viewer.pause();
     viewer.run(
         () -> {
-          viewer.window.playback().seek(500_000);
-          viewer.window.playback().setSpeed(0.25);
+          viewer.window.context().playback().seek(500_000);
+          viewer.window.context().playback().setSpeed(0.25);
         });
     viewer.waitFor("half a second", () -> viewer.status().elapsedUs() >= 500_000);
-    viewer.run(viewer.window.playback()::markIn);
-    viewer.run(() -> viewer.window.playback().seek(620_000));
+    viewer.run(viewer.window.context().playback()::markIn);
+    viewer.run(() -> viewer.window.context().playback().seek(620_000));
     viewer.waitFor("the end", () -> viewer.status().elapsedUs() >= 620_000);
-    viewer.run(viewer.window.playback()::markOut);
+    viewer.run(viewer.window.context().playback()::markOut);
   }
 
   @AfterEach
@@ -70,7 +70,7 @@ class ExportTest {
   }
 
   private Loop loop() {
-    return viewer.onFx(() -> viewer.window.playback().loopProperty().get());
+    return viewer.onFx(() -> viewer.window.context().playback().loopProperty().get());
   }
 
   private String said() {
@@ -135,11 +135,11 @@ class ExportTest {
   @Test
   void anExportSaysHowFarItIsAndIsStopped() {
     // three thousand pictures
-    viewer.run(() -> viewer.window.playback().setSpeed(0.001));
+    viewer.run(() -> viewer.window.context().playback().setSpeed(0.001));
     Path file = folder.resolve("part.gif");
     viewer.run(() -> export().exportFilm(file));
     viewer.waitFor("it says how far", () -> said().matches("Exporting to part.gif \u2026 \\d+ %"));
-    viewer.run(() -> viewer.window.actions().run("stop-export"));
+    viewer.run(() -> viewer.window.context().actions().run("stop-export"));
     viewer.waitFor("it was stopped", () -> said().equals("Exports were stopped"));
     assertFalse(Files.exists(file));
     viewer.run(() -> export().exportData(folder.resolve("next.aedat4")));
@@ -181,7 +181,7 @@ class ExportTest {
     Path file = folder.resolve("part.mp4");
     viewer.run(() -> export().exportFilm(file));
     viewer.waitFor("it hangs", () -> Files.exists(number));
-    viewer.run(() -> viewer.window.actions().run("stop-export"));
+    viewer.run(() -> viewer.window.context().actions().run("stop-export"));
     viewer.waitFor("it was stopped", () -> said().equals("Exports were stopped"));
     viewer.waitFor("the program is gone", () -> !isAlive(number));
     viewer.run(() -> export().exportData(folder.resolve("next.aedat4")));
@@ -247,7 +247,7 @@ class ExportTest {
     viewer.run(
         () -> {
           viewer.window.feature(SeeingFeature.class).setRegion(Optional.of(REGION));
-          viewer.window.display().tapeProperty().set(Optional.of(TAPE));
+          viewer.window.context().display().tapeProperty().set(Optional.of(TAPE));
         });
     savePicture(marked);
     Path film = folder.resolve("part.gif");
@@ -288,7 +288,8 @@ class ExportTest {
 
   @Test
   void whatColoursStandForIsInPicturesAndFilms() throws IOException {
-    viewer.run(() -> viewer.window.display().modeProperty().set(DisplayMode.TIME_SURFACE));
+    viewer.run(
+        () -> viewer.window.context().display().modeProperty().set(DisplayMode.TIME_SURFACE));
     Path picture = folder.resolve("picture.png");
     savePicture(picture);
     assertEquals(Gradient.CIVIDIS.colour(1), lastOfScale(ImageIO.read(picture.toFile())));
@@ -307,7 +308,13 @@ class ExportTest {
 
   @Test
   void anOldProblemDoesNotHideAnExport() {
-    viewer.run(() -> viewer.window.open(folder.resolve("missing.aedat"), ReadOptions.DEFAULT));
+    viewer.run(
+        () ->
+            viewer
+                .window
+                .context()
+                .sessions()
+                .open(folder.resolve("missing.aedat"), ReadOptions.DEFAULT));
     viewer.waitFor("a problem", () -> said().contains("there is no such file"));
     viewer.run(() -> export().exportData(folder.resolve("part.aedat4")));
     viewer.waitFor("it says so", () -> said().startsWith("Exported part.aedat4"));
@@ -366,7 +373,7 @@ class ExportTest {
 
   @Test
   void aMarkHasANameAndATimeIsJumpedTo() {
-    viewer.run(() -> viewer.window.actions().run("name-mark"));
+    viewer.run(() -> viewer.window.context().actions().run("name-mark"));
     viewer.waitFor("the question", () -> viewer.isThere("answer"));
     TextField answer = viewer.node("answer", TextField.class);
     viewer.run(() -> answer.setText("take-off"));
@@ -375,9 +382,9 @@ class ExportTest {
     viewer.waitFor(
         "the mark",
         () ->
-            viewer.window.playback().marks().stream()
+            viewer.window.context().playback().marks().stream()
                 .anyMatch(mark -> mark.name().equals("take-off")));
-    viewer.run(() -> viewer.window.actions().run("jump-to-time"));
+    viewer.run(() -> viewer.window.context().actions().run("jump-to-time"));
     viewer.waitFor("the question", () -> viewer.isThere("answer"));
     TextField time = viewer.node("answer", TextField.class);
     viewer.run(() -> time.setText("1250 ms"));

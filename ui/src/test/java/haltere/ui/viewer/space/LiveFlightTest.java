@@ -16,7 +16,7 @@ import haltere.ui.space.BodyFlight;
 import haltere.ui.space.CameraRig;
 import haltere.ui.space.LiveFlight;
 import haltere.ui.viewer.ViewerHarness;
-import haltere.ui.viewer.session.Sources;
+import haltere.ui.viewer.session.SessionRequest;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -103,7 +103,7 @@ class LiveFlightTest {
     List<CameraModel> cameras = calibrated();
     try (CameraRig rig =
         CameraRig.open(
-            cameras, number -> Sources.recording(files.get(number), ReadOptions.DEFAULT))) {
+            cameras, number -> SessionRequest.play(files.get(number), ReadOptions.DEFAULT))) {
       LiveFlight live = new LiveFlight(rig, List.of());
       assertNear(play(rig, live));
       rig.first().seek(100_000);

@@ -49,14 +49,18 @@ class WingsFeatureTest {
             .with("disturbances.manoeuvres.everyS=0", "fly.wing.visibleShare=0.1");
     viewer.run(
         () -> {
-          viewer.window.open(
-              new SessionRequest(
-                  () -> new ScenePlayable(() -> new FlyScene(steady), "fly"),
-                  Optional.empty(),
-                  haltere.core.format.ReadOptions.DEFAULT,
-                  "fly",
-                  FirstView.FLY));
-          viewer.window.actions().run("show-wings");
+          viewer
+              .window
+              .context()
+              .sessions()
+              .open(
+                  new SessionRequest(
+                      () -> new ScenePlayable(() -> new FlyScene(steady), "fly"),
+                      Optional.empty(),
+                      haltere.core.format.ReadOptions.DEFAULT,
+                      "fly",
+                      FirstView.FLY));
+          viewer.window.context().actions().run("show-wings");
         });
     viewer.waitFor("a filter of the left wing", () -> filter().isPresent());
   }
@@ -156,7 +160,7 @@ class WingsFeatureTest {
     viewer.waitFor(
         "a filter for each edge",
         () -> wings.seen().get().settings().equals(WingTrackerSettings.original()));
-    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.run(() -> viewer.window.context().actions().run("undo"));
     viewer.waitFor("as it was", () -> wings.seen().get().settings().equals(before));
   }
 
@@ -178,9 +182,9 @@ class WingsFeatureTest {
   @Test
   void edgesAreSwitchedOffAndTheSettingsOfTheChainFollow() {
     CheckBox box = viewer.node("wings-edge-right-leading", CheckBox.class);
-    viewer.run(() -> box.setSelected(false));
+    viewer.run(() -> box.fire());
     viewer.waitFor("the setting", () -> !wings.seen().get().settings().output().rightLeading());
-    viewer.run(() -> viewer.window.actions().run("wings-flip"));
+    viewer.run(() -> viewer.window.context().actions().run("wings-flip"));
     viewer.waitFor(
         "head and tail exchanged, and the edge still off",
         () ->
@@ -191,7 +195,7 @@ class WingsFeatureTest {
   @Test
   void theFlyIsPlacedByTheMouse() {
     viewer.pause();
-    viewer.run(() -> viewer.window.actions().run("wings-place"));
+    viewer.run(() -> viewer.window.context().actions().run("wings-place"));
     // one that was under way when the fly stood still, and one after it
     lookAgain();
     lookAgain();
@@ -223,7 +227,7 @@ class WingsFeatureTest {
   private void drag(double fromX, double fromY, double toX, double toY) {
     viewer.run(
         () -> {
-          ViewTool tool = viewer.window.view().tool().orElseThrow();
+          ViewTool tool = viewer.window.context().panels().view().tool().orElseThrow();
           tool.pressed(fromX, fromY);
           tool.dragged(toX, toY);
           tool.released(toX, toY);
@@ -236,7 +240,7 @@ class WingsFeatureTest {
     viewer.run(() -> wings.log(file));
     long from = viewer.status().elapsedUs();
     viewer.waitFor("a while", () -> viewer.status().elapsedUs() > from + 200_000);
-    viewer.run(() -> viewer.window.actions().run("wings-log"));
+    viewer.run(() -> viewer.window.context().actions().run("wings-log"));
     viewer.waitFor("the file", () -> Files.exists(file));
     List<String> lines = Files.readAllLines(file);
     assertTrue(lines.get(0).startsWith("# haltere") && lines.get(0).endsWith("wings of fly"));

@@ -44,8 +44,7 @@ final class FlyFinder {
   private final HingeLines lines = new HingeLines();
   private final SideSplit split;
   private final WingPairFit bodyLine = new WingPairFit();
-  private StrokeFit[] fits = {new StrokeFit(), new StrokeFit()};
-  private StrokeFit[] otherFits = {new StrokeFit(), new StrokeFit()};
+  private final StrokeFit[] fits = {new StrokeFit(), new StrokeFit()};
   private final double[] px;
   private final double[] py;
   private final boolean[] fitted = new boolean[2];
@@ -127,11 +126,9 @@ final class FlyFinder {
     double leastHz = Math.min(settings.leastFrequencyHz(), settings.mostFrequencyHz());
     double mostHz = Math.max(settings.leastFrequencyHz(), settings.mostFrequencyHz());
     double givenHz = settings.startFrequencyHz();
-    if (givenHz == 0) {
-      return spectrum.search(leastHz, mostHz);
-    }
-    if (!spectrum.search(leastHz, mostHz)) {
-      return false;
+    boolean found = spectrum.search(leastHz, mostHz);
+    if (givenHz == 0 || !found) {
+      return found;
     }
     double most = spectrum.explained;
     return !spectrum.search(givenHz * 0.8, givenHz * 1.25)
@@ -143,25 +140,11 @@ final class FlyFinder {
    * Fits along the axis of the beat and, if 2-means says otherwise, along that; keeps the better.
    */
   private boolean fitBest(double byMeans) {
-    double score = fit(spectrum.axisRad);
-    if (Math.abs(Angles.wrapHalfPi(byMeans - spectrum.axisRad)) > OTHER_AXIS_RAD) {
-      StrokeFit[] kept = fits;
-      double keptAxis = fittedAxis;
-      double keptOuter = outerPx;
-      boolean[] keptFitted = fitted.clone();
-      fits = otherFits;
+    double axis = spectrum.axisRad;
+    double score = fit(axis);
+    if (Math.abs(Angles.wrapHalfPi(byMeans - axis)) > OTHER_AXIS_RAD) {
       double other = fit(byMeans);
-      if (other > score) {
-        otherFits = kept;
-        score = other;
-      } else {
-        otherFits = fits;
-        fits = kept;
-        fitted[0] = keptFitted[0];
-        fitted[1] = keptFitted[1];
-        fittedAxis = keptAxis;
-        outerPx = keptOuter;
-      }
+      score = other > score ? other : fit(axis);
     }
     return score > 0 && fitted[0] && fitted[1] || fitAlone();
   }

@@ -73,24 +73,12 @@ final class StrokeFit {
     return p[CENTRE];
   }
 
-  double omega() {
-    return p[OMEGA];
-  }
-
   double hingeX() {
     return p[HINGE_X];
   }
 
   double hingeY() {
     return p[HINGE_Y];
-  }
-
-  double halfWidth() {
-    return p[WIDTH];
-  }
-
-  double lagS() {
-    return p[LAG];
   }
 
   double cosine(int harmonic) {
@@ -139,9 +127,9 @@ final class StrokeFit {
         flipped ? Math.PI - centre() : centre(),
         amplitude(),
         phase,
-        omega(),
-        halfWidth(),
-        lagS(),
+        p[OMEGA],
+        p[WIDTH],
+        p[LAG],
         cosines,
         sines);
   }

@@ -60,6 +60,21 @@ final class CameraLatency {
   }
 
   /**
+   * Variance of {@link #lagS}, squared seconds. Wings that disagree by more than their variances
+   * explain raise it by that ratio (Birge 1932, equation 4).
+   */
+  static double lagVariance(StrokeEkf own, StrokeEkf other) {
+    double variance = own.belief.covariance(StrokeEkf.LAG, StrokeEkf.LAG);
+    if (other == null) {
+      return variance;
+    }
+    double otherVariance = other.belief.covariance(StrokeEkf.LAG, StrokeEkf.LAG);
+    double both = variance + otherVariance;
+    double apart = own.x[StrokeEkf.LAG] - other.x[StrokeEkf.LAG];
+    return variance * otherVariance / both * Math.max(1, apart * apart / both);
+  }
+
+  /**
    * Degree to which pixels are too fast to explain the lag of ON events by their own delay. The
    * time that a pixel takes to its threshold spreads with the threshold: its delay is the spread of
    * the times over the mismatch.

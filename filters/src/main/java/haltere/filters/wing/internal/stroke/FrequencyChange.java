@@ -25,7 +25,9 @@ final class FrequencyChange {
   private double change;
   private double usual;
   private double weight;
-  private double excess;
+
+  /** Square of the change beyond what is usual, squared radians a squared second. */
+  double excess;
 
   /**
    * Looks, about once in a millisecond; in calm flight, the change counts as usual. The other wing
@@ -44,10 +46,5 @@ final class FrequencyChange {
       weight = Math.min(MAX_WEIGHT, weight + 1);
       usual += (Math.min(mean * mean, clearly) - usual) / weight;
     }
-  }
-
-  /** Square of the change beyond what is usual, squared radians a squared second. */
-  double excess() {
-    return excess;
   }
 }

@@ -91,6 +91,6 @@ final class FrequencyNoise {
     return share * (p - manoeuvre)
         + MANOEUVRE_SHARE * manoeuvre
         + SURPRISE_SHARE * surprise
-        + CHANGE_SHARE * changes.excess();
+        + CHANGE_SHARE * changes.excess;
   }
 }

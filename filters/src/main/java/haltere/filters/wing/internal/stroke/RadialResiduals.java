@@ -20,6 +20,8 @@ final class RadialResiduals {
   /** 95 % quantile of chi-square over its degrees of freedom, 7: more than noise explains. */
   private static final double SIGNIFICANT = 2.01;
 
+  private static final double FREEDOM = RINGS - 1;
+
   private final double[][] moment = new double[2][RINGS];
   private final double[][] weight = new double[2][RINGS];
   private final double ringsPerSquarePx;
@@ -40,6 +42,9 @@ final class RadialResiduals {
    * Share of the time, 0 to 1, in which radius or times tell of a wide wing; even odds at first.
    */
   double wideShare = 0.5;
+
+  /** Share of the time, 0 to 1, in which radius and times do not tell that the wing is narrow. */
+  double notNarrowShare = 1;
 
   /** Variance over the radius of the middle between the edges in mid stroke, squared seconds. */
   double bendVariance;
@@ -97,8 +102,10 @@ final class RadialResiduals {
     double most = Math.max(sum[0], sum[1]);
     answeredShare = most == 0 ? 0 : Math.max(0, 2 * Math.min(sum[0], sum[1]) / most - 1);
     double kept = Math.exp(-dtS / MEMORY_S);
-    wideTime += (1 - kept) * ((isSpread || variation > 0 ? 1 : 0) - wideTime);
+    double seen = isSpread || variation > 0 ? 1 : apart.probability(ambiguous * ambiguous);
+    wideTime += (1 - kept) * (seen - wideTime);
     wideShare = Math.max(0, 2 * wideTime - 1);
+    notNarrowShare = Math.min(1, 2 * wideTime);
     for (int ring = 0; ring < RINGS; ring++) {
       for (int edge = 0; edge < 2; edge++) {
         moment[edge][ring] *= kept;
@@ -123,6 +130,16 @@ final class RadialResiduals {
 
     double variance() {
       return all == 0 ? 0 : Math.max(0, (second - first * first / all - SIGNIFICANT * noise) / all);
+    }
+
+    /** Probability that the rings vary by that much more than noise; even odds before. */
+    double probability(double variance) {
+      if (all == 0) {
+        return 0.5;
+      }
+      double ratio = variance * all / noise;
+      double measured = (second - first * first / all) / noise;
+      return 1 / (1 + Math.exp(FREEDOM / 2 * (Math.log1p(ratio) - measured * ratio / (1 + ratio))));
     }
   }
 }

@@ -419,11 +419,14 @@ public final class WingEstimator implements SideEstimator {
       return 0;
     }
     double fast = passageShare(lagS);
-    double wide = Math.max(radial.wideShare, other == null ? 0 : other.radial.wideShare);
+    double wide = Math.max(radial.notNarrowShare, other == null ? 0 : other.radial.notNarrowShare);
     double choice = 1 + wide / 2;
     double apartS = apartS(lagS);
     double spreadS = noise.of(LEADING).timingSdS();
-    return (fast / 2 + (1 - fast) * (wide * 0.75 + fast * choice * choice)) * apartS * apartS
+    double square =
+        apartS * apartS
+            + CameraLatency.lagVariance(filter, other == null ? null : other.filter) / 4;
+    return (fast / 2 + (1 - fast) * (wide * 0.75 + fast * choice * choice)) * square
         + 3 * wide * spreadS * spreadS
         + radial.bendVariance;
   }

@@ -43,22 +43,22 @@ class FrequencyChangeTest {
   void aFrequencyThatBothWingsChangeTellsHowFarOffItMayBe() {
     flySteadily();
     look(OMEGA + 8, OMEGA + 8);
-    assertEquals(64, wings[1].excess(), 2);
+    assertEquals(64, wings[1].excess, 2);
   }
 
   @Test
   void whatIsUsualIsNoChange() {
     flySteadily();
-    assertEquals(0, wings[1].excess());
+    assertEquals(0, wings[1].excess);
     look(OMEGA + 0.2, OMEGA + 0.2);
-    assertEquals(0, wings[1].excess());
+    assertEquals(0, wings[1].excess);
   }
 
   @Test
   void wingsThatChangeAgainstEachOtherAreNoise() {
     flySteadily();
     look(OMEGA + 8, OMEGA - 8);
-    assertEquals(0, wings[1].excess());
+    assertEquals(0, wings[1].excess);
   }
 
   @Test
@@ -67,9 +67,9 @@ class FrequencyChangeTest {
     for (int i = 0; i < 6; i++) {
       look(OMEGA + 8, OMEGA + 8);
     }
-    assertTrue(wings[1].excess() > 50);
+    assertTrue(wings[1].excess > 50);
     look(OMEGA + 8, OMEGA + 8);
     look(OMEGA + 8, OMEGA + 8);
-    assertEquals(0, wings[1].excess());
+    assertEquals(0, wings[1].excess);
   }
 }

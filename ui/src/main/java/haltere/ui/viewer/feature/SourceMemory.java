@@ -1,10 +1,9 @@
-package haltere.ui.viewer;
+package haltere.ui.viewer.feature;
 
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.json.JsonProblem;
 import haltere.core.json.internal.Json;
-import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.session.SessionRequest;
 import java.util.List;
 import java.util.Map;
@@ -17,7 +16,7 @@ import java.util.Optional;
  *
  * <p>Thread rule: JavaFX thread only, or the thread that makes the window, before it is made.
  */
-final class SourceMemory {
+public final class SourceMemory {
   private static final String CHAINS = "chains";
   private static final String SENSORS = "sensors";
   private static final int MAX_CHAINS = 40;
@@ -26,12 +25,12 @@ final class SourceMemory {
   private final UserSettings settings;
 
   /** What the settings hold. */
-  SourceMemory(UserSettings settings) {
+  public SourceMemory(UserSettings settings) {
     this.settings = settings;
   }
 
   /** The chain of its own that something has, as JSON; empty where nobody has changed it. */
-  Optional<String> chain(SessionRequest request) {
+  public Optional<String> chain(SessionRequest request) {
     return Optional.ofNullable(settings.map(CHAINS).get(request.chainKey())).map(Json::write);
   }
 
@@ -56,7 +55,7 @@ final class SourceMemory {
   }
 
   /** The same request with the sensor that was kept for it, unless it names one. */
-  SessionRequest withSensor(SessionRequest request) {
+  public SessionRequest withSensor(SessionRequest request) {
     if (request.file().isPresent()
         && request.options().sensor().isEmpty()
         && settings.map(SENSORS).get(request.chainKey()) instanceof List<?> kept
