@@ -4,23 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.Font;
-import java.awt.font.FontRenderContext;
-import java.awt.font.LineMetrics;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class FontLettersTest {
-  /** What Java throws where the system has no font configuration. */
-  private static final Font MISSING =
-      new Font(Font.SANS_SERIF, Font.PLAIN, 12) {
-        @Override
-        public LineMetrics getLineMetrics(String text, FontRenderContext context) {
-          throw new InternalError("Fontconfig head is null");
-        }
-      };
-
   private static List<String> drawn(Letters letters, String text) {
     List<String> dots = new ArrayList<>();
     letters.draw(text, 0, 20, (column, row, share) -> dots.add(column + "," + row));
@@ -47,7 +35,13 @@ class FontLettersTest {
 
   @Test
   void withoutAFontWordsAreLeftOut() {
-    Letters letters = new FontLetters(12, MISSING);
+    Letters letters =
+        new FontLetters(
+            12,
+            () -> {
+              // what Java throws where the system has no font configuration
+              throw new InternalError("Fontconfig head is null");
+            });
     assertEquals(0, letters.width("anything"));
     assertEquals(List.of(), drawn(letters, "anything"));
   }

@@ -15,12 +15,16 @@ import javafx.scene.Node;
  * that paints frames, once it has been told {@link #screenPlace where}, else here.
  */
 final class SensorPicture {
+  /** So many pictures are not kept waiting by the loading of fonts that they may not need. */
+  private static final int FIRST_PICTURES = 10;
+
   private final PixelImage image = new PixelImage();
   private final ScreenPainter painter = new ScreenPainter();
   private SensorGeometry geometry = new SensorGeometry(1, 1);
   private DisplayFrame newest = new DisplayFrame(geometry);
   private Optional<ScreenPlace> place = Optional.empty();
   private boolean marksVisible = true;
+  private int drawn;
 
   /** An empty picture. */
   SensorPicture() {
@@ -97,6 +101,9 @@ final class SensorPicture {
   /** The frame to be drawn next, which must stay as it is until there is another. */
   void setFrame(DisplayFrame frame) {
     newest = frame;
+    if (drawn < FIRST_PICTURES && ++drawn == FIRST_PICTURES) {
+      FontLetters.prepare();
+    }
   }
 
   /** Whether marks of filters are drawn. */
