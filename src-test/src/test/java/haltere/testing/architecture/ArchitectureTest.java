@@ -91,10 +91,20 @@ class ArchitectureTest {
             .resideOutsideOfPackages(
                 "haltere.core.json.internal",
                 "haltere.core.format.internal.aedat4",
+                "haltere.core.format.internal.bag",
                 "haltere.core.format.internal.packed")
             .should()
             .onlyDependOnClassesThat(resideInAnyPackage("java..", "haltere.core.."))
             .because("a library is a promise to every embedder"));
+    check(
+        classes()
+            .that()
+            .resideInAPackage("haltere.core.format.internal.bag")
+            .should()
+            .onlyDependOnClassesThat(
+                resideInAnyPackage(
+                    "java..", "haltere.core..", "org.apache.commons.compress.compressors.bzip2"))
+            .because("of recordings only the chunks of ROS 1 bags are compressed with bzip2"));
     check(
         classes()
             .that()
@@ -111,8 +121,12 @@ class ArchitectureTest {
             .should()
             .onlyDependOnClassesThat(
                 resideInAnyPackage(
-                    "java..", "javax.xml.stream..", "haltere.core..", "com.github.luben.zstd.."))
-            .because("Zstandard is unpacked in one place, and only AEDAT-4 has XML in its header"));
+                    "java..",
+                    "javax.xml.stream..",
+                    "haltere.core..",
+                    "com.github.luben.zstd..",
+                    "net.jpountz.."))
+            .because("compression is in one place, and only AEDAT-4 has XML in its header"));
   }
 
   @Test

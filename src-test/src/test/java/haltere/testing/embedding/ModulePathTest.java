@@ -48,7 +48,7 @@ class ModulePathTest {
             .filter(
                 path ->
                     path.matches(
-                        ".*/(haltere-(core|filters)|jackson-core|zstd-jni|ejml-|commons-)[^/]*jar"))
+                        ".*/(haltere-(core|filters)|jackson-core|lz4-java|zstd-jni|ejml-|commons-)[^/]*jar"))
             .collect(Collectors.joining(File.pathSeparator));
     assertTrue(jars.contains("haltere-core"), jars);
     Files.createDirectories(folder.resolve("app"));

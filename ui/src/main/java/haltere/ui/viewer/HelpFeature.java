@@ -12,14 +12,22 @@ import javafx.stage.Stage;
 
 /** The command palette and the list of keys. */
 final class HelpFeature implements ViewerFeature {
-  private static final String LIBRARIES =
+  private static final String FACTS =
       """
+      Haltere %s
+      Licence: Apache-2.0
+
+      Java %s of %s
+      JavaFX %s
+      %s %s
+
+      Libraries and their licences:
       OpenJFX: GPL-2.0 with Classpath Exception
       AtlantaFX: MIT
-      picocli, EJML, Jackson, Commons Statistics: Apache-2.0
+      picocli, EJML, Jackson, lz4-java, Commons Compress, Commons Statistics: Apache-2.0
       usb4java: MIT; libusb: LGPL-2.1
       JeroMQ: MPL-2.0
-      zstd-jni: BSD-2-Clause""";
+      zstd-jni, LZ4: BSD-2-Clause""";
 
   @Override
   public void install(ViewerContext window) {
@@ -34,24 +42,14 @@ final class HelpFeature implements ViewerFeature {
 
   private static void about(Stage owner) {
     String version = HelpFeature.class.getPackage().getImplementationVersion();
-    Label facts =
-        Controls.named(
-            new Label(
-                "Haltere "
-                    + (version == null ? "(not from a jar)" : version)
-                    + "\nLicence: Apache-2.0\n\nJava "
-                    + System.getProperty("java.runtime.version")
-                    + " of "
-                    + System.getProperty("java.vendor")
-                    + "\nJavaFX "
-                    + System.getProperty("javafx.runtime.version", "")
-                    + "\n"
-                    + System.getProperty("os.name")
-                    + " "
-                    + System.getProperty("os.arch")
-                    + "\n\nLibraries and their licences:\n"
-                    + LIBRARIES),
-            "about");
-    Windows.tell(owner, "About Haltere", facts);
+    String facts =
+        FACTS.formatted(
+            version == null ? "(not from a jar)" : version,
+            System.getProperty("java.runtime.version"),
+            System.getProperty("java.vendor"),
+            System.getProperty("javafx.runtime.version", ""),
+            System.getProperty("os.name"),
+            System.getProperty("os.arch"));
+    Windows.tell(owner, "About Haltere", Controls.named(new Label(facts), "about"));
   }
 }

@@ -103,9 +103,7 @@ final class Manual {
   }
 
   private static GridPane table(String block) {
-    GridPane grid = new GridPane();
-    grid.setHgap(14);
-    grid.setVgap(4);
+    GridPane grid = new GridPane(14, 4);
     int row = 0;
     for (String line : block.split("\n")) {
       if (line.matches("[|\\-: ]+")) {

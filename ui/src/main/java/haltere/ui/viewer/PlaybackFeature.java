@@ -29,12 +29,10 @@ final class PlaybackFeature implements ViewerFeature {
     add("step-off", () -> playback.step(-1));
     add("jog-on", () -> playback.step(JOG_SLICES));
     add("jog-off", () -> playback.step(-JOG_SLICES));
-    actions.beginGroup();
     add("go-faster", playback::faster);
     add("go-slower", playback::slower);
     add("real-time", () -> playback.setSpeed(1));
     add("slow-motion", () -> playback.setSpeed(1e-3));
-    actions.beginGroup();
     add("to-start", playback::rewind);
     add("to-first", () -> playback.seek(0));
     add("to-last", () -> playback.seek(Long.MAX_VALUE));
@@ -42,7 +40,6 @@ final class PlaybackFeature implements ViewerFeature {
     add("jump-back", () -> playback.jump(-JUMP_US));
     add("leap-on", () -> playback.jump(10 * JUMP_US));
     add("leap-back", () -> playback.jump(-10 * JUMP_US));
-    actions.beginGroup();
     add("loop-start", playback::markIn);
     add("loop-end", playback::markOut);
     actions.add("clear-in-out", playback::clearInOut, this::noLoopEnds);
@@ -52,7 +49,6 @@ final class PlaybackFeature implements ViewerFeature {
             () -> playback.loopProperty().get().on(), playback.loopProperty()),
         () -> playback.setLooping(!playback.loopProperty().get().on()),
         () -> "");
-    actions.beginGroup();
     add("set-mark", playback::mark);
     add(
         "name-mark",
@@ -61,7 +57,6 @@ final class PlaybackFeature implements ViewerFeature {
     actions.add("mark-before", () -> playback.toMark(false), this::noMarks);
     actions.add("mark-after", () -> playback.toMark(true), this::noMarks);
     actions.add("clear-marks", playback::clearMarks, this::noMarks);
-    actions.beginGroup();
     add("forget", playback::reset);
     add("menu-reset", playback::reset);
   }

@@ -110,10 +110,7 @@ public final class ViewerWindow {
     Thread.currentThread().setUncaughtExceptionHandler((thread, fault) -> showFault(fault));
     followDisplay(display);
     context.sessions().install(context);
-    for (ViewerFeature feature : features) {
-      actions.beginGroup();
-      feature.install(context);
-    }
+    features.forEach(feature -> feature.install(context));
     menu.follow();
     keepWantedSize(room);
     // the keys of playback work at once; a list in the focus would keep some of them

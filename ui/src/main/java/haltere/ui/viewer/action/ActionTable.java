@@ -9,12 +9,22 @@ import java.util.Map;
 
 /** The commands of the window, by id: what {@code actions.txt} says of each. */
 final class ActionTable {
-  /** A line of the table; the components are those of {@link ViewerAction}. */
-  record Line(String id, String key, String menu, String words, String help) {}
+  /**
+   * A line of the table; the components are those of {@link ViewerAction}, and the number of the
+   * paragraph.
+   */
+  record Line(String id, String key, String menu, String words, String help, int group) {}
 
   private static final Map<String, Line> LINES = read();
 
   private ActionTable() {}
+
+  /**
+   * A number that the commands of a paragraph have in common; another one for what is not there.
+   */
+  static int group(String id, int other) {
+    return LINES.containsKey(id) ? LINES.get(id).group() : other;
+  }
 
   /** The line of an id. */
   static Line line(String id) {
@@ -29,11 +39,15 @@ final class ActionTable {
     Map<String, Line> lines = new HashMap<>();
     try (InputStream table = ActionTable.class.getResourceAsStream("actions.txt")) {
       String text = new String(table.readAllBytes(), StandardCharsets.UTF_8);
-      text.lines()
-          .filter(line -> !line.isBlank() && !line.startsWith("#"))
-          .map(line -> line.split("\\s*\\|\\s*", -1))
-          .forEach(
-              cell -> lines.put(cell[0], new Line(cell[0], cell[1], cell[2], cell[3], cell[4])));
+      int group = 0;
+      for (String line : text.split("\n")) {
+        if (line.isBlank()) {
+          group++;
+        } else if (!line.startsWith("#")) {
+          String[] cell = line.split("\\s*\\|\\s*", -1);
+          lines.put(cell[0], new Line(cell[0], cell[1], cell[2], cell[3], cell[4], group));
+        }
+      }
     } catch (IOException unreadable) {
       throw new UncheckedIOException(unreadable);
     }

@@ -29,9 +29,7 @@ public final class KeysDialog {
 
   /** Opens the list of the keys of actions over a window and returns at once. */
   public static void show(Window owner, ViewerActions actions) {
-    GridPane grid = new GridPane();
-    grid.setHgap(18);
-    grid.setVgap(4);
+    GridPane grid = new GridPane(18, 4);
     grid.setPadding(new Insets(12));
     int row = 0;
     String menu = "";

@@ -19,8 +19,6 @@ import javafx.beans.value.ObservableBooleanValue;
 public final class ViewerActions {
   private final Map<String, ViewerAction> actions = new LinkedHashMap<>();
   private final Map<String, List<ViewerAction>> offers = new HashMap<>();
-  private final Map<String, Integer> groups = new HashMap<>();
-  private int group;
   private final List<Runnable> listeners = new ArrayList<>();
 
   /** Adds actions in the order of their menus; refuses an id or a key that is taken. */
@@ -59,16 +57,6 @@ public final class ViewerActions {
     add(ViewerAction.listed(id, work, Optional.of(on), obstacle));
   }
 
-  /** What is added from now on stands behind a line in its menu. */
-  public void beginGroup() {
-    group++;
-  }
-
-  /** A number that actions between two lines of a menu have in common. */
-  int group(ViewerAction action) {
-    return groups.getOrDefault(action.id(), 0);
-  }
-
   /** Puts actions in place of those that were offered under the same name before. */
   public void offer(String name, List<ViewerAction> offered) {
     offers.getOrDefault(name, List.of()).forEach(old -> actions.remove(old.id()));
@@ -89,7 +77,6 @@ public final class ViewerActions {
         }
       }
       actions.put(action.id(), action);
-      groups.putIfAbsent(action.id(), group);
     }
   }
 

@@ -89,7 +89,7 @@ public final class ViewerKeys {
     if (event.getCode() == KeyCode.ENTER && press(focus)) {
       return true;
     }
-    if (isMove(event.getCode()) && ownsMoves(focus)) {
+    if (event.getCode().isNavigationKey() && ownsMoves(focus)) {
       return false;
     }
     Optional<ViewerAction> wanted = action(event);
@@ -125,10 +125,6 @@ public final class ViewerKeys {
     return actions.all().stream()
         .filter(action -> action.hasPlainKey() && action.key().equals(key))
         .findFirst();
-  }
-
-  private static boolean isMove(KeyCode code) {
-    return code.isNavigationKey();
   }
 
   private static boolean ownsMoves(Node focus) {

@@ -70,7 +70,7 @@ public final class ViewerMenu extends MenuBar {
     List<MenuItem> items = new ArrayList<>();
     int last = -1;
     for (Object one : content) {
-      int group = one instanceof ViewerAction action ? actions.group(action) : last;
+      int group = one instanceof ViewerAction action ? ActionTable.group(action.id(), last) : last;
       if (last >= 0 && group != last) {
         items.add(new SeparatorMenuItem());
       }

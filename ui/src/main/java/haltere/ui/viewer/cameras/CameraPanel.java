@@ -206,14 +206,9 @@ final class CameraPanel extends ScrollPane {
                     roi.region()
                         .map(
                             part ->
-                                "Region "
-                                    + part.width()
-                                    + " \u00d7 "
-                                    + part.height()
-                                    + " at "
-                                    + part.left()
-                                    + ", "
-                                    + part.bottom())
+                                "Region %d \u00d7 %d at %d, %d"
+                                    .formatted(
+                                        part.width(), part.height(), part.left(), part.bottom()))
                         .orElse("The whole sensor")));
     showing = false;
   }
@@ -221,26 +216,22 @@ final class CameraPanel extends ScrollPane {
   /** Shows what came and what was lost. */
   void update(CameraStatistics now) {
     statistics.setText(
-        Texts.count(now.events())
-            + " events in "
-            + Texts.count(now.transfers())
-            + " transfers\nlost "
-            + Texts.count(now.lostEvents())
-            + " events in "
-            + Texts.count(now.lostTransfers())
-            + " transfers, "
-            + Texts.count(now.brokenTransfers())
-            + " broken\nwaiting "
-            + now.waiting()
-            + " transfers, at most "
-            + now.mostWaiting()
-            + "\nlatency "
-            + Texts.duration(now.medianLatencyUs())
-            + " (half), "
-            + Texts.duration(now.latency999Us())
-            + " (999 of 1,000), "
-            + Texts.duration(now.longestLatencyUs())
-            + " (longest)");
+        """
+        %s events in %s transfers
+        lost %s events in %s transfers, %s broken
+        waiting %d transfers, at most %d
+        latency %s (median), %s (99.9 %%), %s (longest)"""
+            .formatted(
+                Texts.count(now.events()),
+                Texts.count(now.transfers()),
+                Texts.count(now.lostEvents()),
+                Texts.count(now.lostTransfers()),
+                Texts.count(now.brokenTransfers()),
+                now.waiting(),
+                now.mostWaiting(),
+                Texts.duration(now.medianLatencyUs()),
+                Texts.duration(now.latency999Us()),
+                Texts.duration(now.longestLatencyUs())));
   }
 
   /** The same in a few words, for the bottom line. */

@@ -229,13 +229,13 @@ public final class ChainEditor {
   }
 
   /**
-   * Gives a filter new settings.
+   * Gives a filter new settings; who shows them is told.
    *
    * @param before the settings that it has
    * @param subject what is changed, so that changes of the same can be taken back as one
    * @param refused called with one line if the filter does not take them
    */
-  void apply(
+  public void apply(
       ChainStage stage, Record before, Record settings, String subject, Consumer<String> refused) {
     if (player.isEmpty()) {
       return;
@@ -247,15 +247,6 @@ public final class ChainEditor {
         prefix + name + "/" + subject,
         () -> reapply(name, before),
         () -> reapply(name, settings));
-  }
-
-  /**
-   * Gives a filter new settings that do not come from its card, as {@link #apply} does; who shows
-   * them is told.
-   */
-  public void applyAndShow(
-      ChainStage stage, Record before, Record settings, String subject, Consumer<String> refused) {
-    apply(stage, before, settings, subject, refused);
     adopters.forEach(adopter -> adopter.accept(stage, settings));
   }
 
@@ -263,7 +254,7 @@ public final class ChainEditor {
     edit(chain -> applyNow(chain, chain.stage(stage), settings));
   }
 
-  /** Tells somebody of settings that a filter was given other than by {@link #apply}. */
+  /** Tells somebody of settings that a filter was given. */
   public void onSettings(BiConsumer<ChainStage, Record> adopter) {
     adopters.add(adopter);
   }

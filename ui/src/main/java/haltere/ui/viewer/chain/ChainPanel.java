@@ -83,7 +83,7 @@ public final class ChainPanel extends VBox {
   }
 
   /** Shows what the stages do now; called a few times a second. */
-  public void update(long elapsedNanos) {
-    cards.update(elapsedNanos);
+  public void update() {
+    cards.update();
   }
 }

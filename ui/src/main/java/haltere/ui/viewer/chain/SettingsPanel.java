@@ -91,12 +91,13 @@ final class SettingsPanel<S extends Record> extends VBox {
   }
 
   private Button startFrom(String id, String name, S preset) {
-    Button button =
-        Controls.named(
-            new Button("Preset: " + name), "preset-" + name + "-" + id, Styles.SMALL, Styles.FLAT);
-    Controls.help(button, "Takes all settings of the preset " + name);
-    button.setOnAction(event -> send(preset, "all settings", problem -> {}));
-    return button;
+    return Controls.button(
+        "preset-" + name + "-" + id,
+        "Preset: " + name,
+        "Takes all settings of the preset " + name,
+        () -> send(preset, "all settings", problem -> {}),
+        Styles.SMALL,
+        Styles.FLAT);
   }
 
   private void set(String name, Object value, Consumer<String> refused) {
@@ -112,13 +113,10 @@ final class SettingsPanel<S extends Record> extends VBox {
   }
 
   private void send(S changed, String subject, Consumer<String> refused) {
-    S before = settings;
-    settings = changed;
-    editor.apply(stage, before, changed, subject, refused);
-    show();
+    editor.apply(stage, settings, changed, subject, refused);
   }
 
-  /** Shows settings that somebody else has given the filter. */
+  /** Shows settings that the filter was given. */
   void adopt(Record adopted) {
     if (adopted.getClass() == settings.getClass()) {
       @SuppressWarnings("unchecked")
@@ -142,10 +140,7 @@ final class SettingsPanel<S extends Record> extends VBox {
         shownGroups.add(field.parameter().group());
       }
     }
-    headings.forEach(
-        (group, heading) -> {
-          Controls.show(shownGroups.contains(group), heading);
-        });
+    headings.forEach((group, heading) -> Controls.show(shownGroups.contains(group), heading));
     return shown;
   }
 

@@ -10,6 +10,7 @@ import haltere.core.chain.Filters;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.controls.Texts;
+import java.util.Locale;
 import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.geometry.Pos;
@@ -48,6 +49,7 @@ final class StageCard extends VBox {
   private Optional<Record> adopted = Optional.empty();
   private SettingsSearch search = SettingsSearch.ALL;
   private FilterTiming last;
+  private long lastNanos = System.nanoTime();
   private boolean followingStage;
   private Optional<StageList> chainAbove = Optional.empty();
 
@@ -183,11 +185,12 @@ final class StageCard extends VBox {
   }
 
   /** Shows what the stage did since the last call. */
-  void update(long elapsedNanos) {
-    inside.ifPresent(list -> list.update(elapsedNanos));
-    if (power.isSelected() != stage.isEnabled() && elapsedNanos > 0) {
+  void update() {
+    inside.ifPresent(StageList::update);
+    if (power.isSelected() != stage.isEnabled()) {
       followStage();
     }
+    long nanos = System.nanoTime();
     FilterTiming now = stage.timing();
     FilterTiming since = now.since(last);
     last = now;
@@ -196,17 +199,17 @@ final class StageCard extends VBox {
     } else if (since.eventsIn() == 0) {
       counts.setText("no events");
     } else {
-      double seconds = elapsedNanos / 1e9;
+      double seconds = (nanos - lastNanos) / 1e9;
       counts.setText(
-          Texts.quantity(since.eventsIn() / seconds)
-              + " \u2192 "
-              + Texts.quantity(since.eventsOut() / seconds)
-              + " ev/s  \u00b7  "
-              + Math.round(100.0 * since.eventsOut() / since.eventsIn())
-              + " %  \u00b7  "
-              + Texts.digits(since.microsPerThousandEvents())
-              + " \u00b5s/kev");
+          String.format(
+              Locale.ROOT,
+              "%s \u2192 %s ev/s  \u00b7  %d %%  \u00b7  %s \u00b5s/kev",
+              Texts.quantity(since.eventsIn() / seconds),
+              Texts.quantity(since.eventsOut() / seconds),
+              Math.round(100.0 * since.eventsOut() / since.eventsIn()),
+              Texts.digits(since.microsPerThousandEvents())));
     }
+    lastNanos = nanos;
   }
 
   /** The player has switched a filter off that failed, or a switch is still under way. */
@@ -246,7 +249,7 @@ final class StageCard extends VBox {
     expand.setRotate(show ? 90 : 0);
   }
 
-  /** Shows settings that a filter was given other than by a card, if it is this one's. */
+  /** Shows settings that a filter was given, if it is this one's. */
   void adopt(ChainStage of, Record newSettings) {
     inside.ifPresent(list -> list.adopt(of, newSettings));
     if (of == stage) {

@@ -120,7 +120,7 @@ final class StageList extends VBox {
     }
   }
 
-  /** Shows settings that a filter was given other than by a card. */
+  /** Shows settings that a filter was given. */
   void adopt(ChainStage of, Record settings) {
     cards.values().forEach(card -> card.adopt(of, settings));
   }
@@ -136,7 +136,7 @@ final class StageList extends VBox {
   }
 
   /** Shows what the stages do now; called a few times a second. */
-  void update(long elapsedNanos) {
-    cards.values().forEach(card -> card.update(elapsedNanos));
+  void update() {
+    cards.values().forEach(StageCard::update);
   }
 }

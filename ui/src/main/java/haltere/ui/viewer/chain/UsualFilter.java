@@ -93,16 +93,13 @@ public enum UsualFilter {
 
   /** Gives a tracker the settings that it has where a scene begins with it. */
   private static void applyUsual(FilterChain chain, ChainStage added) {
-    FilterChain fly = DefaultChain.forFly(chain.geometry());
-    try {
+    try (FilterChain fly = DefaultChain.forFly(chain.geometry())) {
       for (ChainStage stage : fly.stages()) {
         if (stage.kind().equals(added.kind())
             && stage.filter() instanceof ConfigurableFilter<?> usual) {
           chain.apply(added, (Record) usual.settings());
         }
       }
-    } finally {
-      fly.close();
     }
   }
 }

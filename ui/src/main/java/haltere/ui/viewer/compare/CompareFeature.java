@@ -13,6 +13,7 @@ import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
@@ -62,7 +63,6 @@ public final class CompareFeature implements ViewerFeature {
   private BooleanProperty shown;
   private BooleanProperty settingsShown;
   private Optional<Running> running = Optional.empty();
-  private long numbersNanos;
   private int starts;
 
   // processing thread only
@@ -91,13 +91,9 @@ public final class CompareFeature implements ViewerFeature {
     window.panels().addAbovePicture(firstName);
     firstName.setMinWidth(0);
     secondName.setMinWidth(0);
-    settingsShown =
-        window
-            .panels()
-            .panelLayout()
-            .offer("second-chain", "Second chain", PanelPlace.SIDE, () -> settings);
-    shown =
-        window.panels().panelLayout().offer("compare", "Compare", PanelPlace.BESIDE, () -> named);
+    PanelLayout layout = window.panels().panelLayout();
+    settingsShown = layout.offer("second-chain", "Second chain", PanelPlace.SIDE, () -> settings);
+    shown = layout.offer("compare", "Compare", PanelPlace.BESIDE, () -> named);
     firstName.visibleProperty().bind(shown);
     firstName.managedProperty().bind(shown);
     window.actions().add("compare", shown);
@@ -123,6 +119,7 @@ public final class CompareFeature implements ViewerFeature {
                       now.player().refresh();
                     }));
     window.panels().onPulse(() -> running.ifPresent(this::pulse));
+    window.panels().every(NUMBERS_NANOS, () -> running.ifPresent(this::showNumbers));
   }
 
   /** The second chain; empty while nothing is compared. */
@@ -221,28 +218,27 @@ public final class CompareFeature implements ViewerFeature {
     if (frame != null) {
       view.show(frame);
     }
-    long nanos = System.nanoTime();
-    if (nanos - numbersNanos >= NUMBERS_NANOS) {
-      chainPanel.update(nanos - numbersNanos);
-      numbersNanos = nanos;
-      window
-          .editor()
-          .read(
-              first ->
-                  new Means(
-                      name(first),
-                      name(now.second().chain()),
-                      firstMeans == null ? Map.of() : firstMeans.take(),
-                      secondMeans == null ? Map.of() : secondMeans.take()),
-              means -> {
-                show(firstName, "First chain: " + means.firstName());
-                show(secondName, "Second chain: " + means.secondName());
-                List<ComparisonTable.Line> lines =
-                    ComparisonTable.lines(means.first(), means.second());
-                if (!lines.isEmpty()) {
-                  table.show(lines);
-                }
-              });
-    }
+  }
+
+  private void showNumbers(Running now) {
+    chainPanel.update();
+    window
+        .editor()
+        .read(
+            first ->
+                new Means(
+                    name(first),
+                    name(now.second().chain()),
+                    firstMeans == null ? Map.of() : firstMeans.take(),
+                    secondMeans == null ? Map.of() : secondMeans.take()),
+            means -> {
+              show(firstName, "First chain: " + means.firstName());
+              show(secondName, "Second chain: " + means.secondName());
+              List<ComparisonTable.Line> lines =
+                  ComparisonTable.lines(means.first(), means.second());
+              if (!lines.isEmpty()) {
+                table.show(lines);
+              }
+            });
   }
 }

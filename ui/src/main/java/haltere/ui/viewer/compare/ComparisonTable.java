@@ -25,13 +25,12 @@ final class ComparisonTable extends ScrollPane {
   /** A line of the table, below the heading of what publishes it. */
   record Line(String group, String field, String first, String second, String difference) {}
 
-  private final GridPane grid = new GridPane();
+  private final GridPane grid = new GridPane(6, 0);
 
   ComparisonTable() {
     setAccessibleText("Published numbers of both chains");
     setFitToWidth(true);
     Controls.named(this, "comparison", "comparison");
-    grid.setHgap(6);
     ColumnConstraints names = new ColumnConstraints();
     names.setHgrow(Priority.ALWAYS);
     names.setMinWidth(60);

@@ -182,13 +182,17 @@ public final class Texts {
       own = own.substring(0, own.length() - suffix.length());
     }
     String spaced = own.replaceAll("([a-z0-9])([A-Z])", "$1 $2").toLowerCase(Locale.ROOT);
-    return spaced.isEmpty() ? name : Character.toUpperCase(spaced.charAt(0)) + spaced.substring(1);
+    return spaced.isEmpty() ? name : capital(spaced);
   }
 
   /** A filter's name as words. */
   public static String title(String name) {
-    String spaced = name.replace('-', ' ');
-    return spaced.isEmpty() ? name : Character.toUpperCase(spaced.charAt(0)) + spaced.substring(1);
+    return capital(name.replace('-', ' '));
+  }
+
+  /** A line with a capital at its beginning. */
+  public static String capital(String line) {
+    return line.isEmpty() ? line : Character.toUpperCase(line.charAt(0)) + line.substring(1);
   }
 
   /** A unit as it is shown: no sign for a ratio, the Greek letter for micro, raised powers. */

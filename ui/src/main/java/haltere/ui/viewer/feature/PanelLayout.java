@@ -73,24 +73,18 @@ public final class PanelLayout extends SplitPane {
         };
     Runnable place =
         () -> {
-          if (!pane.getDividers().isEmpty() && share.get() >= 0) {
+          if (!pane.getDividers().isEmpty()
+              && share.get() >= 0
+              && Math.abs(pane.getDividerPositions()[0] - share.get()) >= 0.001) {
             pane.setDividerPosition(0, share.get());
           }
         };
+    share.subscribe(place);
     Runnable follow =
         () -> {
           place.run();
           pane.getDividers().forEach(divider -> divider.positionProperty().addListener(keeper));
         };
-    share.subscribe(
-        (was, is) -> {
-          boolean isThere =
-              !pane.getDividers().isEmpty()
-                  && Math.abs(pane.getDividerPositions()[0] - is.doubleValue()) < 0.001;
-          if (!isThere) {
-            place.run();
-          }
-        });
     pane.getDividers().addListener((ListChangeListener<SplitPane.Divider>) change -> follow.run());
     follow.run();
   }

@@ -232,7 +232,7 @@ public final class ViewerPanels extends BorderPane {
     transport.update(now);
     statusLine.update(
         now, meter.perSecond(nowNanos), open.display().maker().exchange().conflated());
-    chainPanel.update(nowNanos - numbersNanos);
+    chainPanel.update();
     numbersNanos = nowNanos;
   }
 }

@@ -13,6 +13,8 @@ import haltere.ui.viewer.session.RecordingFacts.Moment;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
+import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -32,6 +34,7 @@ public final class SamplesFeature implements ViewerFeature {
   private static final int NAMED_SLICES = 12;
 
   private static final int MAX_NAMES = 3;
+  private static final Comparator<Moment> BY_TIME = Comparator.comparingLong(Moment::elapsedUs);
 
   private final BooleanProperty hasFrames = new SimpleBooleanProperty();
   private final Label trigger = Controls.named(new Label(), "trigger-mark", "readout");
@@ -123,17 +126,12 @@ public final class SamplesFeature implements ViewerFeature {
 
   /** Index of the last moment before a place, -1 if there is none. */
   private static int lastAt(List<Moment> moments, long elapsedUs) {
-    int from = 0;
-    int to = moments.size();
-    while (from < to) {
-      int middle = (from + to) >>> 1;
-      if (moments.get(middle).elapsedUs() < elapsedUs) {
-        from = middle + 1;
-      } else {
-        to = middle;
-      }
+    int at = Collections.binarySearch(moments, new Moment(elapsedUs, ""), BY_TIME);
+    int last = at < 0 ? -at - 1 : at;
+    while (last > 0 && moments.get(last - 1).elapsedUs() == elapsedUs) {
+      last--;
     }
-    return from - 1;
+    return last - 1;
   }
 
   private void read(ViewerSession open, RecordingFacts of, Moment frame) {

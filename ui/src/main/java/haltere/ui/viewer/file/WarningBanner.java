@@ -5,6 +5,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.internal.decoding.SensorGuess;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
+import haltere.ui.viewer.controls.Texts;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -83,20 +84,15 @@ final class WarningBanner extends VBox {
    */
   void show(List<String> newWarnings, Optional<SensorGeometry> guess) {
     // options of the command line mean nothing here
-    warnings = newWarnings.stream().map(line -> line.replaceAll(" \\(--[^)]*\\)", "")).toList();
+    warnings =
+        newWarnings.stream()
+            .map(line -> Texts.capital(line.replaceAll(" \\(--[^)]*\\)", "")))
+            .toList();
     Controls.show(!warnings.isEmpty(), this);
-    all.getChildren().setAll(warnings.stream().map(WarningBanner::line).toList());
+    all.getChildren().setAll(warnings.stream().map(Controls::paragraph).toList());
     Controls.show(guess.isPresent(), question);
     guess.ifPresent(this::offer);
     open(false);
-  }
-
-  private static Label line(String warning) {
-    return Controls.paragraph(sentence(warning));
-  }
-
-  private static String sentence(String warning) {
-    return warning.substring(0, 1).toUpperCase(java.util.Locale.ROOT) + warning.substring(1);
   }
 
   private void open(boolean opened) {
@@ -109,8 +105,8 @@ final class WarningBanner extends VBox {
             : opened || count > 1
                 ? count
                     + (count == 1 ? " warning" : " warnings")
-                    + (opened ? "" : ": " + sentence(warnings.get(0)))
-                : sentence(warnings.get(0)));
+                    + (opened ? "" : ": " + warnings.get(0))
+                : warnings.get(0));
   }
 
   private void offer(SensorGeometry guess) {

@@ -10,6 +10,8 @@ import haltere.core.stream.StreamNotification;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
 
 /**
  * The end of the chain that makes pictures: the newest snapshot of each overlay is kept here,
@@ -23,6 +25,11 @@ public final class DisplaySink implements SliceSink {
   private final LayerTaps taps;
   private final PictureMaker maker;
   private final Optional<PictureThread> thread;
+  private final Consumer<EventPacket> packets;
+
+  /** Does something behind the packets that were handed over. */
+  private final Executor steps;
+
   private volatile boolean allEvents;
 
   private DisplaySink(
@@ -30,6 +37,8 @@ public final class DisplaySink implements SliceSink {
     taps = new LayerTaps(chain);
     maker = new PictureMaker(geometry, options, apart);
     thread = apart ? Optional.of(new PictureThread(maker::packet)) : Optional.empty();
+    packets = thread.<Consumer<EventPacket>>map(own -> own::packet).orElse(maker::packet);
+    steps = thread.<Executor>map(own -> own::later).orElse(Runnable::run);
   }
 
   /** One that paints on the thread of the chain. */
@@ -65,7 +74,7 @@ public final class DisplaySink implements SliceSink {
   @Override
   public void sample(SensorSample sample) {
     if (sample instanceof Frame frame) {
-      later(() -> maker.frames().take(frame));
+      steps.execute(() -> maker.frames().take(frame));
     }
   }
 
@@ -77,33 +86,21 @@ public final class DisplaySink implements SliceSink {
   /** Takes the events before the chain. */
   public void beforeChain(EventPacket packet) {
     if (allEvents) {
-      gather(packet);
+      packets.accept(packet);
     }
   }
 
   @Override
   public void packet(EventPacket packet) {
     if (!allEvents) {
-      gather(packet);
+      packets.accept(packet);
     }
-  }
-
-  private void gather(EventPacket packet) {
-    if (thread.isPresent()) {
-      thread.get().packet(packet);
-    } else {
-      maker.packet(packet);
-    }
-  }
-
-  private void later(Runnable step) {
-    thread.ifPresentOrElse(apart -> apart.later(step), step);
   }
 
   @Override
   public void notified(StreamNotification notification) {
     boolean anew = taps.notified(notification);
-    later(
+    steps.execute(
         () -> {
           maker.notified(notification);
           if (anew) {
@@ -115,7 +112,7 @@ public final class DisplaySink implements SliceSink {
 
   /** A slice ends whose picture is asked for by {@link #picture}. */
   public void endSlice(long fromUs, long toUs) {
-    later(() -> maker.endSlice(fromUs, toUs));
+    steps.execute(() -> maker.endSlice(fromUs, toUs));
   }
 
   @Override
@@ -126,31 +123,31 @@ public final class DisplaySink implements SliceSink {
   @Override
   public void runUpBegins(long sliceUs) {
     taps.followChain();
-    later(() -> maker.runUpBegins(sliceUs));
+    steps.execute(() -> maker.runUpBegins(sliceUs));
   }
 
   @Override
   public void runUpEnds() {
-    later(maker::runUpEnds);
+    steps.execute(maker::runUpEnds);
   }
 
   @Override
   public void sliceHeld() {
     List<DisplayFrame.Marks<?>> marks = taps.marks();
-    later(() -> maker.hold(marks));
+    steps.execute(() -> maker.hold(marks));
   }
 
   @Override
   public void sliceEnd(long fromUs, long toUs) {
     List<DisplayFrame.Marks<?>> marks = taps.marks();
-    later(() -> maker.showSlice(fromUs, toUs, marks));
+    steps.execute(() -> maker.showSlice(fromUs, toUs, marks));
   }
 
   /** Paints what there is and hands it over. */
   public void paint() {
     List<DisplayFrame.Marks<?>> marks = taps.marks();
     maker.setStale(false);
-    later(() -> maker.paint(marks));
+    steps.execute(() -> maker.paint(marks));
   }
 
   /** A picture of the present moment of usual size, with what lies over it. */

@@ -114,7 +114,7 @@ public final class EventView extends Region implements ArrowKeys {
   /** Shows or hides the marks. */
   public void setMarksVisible(boolean visible) {
     picture.setMarksVisible(visible);
-    redraw();
+    requestLayout();
   }
 
   /** Where another thread may draw frames as they are on the screen; empty where it need not. */
@@ -189,7 +189,7 @@ public final class EventView extends Region implements ArrowKeys {
     double left = viewpoint.left();
     double top = viewpoint.top();
     double density = getScene() == null ? 1 : getScene().getWindow().getRenderScaleX();
-    picture.place(left, top, scale, getWidth(), getHeight(), density);
+    picture.place(viewpoint, density);
     frame.setX(left - 0.5);
     frame.setY(top - 0.5);
     frame.setWidth(geometry.width() * scale + 1);

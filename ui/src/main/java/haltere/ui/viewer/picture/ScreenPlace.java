@@ -26,9 +26,4 @@ record ScreenPlace(
     double left,
     double bottom,
     Letters letters,
-    boolean marks) {
-  ScreenPlace withMarks(boolean visible) {
-    return new ScreenPlace(
-        fromX, fromY, scale, density, columns, rows, left, bottom, letters, visible);
-  }
-}
+    boolean marks) {}

@@ -47,22 +47,16 @@ final class SensorPicture {
     image.setVisible(false);
   }
 
-  /**
-   * Puts the picture where it belongs.
-   *
-   * @param left of the sensor's left edge in the view
-   * @param top of the sensor's top edge in the view
-   * @param scale units of the view per pixel of the sensor
-   * @param width of the view
-   * @param height of the view
-   * @param density pixels of the screen per unit of the view
-   */
-  void place(double left, double top, double scale, double width, double height, double density) {
+  /** Puts the picture where it belongs, on so many pixels of the screen per unit of the view. */
+  void place(Viewpoint viewpoint, double density) {
+    double left = viewpoint.left();
+    double top = viewpoint.top();
+    double scale = viewpoint.scale();
     // only what is in sight, so that a large zoom costs no more than a small one
     double fromX = Math.max(0, -left / scale);
     double fromY = Math.max(0, -top / scale);
-    double toX = Math.min(geometry.width(), (width - left) / scale);
-    double toY = Math.min(geometry.height(), (height - top) / scale);
+    double toX = Math.min(geometry.width(), (viewpoint.width() - left) / scale);
+    double toY = Math.min(geometry.height(), (viewpoint.height() - top) / scale);
     image.setVisible(toX > fromX && toY > fromY);
     place = Optional.empty();
     if (!image.isVisible()) {
@@ -106,10 +100,9 @@ final class SensorPicture {
     }
   }
 
-  /** Whether marks of filters are drawn. */
+  /** Whether marks of filters are drawn, from the next {@link #place} on. */
   void setMarksVisible(boolean visible) {
     marksVisible = visible;
-    place = place.map(now -> now.withMarks(visible));
   }
 
   /** Draws all anew, with what lies over the frame and its marks. */

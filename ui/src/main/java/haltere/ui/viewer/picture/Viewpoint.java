@@ -40,6 +40,16 @@ public final class Viewpoint {
     showAll();
   }
 
+  /** Width of the view. */
+  double width() {
+    return width;
+  }
+
+  /** Height of the view. */
+  double height() {
+    return height;
+  }
+
   /** The view has another size. */
   void setSize(double newWidth, double newHeight) {
     width = newWidth;

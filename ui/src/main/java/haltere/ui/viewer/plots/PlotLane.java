@@ -34,13 +34,14 @@ final class PlotLane extends BorderPane {
   private final Line cursor = new Line();
   private final Line now = new Line();
   private final KeyPane stack;
+  private final HBox head = new HBox(8);
   private final HBox values = new HBox(10);
   private final Label title = Controls.label("", "plot-title");
   private final Label more = new Label();
   private final Label note = Controls.named(new Label(), "plot-note", "plot-note");
 
-  /** A lane without a plot yet, with buttons at the right of its head. */
-  PlotLane(Lane lane, TimeWindow window, List<Button> actions) {
+  /** A lane without a plot yet. */
+  PlotLane(Lane lane, TimeWindow window) {
     this.lane = lane;
     this.window = window;
     picture = new LanePicture(lane, window);
@@ -53,9 +54,9 @@ final class PlotLane extends BorderPane {
     Controls.clip(values);
     values.getStyleClass().add("plot-values");
     HBox.setHgrow(values, Priority.ALWAYS);
-    HBox head = Controls.row(8, title, values);
+    head.getChildren().addAll(title, values);
+    head.setAlignment(Pos.CENTER_LEFT);
     head.getStyleClass().addAll("plot-head");
-    head.getChildren().addAll(actions);
     setTop(head);
     cursor.setVisible(false);
     now.setVisible(false);
@@ -70,6 +71,11 @@ final class PlotLane extends BorderPane {
     stack.setMinHeight(48);
     setCenter(stack);
     showTitle();
+  }
+
+  /** Adds buttons at the right of its head. */
+  void addButtons(Button... buttons) {
+    head.getChildren().addAll(buttons);
   }
 
   Lane lane() {

@@ -151,19 +151,18 @@ public final class PlotPanel extends BorderPane {
 
   /** Adds a lane below the others. */
   public void addLane(PlotField field) {
-    PlotLane[] made = new PlotLane[1];
+    PlotLane lane = new PlotLane(new Lane(field), window);
     Button another =
         Controls.button("plot-add-here", Icons.ADD, "Plot something else in this lane", () -> {});
     another.setOnAction(
         event -> {
           ContextMenu menu = new ContextMenu();
-          menu.getItems().setAll(PlotMenu.items(offered, chosen -> addTo(made[0], chosen)));
+          menu.getItems().setAll(PlotMenu.items(offered, chosen -> addTo(lane, chosen)));
           menu.show(another, Side.BOTTOM, 0, 0);
         });
-    Button remove =
-        Controls.button("plot-remove", Icons.REMOVE, "Remove this plot", () -> remove(made[0]));
-    PlotLane lane = new PlotLane(new Lane(field), window, List.of(another, remove));
-    made[0] = lane;
+    lane.addButtons(
+        another,
+        Controls.button("plot-remove", Icons.REMOVE, "Remove this plot", () -> remove(lane)));
     VBox.setVgrow(lane, Priority.ALWAYS);
     PlotHands.on(lane.plot(), this);
     lanes.add(lane);

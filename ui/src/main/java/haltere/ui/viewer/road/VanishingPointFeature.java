@@ -91,7 +91,7 @@ public final class VanishingPointFeature implements ViewerFeature {
       VanishingPoint point = VanishingPoint.at(rounded(at.getX()), rounded(at.getY()));
       window
           .editor()
-          .applyAndShow(
+          .apply(
               tracks.stage(),
               tracks.settings(),
               tracks.vanishingAt(point),

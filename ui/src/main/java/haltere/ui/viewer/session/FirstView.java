@@ -53,18 +53,14 @@ public enum FirstView {
 
   /** Whether nobody has changed a chain that began as this one. */
   public boolean isUnchanged(FilterChain chain) {
-    FilterChain fresh = chain(chain.geometry());
-    try {
+    try (FilterChain fresh = chain(chain.geometry())) {
       return ChainFile.write(fresh).equals(ChainFile.write(chain));
-    } finally {
-      fresh.close();
     }
   }
 
   /** Whether a chain has the tracker that ends the first one, switched on. */
   boolean isCoveredBy(FilterChain chain) {
-    FilterChain fresh = chain(chain.geometry());
-    try {
+    try (FilterChain fresh = chain(chain.geometry())) {
       List<ChainStage> stages = fresh.stages();
       return stages.isEmpty()
           || chain.stages().stream()
@@ -72,8 +68,6 @@ public enum FirstView {
                   stage ->
                       stage.kind().equals(stages.get(stages.size() - 1).kind())
                           && stage.isEnabled());
-    } finally {
-      fresh.close();
     }
   }
 }

@@ -39,9 +39,7 @@ public final class StartFeature implements ViewerFeature {
   /** The reason without the file's name, which stands above it. */
   private static String reason(String name, Exception problem) {
     String line = Texts.oneLine(problem);
-    String rest = line.startsWith(name + ": ") ? line.substring(name.length() + 2) : line;
-    return rest.substring(0, Math.min(1, rest.length())).toUpperCase(java.util.Locale.ROOT)
-        + rest.substring(Math.min(1, rest.length()));
+    return Texts.capital(line.startsWith(name + ": ") ? line.substring(name.length() + 2) : line);
   }
 
   private void show(String problem) {

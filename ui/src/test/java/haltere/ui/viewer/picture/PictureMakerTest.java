@@ -45,8 +45,11 @@ class PictureMakerTest {
         public void draw(String line, int left, int base, Dots dots) {}
       };
 
-  private static final ScreenPlace PLACE =
-      new ScreenPlace(0, 0, 0.7, 1, 45, 34, 0, 33.6, NO_LETTERS, true);
+  private static final ScreenPlace PLACE = place(true);
+
+  private static ScreenPlace place(boolean marks) {
+    return new ScreenPlace(0, 0, 0.7, 1, 45, 34, 0, 33.6, NO_LETTERS, marks);
+  }
 
   private static final Overlay<Double> RING =
       (radius, canvas) -> canvas.circle(30, 20, radius, MarkStyle.of(Role.OBJECT));
@@ -79,7 +82,7 @@ class PictureMakerTest {
     painter.configure(SENSOR, PLACE);
     painter.paint(frame, drawn);
     assertArrayEquals(drawn, frame.screen);
-    painter.configure(SENSOR, PLACE.withMarks(false));
+    painter.configure(SENSOR, place(false));
     painter.paint(frame, drawn);
     assertFalse(Arrays.equals(drawn, frame.screen), "marks can be seen, and left out");
   }

@@ -185,7 +185,7 @@ public final class Aedat4Writer implements RecordingWriter {
     int size = payload.complete();
     boolean asItIs = compression == Aedat4Compression.NONE;
     if (!asItIs) {
-      size = packer.pack(payload.bytes(), size, EventPayload.HEADER_BYTES, packed, 0);
+      size = packer.pack(payload.bytes(), size, packed, 0);
     }
     long start = output.position() + PacketWalk.HEADER_BYTES;
     table.add(0, start, size, payload.events(), payload.firstUs(), payload.lastUs());

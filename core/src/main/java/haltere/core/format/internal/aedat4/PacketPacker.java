@@ -3,9 +3,10 @@ package haltere.core.format.internal.aedat4;
 import com.github.luben.zstd.Zstd;
 import com.github.luben.zstd.ZstdCompressCtx;
 import haltere.core.format.internal.packed.LittleEndian;
-import haltere.core.format.internal.packed.XxHash32;
+import haltere.core.format.internal.packed.Lz4Codec;
 import java.io.Closeable;
 import java.util.Arrays;
+import net.jpountz.lz4.LZ4Compressor;
 
 /**
  * Packs payloads as one frame each.
@@ -25,14 +26,13 @@ final class PacketPacker implements Closeable {
   private static final int ZSTD_LEVEL = 2;
 
   private final Aedat4Compression compression;
-  private final Lz4Packer lz4 = new Lz4Packer();
-  private Lz4HighPacker lz4High;
+  private LZ4Compressor lz4;
   private ZstdCompressCtx zstd;
 
   PacketPacker(Aedat4Compression compression) {
     this.compression = compression;
-    if (compression == Aedat4Compression.LZ4_HIGH) {
-      lz4High = new Lz4HighPacker();
+    if (compression.isLz4()) {
+      lz4 = compression == Aedat4Compression.LZ4 ? Lz4Codec.fast() : Lz4Codec.high();
     }
     if (compression.isZstd()) {
       zstd = new ZstdCompressCtx();
@@ -45,7 +45,8 @@ final class PacketPacker implements Closeable {
   int bound(int bytes) {
     return switch (compression) {
       case NONE -> bytes;
-      case LZ4, LZ4_HIGH -> Lz4Packer.bound(bytes) + LZ4_HEADER + 4 * (bytes / LZ4_BLOCK + 2);
+      case LZ4, LZ4_HIGH ->
+          lz4.maxCompressedLength(bytes) + LZ4_HEADER + 4 * (bytes / LZ4_BLOCK + 2);
       case ZSTD, ZSTD_HIGH -> (int) Zstd.compressBound(bytes);
     };
   }
@@ -55,15 +56,14 @@ final class PacketPacker implements Closeable {
    *
    * @param payload holds it
    * @param size its bytes, from index 0
-   * @param events where events of 16 bytes start in it; the size if it has none
    * @param target receives it
    * @param at where
    * @return end of it
    */
-  int pack(byte[] payload, int size, int events, byte[] target, int at) {
+  int pack(byte[] payload, int size, byte[] target, int at) {
     switch (compression) {
       case LZ4, LZ4_HIGH -> {
-        return packLz4(payload, size, events, target, at);
+        return packLz4(payload, size, target, at);
       }
       case ZSTD, ZSTD_HIGH -> {
         return at + zstd.compressByteArray(target, at, target.length - at, payload, 0, size);
@@ -75,21 +75,16 @@ final class PacketPacker implements Closeable {
     }
   }
 
-  private int packLz4(byte[] payload, int size, int events, byte[] target, int start) {
+  private int packLz4(byte[] payload, int size, byte[] target, int start) {
     LittleEndian.putInt(target, start, Aedat4Compression.LZ4_MAGIC);
     target[start + 4] = LZ4_FLAGS;
     target[start + 5] = LZ4_BLOCK_CODE;
-    target[start + 6] = (byte) (XxHash32.of(target, start + 4, start + 6) >>> 8);
+    target[start + 6] = (byte) (Lz4Codec.checksum(target, start + 4, start + 6) >>> 8);
     int at = start + LZ4_HEADER;
     for (int from = 0; from < size; from += LZ4_BLOCK) {
       int to = Math.min(size, from + LZ4_BLOCK);
-      int end = at + 4;
-      if (lz4High != null) {
-        end = lz4High.pack(payload, from, to, target, at + 4);
-      } else if (from == 0 && events < size) {
-        end = lz4.pack(payload, 0, events, to, target, at + 4);
-      }
-      if (end == at + 4 || end - at - 4 >= to - from) {
+      int end = at + 4 + lz4.compress(payload, from, to - from, target, at + 4);
+      if (end - at - 4 >= to - from) {
         System.arraycopy(payload, from, target, at + 4, to - from);
         end = at + 4 + to - from;
         LittleEndian.putInt(target, at, LZ4_STORED | to - from);
@@ -105,7 +100,7 @@ final class PacketPacker implements Closeable {
   /** A payload without events, in an array of its own. */
   byte[] pack(byte[] payload) {
     byte[] target = new byte[bound(payload.length)];
-    return Arrays.copyOf(target, pack(payload, payload.length, payload.length, target, 0));
+    return Arrays.copyOf(target, pack(payload, payload.length, target, 0));
   }
 
   @Override

@@ -2,7 +2,7 @@ package haltere.core.format.internal.hdf5;
 
 import haltere.core.format.internal.packed.DamagedPacketException;
 import haltere.core.format.internal.packed.LittleEndian;
-import haltere.core.format.internal.packed.Lz4Block;
+import haltere.core.format.internal.packed.Lz4Codec;
 
 /**
  * Unpacks what the Blosc filter (version 1) packed: blocks whose bytes are sorted by their place in
@@ -41,8 +41,8 @@ final class BloscBlock {
     boolean byBytes = (flags & 1) != 0 && size > 1;
     boolean byBits = (flags & 4) != 0 && blockBytes >= size;
     int room = Math.min(bytes, blockBytes);
-    if ((byBytes || byBits) && sorted.length < room + Lz4Block.SLACK) {
-      sorted = new byte[room + Lz4Block.SLACK];
+    if ((byBytes || byBits) && sorted.length < room) {
+      sorted = new byte[room];
     }
     for (int block = 0; block < blocks; block++) {
       int from = LittleEndian.getInt(in, HEADER + 4 * block);
@@ -95,7 +95,7 @@ final class BloscBlock {
       throws DamagedPacketException {
     return switch (method) {
       case 0 -> LzfBlock.unpackBlosc(in, from, to, out, outFrom, outTo);
-      case 1 -> Lz4Block.unpack(in, from, to, out, outFrom, outTo, outFrom);
+      case 1 -> Lz4Codec.decompress(in, from, to, out, outFrom, outTo);
       case 3 -> unpacker.inflate(in, from, to, out, outFrom, outTo);
       case 4 -> unpacker.zstd(in, from, to, out, outFrom, outTo);
       default -> throw new DamagedPacketException("Blosc with a method that is not read");

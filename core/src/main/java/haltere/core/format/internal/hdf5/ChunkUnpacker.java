@@ -2,7 +2,7 @@ package haltere.core.format.internal.hdf5;
 
 import haltere.core.format.internal.packed.DamagedPacketException;
 import haltere.core.format.internal.packed.LittleEndian;
-import haltere.core.format.internal.packed.Lz4Block;
+import haltere.core.format.internal.packed.Lz4Codec;
 import haltere.core.format.internal.packed.ZstdBlock;
 import java.io.Closeable;
 import java.nio.ByteBuffer;
@@ -16,9 +16,6 @@ import java.util.zip.Inflater;
  * <p>Thread rule: one thread.
  */
 final class ChunkUnpacker implements Closeable {
-  /** What arrays need behind the bytes that they are meant for. */
-  static final int SLACK = Lz4Block.SLACK;
-
   private static final int CHECKSUM = 4;
 
   private final BloscBlock blosc = new BloscBlock(this);
@@ -35,9 +32,9 @@ final class ChunkUnpacker implements Closeable {
    *
    * @param steps in the order in which they were applied
    * @param skipped a bit for each that was not
-   * @param in the packed chunk at its start, with room for {@link #SLACK} behind
+   * @param in the packed chunk at its start
    * @param length packed bytes
-   * @param out receives the chunk at its start, with room for {@link #SLACK} behind
+   * @param out receives the chunk at its start
    * @param wanted bytes that it must have
    * @throws DamagedPacketException if it contradicts its packing
    */
@@ -75,15 +72,15 @@ final class ChunkUnpacker implements Closeable {
   }
 
   private byte[] one(int bytes) {
-    if (one.length < bytes + SLACK) {
-      one = new byte[bytes + SLACK];
+    if (one.length < bytes) {
+      one = new byte[bytes];
     }
     return one;
   }
 
   private byte[] other(int bytes) {
-    if (other.length < bytes + SLACK) {
-      other = new byte[bytes + SLACK];
+    if (other.length < bytes) {
+      other = new byte[bytes];
     }
     return other;
   }
@@ -162,7 +159,7 @@ final class ChunkUnpacker implements Closeable {
       }
       if (packed == count) {
         System.arraycopy(in, at, out, done, count);
-      } else if (Lz4Block.unpack(in, at, at + packed, out, done, done + count, done)
+      } else if (Lz4Codec.decompress(in, at, at + packed, out, done, done + count)
           != done + count) {
         throw new DamagedPacketException("a block that ends too early");
       }

@@ -93,11 +93,11 @@ final class DatasetRows {
       throw new DamagedPacketException("a chunk of " + index.bytes() + " packed bytes");
     }
     int length = (int) index.bytes();
-    if (packed.length < length + ChunkUnpacker.SLACK) {
-      packed = new byte[length + length / 4 + ChunkUnpacker.SLACK];
+    if (packed.length < length) {
+      packed = new byte[length + length / 4];
     }
-    if (data.length < bytes + ChunkUnpacker.SLACK) {
-      data = new byte[bytes + ChunkUnpacker.SLACK];
+    if (data.length < bytes) {
+      data = new byte[bytes];
     }
     if (read(packed, length, index.offset()) < length) {
       return;

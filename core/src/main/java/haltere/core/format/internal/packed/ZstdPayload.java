@@ -24,8 +24,6 @@ public final class ZstdPayload extends Payload {
 
   private final ByteSource source;
   private final ZstdDecompressCtx context = new ZstdDecompressCtx();
-  private long next;
-  private long end;
   private InputStream stream;
   private boolean ended;
   private long claimed;
@@ -42,8 +40,6 @@ public final class ZstdPayload extends Payload {
   @Override
   public void open(long offset, long size) throws IOException, DamagedPacketException {
     closeStream();
-    next = offset;
-    end = offset + size;
     from = 0;
     to = 0;
     ended = false;
@@ -55,7 +51,9 @@ public final class ZstdPayload extends Payload {
       atOnce(at, head, (int) claimed);
       return;
     }
-    stream = new ZstdInputStreamNoFinalizer(new Packed()).setLongMax(MAX_WINDOW_LOG);
+    stream =
+        new ZstdInputStreamNoFinalizer(new PackedStream(source, offset, size))
+            .setLongMax(MAX_WINDOW_LOG);
   }
 
   /**
@@ -114,36 +112,6 @@ public final class ZstdPayload extends Payload {
       closeStream();
     } catch (IOException e) {
       throw new java.io.UncheckedIOException(e);
-    }
-  }
-
-  /** The packed bytes. Their end is told as damage by the stream if it comes too early. */
-  private final class Packed extends InputStream {
-    private final byte[] one = new byte[1];
-
-    @Override
-    public int read() throws IOException {
-      return read(one, 0, 1) < 0 ? -1 : one[0] & 0xff;
-    }
-
-    @Override
-    public int read(byte[] target, int offset, int length) throws IOException {
-      int count = (int) Math.min(Math.min(length, 64 * 1024), end - next);
-      int at = count <= 0 ? -1 : place(count);
-      if (at < 0) {
-        return -1;
-      }
-      System.arraycopy(source.bytes(), at, target, offset, count);
-      next += count;
-      return count;
-    }
-
-    private int place(int count) throws IOException {
-      try {
-        return source.require(next, count);
-      } catch (DamagedPacketException e) {
-        return -1;
-      }
     }
   }
 }
