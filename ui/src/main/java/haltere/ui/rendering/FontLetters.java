@@ -33,7 +33,7 @@ public final class FontLetters implements Letters {
   /** A font, null where there is none, with its room above and below a line, pixels. */
   private record Face(Font font, double ascent, double descent) {}
 
-  private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);
+  private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, false);
 
   private final Supplier<Font> source;
   private final double sizePx;

@@ -93,7 +93,7 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
   public void ellipse(
       double x, double y, double radiusA, double radiusB, double angleRad, MarkStyle style) {
     double larger = Math.max(radiusA, radiusB) * scale;
-    int corners = (int) Math.max(8, Math.min(CORNERS, CORNERS_PER_ROOT * Math.sqrt(larger)));
+    int corners = Math.max(8, (int) Math.min(CORNERS, CORNERS_PER_ROOT * Math.sqrt(larger)));
     double cos = Math.cos(angleRad);
     double sin = Math.sin(angleRad);
     double[] cornersX = new double[corners + 1];

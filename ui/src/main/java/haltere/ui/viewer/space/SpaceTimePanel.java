@@ -124,7 +124,7 @@ final class SpaceTimePanel extends BorderPane {
     SpaceTimeView view = view();
     double room = 2 * SpaceTimeMarks.room() * density;
     SpaceTimeProjection projection =
-        SpaceTimeProjection.of(view, sensor, Math.max(1, width - room), Math.max(1, height - room));
+        new SpaceTimeProjection(view, sensor, Math.max(1, width - room), Math.max(1, height - room));
     painter.paint(frame.points, projection, view, colours, width, height, image.pixels());
     Letters letters = FontLetters.ofView(density);
     PixelOverlayCanvas canvas = new PixelOverlayCanvas(letters);
