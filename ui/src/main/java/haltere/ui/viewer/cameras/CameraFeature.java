@@ -19,6 +19,7 @@ import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.RegionTool;
+import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -175,7 +176,7 @@ public final class CameraFeature implements ViewerFeature {
 
   /** Opens a camera in place of what is open. */
   public void open(String id) {
-    window.sessions().open(() -> playable(id), id);
+    window.sessions().open(SessionRequest.made(() -> playable(id), id));
   }
 
   private CameraPlayable playable(String id) throws java.io.IOException {

@@ -14,9 +14,11 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javafx.application.Platform;
+import javafx.scene.control.MenuItem;
 
 /**
  * Changes of the chain as the panels ask for them. Each runs between two packets on the processing
@@ -33,7 +35,7 @@ public final class ChainEditor {
   private final String prefix;
   private final ChainEditor outermost;
   private Optional<ChainAccess> player = Optional.empty();
-  private Optional<ChainPresets> presets = Optional.empty();
+  private BiFunction<String, ChainEditor, List<MenuItem>> presets = (id, chain) -> List.of();
 
   /** An editor without a chain; tells what went wrong in one line. */
   public ChainEditor(Consumer<String> problems) {
@@ -105,13 +107,15 @@ public final class ChainEditor {
     return history;
   }
 
-  /** Says where chains are kept under a name, for this one and those inside of it. */
-  public void setPresets(ChainPresets kept) {
-    presets = Optional.of(kept);
+  /**
+   * Says what a menu of presets offers, by the menu's id, for this chain and those inside of it.
+   */
+  public void setPresets(BiFunction<String, ChainEditor, List<MenuItem>> items) {
+    presets = items;
   }
 
-  /** Where chains are kept under a name, if anywhere. */
-  public Optional<ChainPresets> presets() {
+  /** What a menu of presets offers. */
+  public BiFunction<String, ChainEditor, List<MenuItem>> presets() {
     return outermost.presets;
   }
 

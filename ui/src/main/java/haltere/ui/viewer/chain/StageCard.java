@@ -18,6 +18,7 @@ import javafx.scene.AccessibleRole;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
+import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.input.ClipboardContent;
@@ -124,13 +125,24 @@ final class StageCard extends VBox {
     }
     more.getItems().add(item("remove-", "Remove", () -> editor.remove(stage)));
     if (stage.filter() instanceof FilterChain) {
-      more.getItems().add(new PresetMenu("presets-" + id, editor.inside(stage)));
+      more.getItems().add(presets(editor.inside(stage)));
     }
     more.setId("more-" + id);
     more.setAccessibleText("Move or remove " + title);
     Controls.help(more, "Move or remove");
     more.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL, Tweaks.NO_ARROW);
     return more;
+  }
+
+  /** Keeps the chain inside as a preset, or puts a preset in its place. */
+  private Menu presets(ChainEditor inner) {
+    Menu menu = new Menu("Presets");
+    menu.setId("presets-" + id);
+    Runnable follow = () -> menu.getItems().setAll(inner.presets().apply(menu.getId(), inner));
+    // a menu without items never opens
+    follow.run();
+    menu.setOnShowing(event -> follow.run());
+    return menu;
   }
 
   private void setUpCounts() {

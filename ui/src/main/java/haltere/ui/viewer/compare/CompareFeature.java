@@ -137,7 +137,7 @@ public final class CompareFeature implements ViewerFeature {
     running.ifPresent(this::stop);
     running = Optional.empty();
     if (shown.get() && session.isPresent()) {
-      window.editor().read(ChainFile::write, json -> begin(start, session.get(), json));
+      window.read(ChainFile::write, json -> begin(start, session.get(), json));
     }
   }
 
@@ -160,7 +160,7 @@ public final class CompareFeature implements ViewerFeature {
     view.setGeometry(made.chain().geometry(), window.display().options().colours());
     List<StageState> stages = StageState.of(made.chain());
     player.addRawSink(made);
-    window.editor().presets().ifPresent(editor::setPresets);
+    editor.setPresets(window.editor().presets());
     editor.setAccess(ChainAccess.beside(player, made.chain()));
     chainPanel.show(stages);
     // both chains run from as far before this moment as they remember
@@ -195,15 +195,13 @@ public final class CompareFeature implements ViewerFeature {
 
   /** Both chains' numbers are taken from the chains as they are now. */
   private void listen(Running now) {
-    window
-        .editor()
-        .read(
-            first -> {
-              firstMeans = anew(firstMeans, first);
-              secondMeans = anew(secondMeans, now.second().chain());
-              return first;
-            },
-            listening -> {});
+    window.read(
+        first -> {
+          firstMeans = anew(firstMeans, first);
+          secondMeans = anew(secondMeans, now.second().chain());
+          return first;
+        },
+        listening -> {});
   }
 
   private static PublishedMeans anew(PublishedMeans before, FilterChain chain) {
@@ -222,23 +220,20 @@ public final class CompareFeature implements ViewerFeature {
 
   private void showNumbers(Running now) {
     chainPanel.update();
-    window
-        .editor()
-        .read(
-            first ->
-                new Means(
-                    name(first),
-                    name(now.second().chain()),
-                    firstMeans == null ? Map.of() : firstMeans.take(),
-                    secondMeans == null ? Map.of() : secondMeans.take()),
-            means -> {
-              show(firstName, "First chain: " + means.firstName());
-              show(secondName, "Second chain: " + means.secondName());
-              List<ComparisonTable.Line> lines =
-                  ComparisonTable.lines(means.first(), means.second());
-              if (!lines.isEmpty()) {
-                table.show(lines);
-              }
-            });
+    window.read(
+        first ->
+            new Means(
+                name(first),
+                name(now.second().chain()),
+                firstMeans == null ? Map.of() : firstMeans.take(),
+                secondMeans == null ? Map.of() : secondMeans.take()),
+        means -> {
+          show(firstName, "First chain: " + means.firstName());
+          show(secondName, "Second chain: " + means.secondName());
+          List<ComparisonTable.Line> lines = ComparisonTable.lines(means.first(), means.second());
+          if (!lines.isEmpty()) {
+            table.show(lines);
+          }
+        });
   }
 }

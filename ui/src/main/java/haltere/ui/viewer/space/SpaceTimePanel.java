@@ -41,7 +41,7 @@ final class SpaceTimePanel extends BorderPane {
   private final Slider thickness = slider("space-time-thickness", "How thick the slice is", 0, 1);
   private final Label words = Controls.label("", Styles.TEXT_SMALL, Styles.TEXT_MUTED);
   private final ReadOnlyBooleanProperty marksShown;
-  private SpaceTimeFrame frame = new SpaceTimeFrame(1);
+  private SpaceTimeSink.Frame frame = new SpaceTimeSink.Frame(1);
   private SensorGeometry sensor = new SensorGeometry(128, 128);
   private ColourMap colours = ColourMap.DARK;
   private boolean dirty = true;
@@ -76,7 +76,7 @@ final class SpaceTimePanel extends BorderPane {
   /** Another sensor. */
   void setSensor(SensorGeometry newSensor) {
     sensor = newSensor;
-    frame = new SpaceTimeFrame(1);
+    frame = new SpaceTimeSink.Frame(1);
     dirty = true;
   }
 
@@ -103,7 +103,7 @@ final class SpaceTimePanel extends BorderPane {
   }
 
   /** Shows newer events, or the same ones from elsewhere; null if there are no newer ones. */
-  void update(SpaceTimeFrame newer) {
+  void update(SpaceTimeSink.Frame newer) {
     if (newer != null) {
       frame = newer;
       dirty = true;
@@ -124,7 +124,8 @@ final class SpaceTimePanel extends BorderPane {
     SpaceTimeView view = view();
     double room = 2 * SpaceTimeMarks.room() * density;
     SpaceTimeProjection projection =
-        new SpaceTimeProjection(view, sensor, Math.max(1, width - room), Math.max(1, height - room));
+        new SpaceTimeProjection(
+            view, sensor, Math.max(1, width - room), Math.max(1, height - room));
     painter.paint(frame.points, projection, view, colours, width, height, image.pixels());
     Letters letters = FontLetters.ofView(density);
     PixelOverlayCanvas canvas = new PixelOverlayCanvas(letters);

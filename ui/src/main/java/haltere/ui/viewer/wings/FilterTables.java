@@ -61,12 +61,7 @@ final class FilterTables extends VBox {
       Controls.named(new Label(), "filter-summary", Styles.TEXT_SMALL, Styles.TEXT_MUTED);
   private WingFilterState shown;
 
-  /**
-   * Tables of a filter.
-   *
-   * @param first as it is now
-   * @param edited takes what a person changes
-   */
+  /** Tables of a filter as it is now; hands over what a person changes. */
   FilterTables(WingFilterState first, Consumer<WingFilterEdit> edited) {
     this.edited = edited;
     setSpacing(6);

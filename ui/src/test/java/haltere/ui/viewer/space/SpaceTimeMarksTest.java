@@ -61,7 +61,7 @@ class SpaceTimeMarksTest {
     }
   }
 
-  private static Notes notes(double turnDegrees, long spanUs, SpaceTimeFrame frame) {
+  private static Notes notes(double turnDegrees, long spanUs, SpaceTimeSink.Frame frame) {
     SpaceTimeView view =
         new SpaceTimeView(Math.toRadians(turnDegrees), Math.toRadians(20), 1, spanUs, 0, 1);
     Notes notes = new Notes();
@@ -74,7 +74,7 @@ class SpaceTimeMarksTest {
   }
 
   private static Notes notes(double turnDegrees, long spanUs) {
-    return notes(turnDegrees, spanUs, new SpaceTimeFrame(1));
+    return notes(turnDegrees, spanUs, new SpaceTimeSink.Frame(1));
   }
 
   @Test
@@ -105,7 +105,7 @@ class SpaceTimeMarksTest {
 
   @Test
   void marksLieInThePlaneOfTheNewestEventsAndTracesReachIntoThePast() {
-    SpaceTimeFrame frame = new SpaceTimeFrame(1);
+    SpaceTimeSink.Frame frame = new SpaceTimeSink.Frame(1);
     frame.nowUs = 500_000;
     frame.marks =
         List.of(
