@@ -67,7 +67,7 @@ class SpaceTimeMarksTest {
     Notes notes = new Notes();
     SpaceTimeMarks marks =
         new SpaceTimeMarks(
-            SpaceTimeProjection.of(view, SENSOR, 500, 500), SENSOR, spanUs, LETTERS, 1, notes);
+            new SpaceTimeProjection(view, SENSOR, 500, 500), SENSOR, spanUs, LETTERS, 1, notes);
     marks.drawAxes();
     marks.draw(frame);
     return notes;
@@ -97,7 +97,7 @@ class SpaceTimeMarksTest {
     SpaceTimeView along = new SpaceTimeView(0, 0, 1, 100_000, 0, 1);
     Notes notes = new Notes();
     new SpaceTimeMarks(
-            SpaceTimeProjection.of(along, SENSOR, 500, 500), SENSOR, 100_000, LETTERS, 1, notes)
+            new SpaceTimeProjection(along, SENSOR, 500, 500), SENSOR, 100_000, LETTERS, 1, notes)
         .drawAxes();
     assertEquals(false, notes.texts.containsKey("time, ms"));
     assertTrue(notes.texts.containsKey("x, px"));
