@@ -92,9 +92,8 @@ final class StageCard extends VBox {
   }
 
   private Label name(String title) {
-    Label name = Controls.label(title, Styles.TEXT_BOLD);
+    Label name = Controls.paragraph(title, Styles.TEXT_BOLD);
     name.setMaxWidth(Double.MAX_VALUE);
-    name.setMinWidth(0);
     Controls.help(name, description());
     HBox.setHgrow(name, Priority.ALWAYS);
     return name;
@@ -200,7 +199,10 @@ final class StageCard extends VBox {
   void update() {
     inside.ifPresent(StageList::update);
     if (power.isSelected() != stage.isEnabled()) {
-      followStage();
+      // the player has switched a filter off that failed, or a switch is still under way
+      followingStage = true;
+      power.setSelected(stage.isEnabled());
+      followingStage = false;
     }
     long nanos = System.nanoTime();
     FilterTiming now = stage.timing();
@@ -215,20 +217,13 @@ final class StageCard extends VBox {
       counts.setText(
           String.format(
               Locale.ROOT,
-              "%s \u2192 %s ev/s  \u00b7  %d %%  \u00b7  %s \u00b5s/kev",
+              "%s \u2192 %s ev/s \u00b7 %d %% \u00b7 %s \u00b5s/kev",
               Texts.quantity(since.eventsIn() / seconds),
               Texts.quantity(since.eventsOut() / seconds),
               Math.round(100.0 * since.eventsOut() / since.eventsIn()),
               Texts.digits(since.microsPerThousandEvents())));
     }
     lastNanos = nanos;
-  }
-
-  /** The player has switched a filter off that failed, or a switch is still under way. */
-  private void followStage() {
-    followingStage = true;
-    power.setSelected(stage.isEnabled());
-    followingStage = false;
   }
 
   private void toggleSettings() {
@@ -254,10 +249,7 @@ final class StageCard extends VBox {
       getChildren().add(made);
       settings = Optional.of(made);
     }
-    settings.ifPresent(
-        panel -> {
-          Controls.show(show, panel);
-        });
+    settings.ifPresent(panel -> Controls.show(show, panel));
     expand.setRotate(show ? 90 : 0);
   }
 

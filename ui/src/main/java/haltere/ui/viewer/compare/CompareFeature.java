@@ -25,6 +25,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import javafx.beans.binding.Bindings;
 import javafx.beans.property.BooleanProperty;
 import javafx.geometry.Orientation;
 import javafx.scene.control.Label;
@@ -87,15 +88,20 @@ public final class CompareFeature implements ViewerFeature {
     named.setTop(new VBox(bar, secondName));
     for (Label name : List.of(firstName, secondName)) {
       name.getStyleClass().add("chain-name");
+      name.setMinWidth(0);
     }
     window.panels().addAbovePicture(firstName);
-    firstName.setMinWidth(0);
-    secondName.setMinWidth(0);
     PanelLayout layout = window.panels().panelLayout();
     settingsShown = layout.offer("second-chain", "Second chain", PanelPlace.SIDE, () -> settings);
     shown = layout.offer("compare", "Compare", PanelPlace.BESIDE, () -> named);
     firstName.visibleProperty().bind(shown);
     firstName.managedProperty().bind(shown);
+    // both pictures are as wide as the narrower of their places, so that they have one scale
+    EventView first = window.panels().view();
+    view.maxWidthProperty().bind(((Region) first.getParent()).widthProperty());
+    first
+        .maxWidthProperty()
+        .bind(Bindings.when(shown).then(named.widthProperty()).otherwise(Double.MAX_VALUE));
     window.actions().add("compare", shown);
     window
         .panels()
