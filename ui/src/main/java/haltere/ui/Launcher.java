@@ -11,6 +11,8 @@ public final class Launcher {
 
   /** Runs the command line with its words and ends the process with its status. */
   public static void main(String[] args) {
+    // words are drawn into pictures, nothing onto a screen of AWT
+    System.setProperty("java.awt.headless", "true");
     System.exit(HaltereProgram.main(args, new JavaFxWindow()));
   }
 }

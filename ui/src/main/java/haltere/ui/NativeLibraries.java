@@ -5,7 +5,6 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
@@ -16,16 +15,21 @@ import java.util.stream.Stream;
  * because JavaFX itself answers a missing one with several pages of stack traces.
  */
 final class NativeLibraries {
-  /** Debian's names of all packages that the libraries are in. */
+  /** Debian's names of the packages that the libraries are in, in the same order. */
   static final String PACKAGES = "libgtk-3-0 libgl1 libxtst6";
 
-  private record Library(String file, String debianPackage) {}
+  private static final List<String> NEEDED = List.of("libgtk-3.so.0", "libGL.so.1", "libXtst.so.6");
 
-  private static final List<Library> NEEDED =
+  /** Where the linker looks without being told. */
+  private static final List<String> USUAL_FOLDERS =
       List.of(
-          new Library("libgtk-3.so.0", "libgtk-3-0"),
-          new Library("libGL.so.1", "libgl1"),
-          new Library("libXtst.so.6", "libxtst6"));
+          "/usr/lib/x86_64-linux-gnu",
+          "/usr/lib/aarch64-linux-gnu",
+          "/usr/lib64",
+          "/usr/lib",
+          "/lib64",
+          "/lib",
+          "/usr/local/lib");
 
   private NativeLibraries() {}
 
@@ -34,17 +38,11 @@ final class NativeLibraries {
    * for by file name.
    */
   static Optional<String> complaint(Predicate<String> present) {
-    List<String> files = new ArrayList<>();
-    List<String> packages = new ArrayList<>();
-    for (Library library : NEEDED) {
-      if (!present.test(library.file())) {
-        files.add(library.file());
-        packages.add(library.debianPackage());
-      }
-    }
+    List<String> files = NEEDED.stream().filter(present.negate()).toList();
     if (files.isEmpty()) {
       return Optional.empty();
     }
+    List<String> packages = files.stream().map(NativeLibraries::debianPackage).toList();
     return Optional.of(
         "the window needs graphics libraries that are not here ("
             + String.join(", ", files)
@@ -60,31 +58,15 @@ final class NativeLibraries {
    * everywhere.
    */
   static boolean present(String file) {
-    for (Path folder : folders()) {
-      if (Files.exists(folder.resolve(file))) {
-        return true;
-      }
-    }
-    return linkerKnows(file);
+    String told = Optional.ofNullable(System.getenv("LD_LIBRARY_PATH")).orElse("");
+    return Stream.concat(Stream.of(told.split(":")), USUAL_FOLDERS.stream())
+            .filter(folder -> !folder.isEmpty())
+            .anyMatch(folder -> Files.exists(Path.of(folder, file)))
+        || linkerKnows(file);
   }
 
-  private static List<Path> folders() {
-    List<Path> folders = new ArrayList<>();
-    for (String folder :
-        Optional.ofNullable(System.getenv("LD_LIBRARY_PATH")).orElse("").split(":")) {
-      if (!folder.isEmpty()) {
-        folders.add(Path.of(folder));
-      }
-    }
-    for (String root : List.of("/lib", "/usr/lib", "/lib64", "/usr/lib64", "/usr/local/lib")) {
-      folders.add(Path.of(root));
-      try (Stream<Path> inside = Files.list(Path.of(root))) {
-        inside.filter(path -> path.toString().endsWith("-linux-gnu")).forEach(folders::add);
-      } catch (IOException notThere) {
-        continue;
-      }
-    }
-    return folders;
+  private static String debianPackage(String file) {
+    return List.of(PACKAGES.split(" ")).get(NEEDED.indexOf(file));
   }
 
   /** Asks the linker's cache; where that is impossible, JavaFX may try. */

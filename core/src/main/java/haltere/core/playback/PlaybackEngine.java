@@ -108,7 +108,7 @@ final class PlaybackEngine {
   private void followSource() {
     if (playable.isLive() != live) {
       live = !live;
-      pace.setSpeed(live ? Double.POSITIVE_INFINITY : speed);
+      pace.setSpeed(live ? Double.POSITIVE_INFINITY : speed, slices.nextUs());
       pace.jumpTo(slices.nextUs());
       slices.reopen();
     }
@@ -168,7 +168,7 @@ final class PlaybackEngine {
       if (playable.isLive()) {
         throw new IOException(playable.name() + " is live: its events come at their own speed");
       }
-      pace.setSpeed(speed);
+      pace.setSpeed(speed, slices.nextUs());
       slices.reopen();
     } else if (command instanceof PlaybackCommand.SetSlicing set) {
       slices.setSlicing(set.slicing());

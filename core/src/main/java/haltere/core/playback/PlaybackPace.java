@@ -28,7 +28,11 @@ final class PlaybackPace {
     return clock.speed();
   }
 
-  void setSpeed(double speed) {
+  /** Plays at another speed from a place on; at unlimited speed the clock stood still. */
+  void setSpeed(double speed, long place) {
+    if (clock.unlimited()) {
+      clock.setPosition(place);
+    }
     clock.setSpeed(speed);
     forgetLag();
   }

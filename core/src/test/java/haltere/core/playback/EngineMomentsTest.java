@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorSample;
+import haltere.core.pipeline.PipelineCounters.Counter;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
@@ -102,8 +103,7 @@ class EngineMomentsTest {
             },
             false));
     rig.log.take();
-    rig.ask(
-        new PlaybackCommand.Edit(chain -> chain.setEnabled(chain.stages().get(0), true), false));
+    edit(rig);
     rig.run();
     assertEquals(before, run(rig));
     assertEquals(3, rig.log.take().size());
@@ -113,6 +113,34 @@ class EngineMomentsTest {
     assertEquals(10, file.size());
     assertEquals(State.PAUSED, rig.engine.status().state());
     assertEquals(2100, rig.engine.status().elapsedUs());
+  }
+
+  @Test
+  void editsInAPauseCostOneRunOverTheMemoryAndThoseDuringARunOneMore() throws IOException {
+    EngineRig rig = sought(2000);
+    long once = (MEMORY_US + MEMORY_US / 4 + 100) / 10;
+    long before = eventsRunUp(rig);
+    edit(rig);
+    rig.run();
+    long first = eventsRunUp(rig) - before;
+    assertTrue(first > 0 && first <= once, first + " events");
+    edit(rig);
+    rig.engine.turn();
+    rig.engine.turn();
+    for (int i = 0; i < 5; i++) {
+      edit(rig);
+    }
+    rig.run();
+    assertEquals(3 * first, eventsRunUp(rig) - before);
+  }
+
+  private static void edit(EngineRig rig) {
+    rig.ask(
+        new PlaybackCommand.Edit(chain -> chain.setEnabled(chain.stages().get(0), true), false));
+  }
+
+  private static long eventsRunUp(EngineRig rig) {
+    return rig.engine.counters().get(Counter.EVENTS_RUN_UP);
   }
 
   @Test

@@ -184,4 +184,19 @@ class EnginePaceTest {
     rig.runUntil(500_060_000);
     assertEquals(2, rig.log.slices);
   }
+
+  @Test
+  void whatWasPlayedAtUnlimitedSpeedGoesOnAtALimitedOneWithoutAWait() throws IOException {
+    EngineRig rig =
+        new EngineRig(recording(even(5000)), byTime(20).withSpeed(Double.POSITIVE_INFINITY));
+    while (rig.log.slices < 100) {
+      rig.engine.turn();
+    }
+    rig.ask(new PlaybackCommand.SetSpeed(0.01));
+    long before = rig.clock.getAsLong();
+    long slices = rig.log.slices;
+    rig.runUntil(before + 3 * 20_000_000 / 10);
+    assertEquals(0, rig.engine.status().lagUs());
+    assertEquals(3, rig.log.slices - slices, 1);
+  }
 }

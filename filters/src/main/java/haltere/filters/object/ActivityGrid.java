@@ -1,7 +1,6 @@
 package haltere.filters.object;
 
 import haltere.core.event.SensorGeometry;
-import java.util.Arrays;
 
 /**
  * Which pixels fired within the present tick, by tiles of 4 × 4 pixels. A pixel counts once a tick,
@@ -10,11 +9,10 @@ import java.util.Arrays;
  *
  * <p>Sixteen tiles that follow one another are a block of 16 × 16 pixels. A tile is one long: 16
  * bits of pixels and above them their summed times within the tick in microseconds.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class ActivityGrid {
   private static final int SHIFT = 2;
+  static final int TILE_PX = 1 << SHIFT;
   static final int TILE_PIXELS = 1 << 2 * SHIFT;
   static final int BLOCK_SHIFT = 2 * SHIFT;
   private static final int TIME_SHIFT = TILE_PIXELS;
@@ -59,10 +57,12 @@ final class ActivityGrid {
 
   /** Begins the next tick: no pixel has fired. */
   void next() {
-    for (int tile = nextTile(0); tile >= 0; tile = nextTile(tile + 1)) {
-      tiles[tile] = 0;
+    for (int word = 0; word < fired.length; word++) {
+      for (long left = fired[word]; left != 0; left &= left - 1) {
+        tiles[word * Long.SIZE + Long.numberOfTrailingZeros(left)] = 0;
+      }
+      fired[word] = 0;
     }
-    Arrays.fill(fired, 0);
   }
 
   /**

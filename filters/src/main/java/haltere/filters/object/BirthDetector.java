@@ -9,8 +9,6 @@ import java.util.List;
  * Finds new components: connected cells in which much more came within 50 ms than clutter explains.
  * Their events are kept for as long, so that a new component begins with a shape, a place and, by
  * linear regression with a prior, a velocity.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class BirthDetector {
   /** Evidence with which a cell belongs to a birth, nat: odds of 7. */
@@ -81,7 +79,7 @@ final class BirthDetector {
     found.clear();
     Arrays.fill(seen, false);
     for (int cell = 0; cell < seen.length; cell++) {
-      if (!seen[cell] && clutter.isSurprising(cell, CELL_NAT)) {
+      if (clutter.isSurprising(cell, CELL_NAT) && !seen[cell]) {
         int size = connect(cell);
         double total = 0;
         for (int i = 0; i < size; i++) {

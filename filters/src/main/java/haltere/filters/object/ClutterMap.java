@@ -11,8 +11,6 @@ import java.util.Arrays;
  *
  * <p>A flash or a flickering lamp raises all rates by one factor; it is the ratio of the picture's
  * present to its usual rate.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class ClutterMap {
   static final int CELL_SHIFT = 3;

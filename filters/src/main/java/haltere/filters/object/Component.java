@@ -2,7 +2,6 @@ package haltere.filters.object;
 
 import haltere.filters.estimation.GaussianState;
 import haltere.filters.trail.Ellipse;
-import java.util.Arrays;
 
 /**
  * A piece of an object that moves as one: a shape that makes events, a place and a velocity, a rate
@@ -11,8 +10,6 @@ import java.util.Arrays;
  *
  * <p>The place is the middle of the template, x and y in pixels; state (x, vx, y, vy), which goes
  * on as the {@link MotionModel} says.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class Component {
   /**
@@ -143,8 +140,10 @@ final class Component {
     weight = 0;
     gradientX = 0;
     gradientY = 0;
-    Arrays.fill(products, 1);
-    Arrays.fill(logs, 0);
+    for (int i = 0; i < logs.length; i++) {
+      products[i] = 1;
+      logs[i] = 0;
+    }
     intensity = rate / (shape.cellPx * shape.cellPx);
     active = presence.movingNext();
   }

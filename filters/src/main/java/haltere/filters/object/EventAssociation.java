@@ -8,8 +8,6 @@ import java.util.List;
  * clutter and components (Streit, Poisson Point Processes, 2010, §3.2): an event is a component's
  * with the probability λ<sub>k</sub> / Σ λ at its pixel and its own time, the expectation step of
  * Dempster, Laird and Rubin (1977).
- *
- * <p>Thread rule: one thread at a time.
  */
 final class EventAssociation {
   /** Components that share a block of 16 × 16 pixels; more do not count there. */
@@ -24,6 +22,7 @@ final class EventAssociation {
 
   private final int[] near;
   private List<Component> components = List.of();
+  private final Component[] nearby = new Component[MAX_NEAR];
   private final double[] nearX = new double[MAX_NEAR];
   private final double[] nearY = new double[MAX_NEAR];
   private final double[] intensity = new double[MAX_NEAR];
@@ -48,9 +47,9 @@ final class EventAssociation {
   /** Lists for each block the components whose template may reach it. */
   private void index() {
     Arrays.fill(counts, 0);
+    components.forEach(Component::beginTick);
     for (int i = 0; i < components.size(); i++) {
       Component component = components.get(i);
-      component.beginTick();
       double reach = component.shape.reach();
       double reachX = reach + Math.abs(component.vx()) * ObjectTracker.TICK_S;
       double reachY = reach + Math.abs(component.vy()) * ObjectTracker.TICK_S;
@@ -76,20 +75,25 @@ final class EventAssociation {
   private void associate(int tile) {
     int x = grid.x(tile);
     int y = grid.y(tile);
-    int block = tile >> ActivityGrid.BLOCK_SHIFT;
-    int first = block * MAX_NEAR;
-    int count = counts[block];
-    double timeS = count == 0 ? 0 : grid.meanS(tile);
-    for (int k = 0; k < count; k++) {
-      Component component = components.get(near[first + k]);
-      nearX[k] = x - (component.x() + component.vx() * timeS);
-      nearY[k] = y - (component.y() + component.vy() * timeS);
-    }
     int cell = clutter.cellAt(x, y);
+    int block = tile >> ActivityGrid.BLOCK_SHIFT;
+    double timeS = counts[block] == 0 ? 0 : grid.meanS(tile);
+    int count = 0;
+    for (int i = block * MAX_NEAR; i < block * MAX_NEAR + counts[block]; i++) {
+      Component component = components.get(near[i]);
+      double dx = x - (component.x() + component.vx() * timeS);
+      double dy = y - (component.y() + component.vy() * timeS);
+      double reach = component.shape.reach() + ActivityGrid.TILE_PX;
+      if (Math.abs(dx) < reach && Math.abs(dy) < reach) {
+        nearby[count] = component;
+        nearX[count] = dx;
+        nearY[count++] = dy;
+      }
+    }
     int unexplained = 0;
     for (int left = grid.pixels(tile); left != 0; left &= left - 1) {
       int pixel = Integer.numberOfTrailingZeros(left);
-      double share = count == 0 ? 1 : associate(tile, pixel, cell, first, count);
+      double share = count == 0 ? 1 : associate(tile, pixel, cell, count);
       clutter.add(tile, pixel, cell, share);
       unexplained |= share > 0.5 ? 1 << pixel : 0;
     }
@@ -99,13 +103,13 @@ final class EventAssociation {
   }
 
   /** Shares one event; returns the share that is clutter. */
-  private double associate(int tile, int pixel, int cell, int first, int count) {
-    double noise = clutter.rate(tile, pixel);
-    double sum = noise;
+  private double associate(int tile, int pixel, int cell, int count) {
     int dx = ActivityGrid.pixelX(pixel);
     int dy = ActivityGrid.pixelY(pixel);
+    double noise = clutter.rate(tile, pixel);
+    double sum = noise;
     for (int k = 0; k < count; k++) {
-      Component component = components.get(near[first + k]);
+      Component component = nearby[k];
       int at = component.shape.cell(nearX[k] + dx, nearY[k] + dy);
       cells[k] = at;
       intensity[k] = at < 0 ? 0 : component.intensity * component.shape.density[at];
@@ -119,7 +123,7 @@ final class EventAssociation {
       if (intensity[k] == 0) {
         continue;
       }
-      Component component = components.get(near[first + k]);
+      Component component = nearby[k];
       double mine = component.active * intensity[k];
       component.addLikelihood(intensity[k] / (sum - mine));
       double share = mine / sum;
@@ -127,9 +131,11 @@ final class EventAssociation {
       ShapeTemplate shape = component.shape;
       if (!component.object.isDecided()) {
         // no event decides alone
-        double novelty = Math.log(intensity[k] / repeat);
+        double ratio = intensity[k] / repeat;
         double most = ObjectRelations.DECISIVE_NAT;
-        component.novelty += share * Math.max(-most, Math.min(most, novelty));
+        double least = ObjectRelations.ERROR;
+        component.novelty +=
+            share * (ratio <= least ? -most : ratio >= 1 / least ? most : Math.log(ratio));
       }
       component.weight += share;
       component.gradientX -= share * shape.gradientX[at];

@@ -12,8 +12,6 @@ import java.util.List;
  *
  * <p>The log ratio of the two normal densities is that of track-to-track association (Bar-Shalom,
  * IEEE TAC 26, 1981).
- *
- * <p>Thread rule: one thread at a time.
  */
 final class ObjectRelations {
   /** Prior log odds of touching components: four of five are one object. */
@@ -46,6 +44,9 @@ final class ObjectRelations {
 
   /** Variance of a displacement from the cells of the template, px². */
   private static final double CELL_VARIANCE = ShapeTemplate.MIN_CELL_PX * ShapeTemplate.MIN_CELL_PX;
+
+  /** Square of the gap from which the prior is below that of two wrong decisions. */
+  private static final double FAR_SQUARES = Math.expm1(TOUCH_NAT + 2 * DECISIVE_NAT);
 
   /** Of pairs that are too far from one another to be compared. */
   private static final double FAR = Double.NEGATIVE_INFINITY;
@@ -99,6 +100,9 @@ final class ObjectRelations {
         double prior = gapLog(a, b);
         double sum = evidence[a.slot][b.slot];
         if (prior == FAR) {
+          if (sum == 0 && gap[a.slot][b.slot] == FAR) {
+            continue;
+          }
           sum = 0;
         } else if (a.isMoving() && b.isMoving()) {
           sum *= fade;
@@ -117,8 +121,8 @@ final class ObjectRelations {
 
   private double gapLog(Component a, Component b) {
     double shares = a.boxDistance(b) / (GAP_SHARE * sizeOf(a, b));
-    double prior = TOUCH_NAT - Math.log1p(shares * shares);
-    return prior < -2 * DECISIVE_NAT ? FAR : prior;
+    double squares = shares * shares;
+    return squares > FAR_SQUARES ? FAR : TOUCH_NAT - Math.log1p(squares);
   }
 
   private double sizeOf(Component a, Component b) {
@@ -176,7 +180,7 @@ final class ObjectRelations {
         }
       }
     }
-    return weights > 0 ? prior + sum / weights + oneLog(a, b) : FAR;
+    return weights > 0 && prior > FAR ? prior + sum / weights + oneLog(a, b) : FAR;
   }
 
   /** Log prior that the box of two sets of components is that of one object. */
@@ -200,10 +204,10 @@ final class ObjectRelations {
 
   /** Whether two objects are to be one. */
   boolean areOne(TrackedObject a, TrackedObject b) {
-    if (!mayJoin(a) || !mayJoin(b)) {
+    double odds = score(a.components, b.components);
+    if (odds == FAR || !mayJoin(a) || !mayJoin(b)) {
       return false;
     }
-    double odds = score(a.components, b.components);
     if (a.isDecided() && b.isDecided()) {
       return odds > DECISIVE_NAT;
     }

@@ -14,8 +14,6 @@ import java.util.function.LongConsumer;
 /**
  * Tracks what moves. Events change one grid; every 10 ms of their time the grid is shared among the
  * components and clutter, which updates all states. {@code docs/objects.md} has the model.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class ObjectTracker {
   /** Length of a tick: at 1000 px/s an edge moves ten pixels, less than a template's cells. */
@@ -352,7 +350,8 @@ final class ObjectTracker {
     to.setVelocity(from.vx() + region.slipX() / seconds, from.vy() + region.slipY() / seconds);
     to.shape.settle();
     from.shape.settle();
-    double share = to.shape.total / (to.shape.total + from.shape.total);
+    double total = ShapeTemplate.sum(to.shape.mass);
+    double share = total / (total + ShapeTemplate.sum(from.shape.mass));
     to.rate = from.rate * share;
     to.novelty = from.novelty * share;
     from.rate -= to.rate;

@@ -5,8 +5,6 @@ package haltere.filters.object;
  * Proceedings of the IEEE 77, 1989, eq. 19–20), in the role of the existence of Mušicki, Evans and
  * Stankovic (IEEE TAC 39, 1994). Only a moving component makes events. Its rate is not known well,
  * for it varies with speed and direction: the likelihood is the mean over three dimmings of it.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class Presence {
   /** Dimmings of the rate: as expected, and down to a fifth of it. */

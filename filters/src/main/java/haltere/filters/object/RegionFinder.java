@@ -9,8 +9,6 @@ import java.util.List;
 /**
  * Connected regions of a component's template, followed for as long as they last. Two that stay
  * apart are two components.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class RegionFinder {
   /** Share of the extent's events below which a region is not followed. */
@@ -117,7 +115,7 @@ final class RegionFinder {
     List<Region> found = new ArrayList<>(2);
     int labels = 0;
     for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
-      if (shape.core[cell] && label[cell] == 0) {
+      if (shape.isCore(cell) && label[cell] == 0) {
         fill(shape, cell, ++labels, spare);
         if (spare.mass > MIN_SHARE * shape.solidTotal) {
           found.add(spare);
@@ -156,7 +154,7 @@ final class RegionFinder {
       for (int r = Math.max(0, row - 1); r <= Math.min(side - 1, row + 1); r++) {
         for (int c = Math.max(0, column - 1); c <= Math.min(side - 1, column + 1); c++) {
           int next = r * side + c;
-          if (shape.core[next] && label[next] == 0) {
+          if (shape.isCore(next) && label[next] == 0) {
             label[next] = number;
             stack[top++] = next;
           }

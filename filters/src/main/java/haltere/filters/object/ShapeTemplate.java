@@ -10,7 +10,7 @@ import java.util.Arrays;
  *
  * <p>The density is worked out anew by {@link #refresh}; weights decay without it.
  *
- * <p>Pixels. Thread rule: one thread at a time.
+ * <p>Lengths are in pixels.
  */
 final class ShapeTemplate {
   /** Cells of a side. */
@@ -26,9 +26,6 @@ final class ShapeTemplate {
 
   /** Share of the events that come from beside the shape seen so far: it grows or bends. */
   private static final double GROWTH = ObjectRelations.ERROR;
-
-  /** Cells up to which it may grow within its memory. */
-  private static final int GROWTH_CELLS = 2;
 
   /** Share of the mean density below which a cell is a gap, and not of the extent. */
   private static final double FAINT = 0.2;
@@ -67,12 +64,13 @@ final class ShapeTemplate {
 
   final float[] gradientY = new float[CELLS];
 
-  /** Cells of the extent. */
-  final boolean[] core = new boolean[CELLS];
-
   private final float[] smooth = new float[CELLS];
   private final float[] wide = new float[CELLS];
   private final float[] work = new float[CELLS];
+
+  /** Copies that lie one or two cells before and after. */
+  private final float[][] shifted = new float[4][CELLS];
+
   private final float[] marginalX = new float[SIDE];
   private final float[] marginalY = new float[SIDE];
 
@@ -83,10 +81,10 @@ final class ShapeTemplate {
   private float fade = 1;
   private float perFade = 1;
 
-  /** Weight of all events, and of those in the extent. */
-  double total;
-
+  /** Weight of the events in the extent, and the density from which a cell is of it. */
   double solidTotal;
+
+  private float faint;
 
   /** Fisher information of one event about a displacement, per square pixel. */
   double infoXx;
@@ -116,7 +114,6 @@ final class ShapeTemplate {
   void clear(double cell) {
     Arrays.fill(mass, 0);
     setCell(cell);
-    total = 0;
     fade = 1;
     perFade = 1;
   }
@@ -166,97 +163,109 @@ final class ShapeTemplate {
 
   /** Brings the weights to now. */
   void settle() {
-    float sum = 0;
     for (int i = 0; i < CELLS; i++) {
       mass[i] *= fade;
-      sum += mass[i];
     }
-    total = sum;
     fade = 1;
     perFade = 1;
+  }
+
+  static float sum(float[] cells) {
+    float sum = 0;
+    for (float cell : cells) {
+      sum += cell;
+    }
+    return sum;
   }
 
   /** Works out the density, its gradient, and the extent. */
   void refresh() {
     settle();
-    blur();
+    blur(mass, work, 1);
+    blur(work, smooth, SIDE);
     widen(smooth, work, 1);
     widen(work, wide, SIDE);
-    float sum = 0;
-    for (int i = 0; i < CELLS; i++) {
-      sum += smooth[i];
-    }
+    float sum = sum(smooth);
     float scale = sum > 0 ? 1 / sum : 0;
     float own = (float) (1 - GROWTH) * scale;
     float grown = (float) GROWTH * scale;
     for (int i = 0; i < CELLS; i++) {
       density[i] = own * smooth[i] + grown * wide[i] + FLOOR;
     }
-    differentiate();
-    measureExtent();
-  }
-
-  /** Binomial smoothing over three cells each way; the border of the grid counts as empty. */
-  private void blur() {
-    for (int i = 1; i < CELLS - 1; i++) {
-      work[i] = 0.25f * (mass[i - 1] + mass[i + 1]) + 0.5f * mass[i];
-    }
-    for (int i = SIDE; i < CELLS - SIDE; i++) {
-      smooth[i] = 0.25f * (work[i - SIDE] + work[i + SIDE]) + 0.5f * work[i];
+    differentiate(gradientX, 1);
+    differentiate(gradientY, SIDE);
+    integrate();
+    if (sum > 0) {
+      measureExtent();
     }
   }
 
-  /** The mean of a cell and of those to both sides of it, some cells apart in the arrays. */
-  private static void widen(float[] from, float[] to, int apart) {
-    int reach = GROWTH_CELLS * apart;
-    for (int i = reach; i < CELLS - reach; i++) {
-      float sum = 0;
-      for (int k = i - reach; k <= i + reach; k += apart) {
-        sum += from[k];
-      }
-      to[i] = sum / (2 * GROWTH_CELLS + 1);
+  /** A copy in which each cell is the one some cells on: loops over one index are vectorised. */
+  private float[] shifted(int copy, float[] from, int by) {
+    float[] to = shifted[copy];
+    System.arraycopy(from, Math.max(0, by), to, Math.max(0, -by), CELLS - Math.abs(by));
+    return to;
+  }
+
+  /** Binomial smoothing over three cells some apart; the border of the grid counts as empty. */
+  private void blur(float[] from, float[] to, int apart) {
+    float[] before = shifted(0, from, -apart);
+    float[] after = shifted(1, from, apart);
+    for (int i = apart; i < CELLS - apart; i++) {
+      to[i] = 0.25f * (before[i] + after[i]) + 0.5f * from[i];
+    }
+  }
+
+  /** The mean over two cells on each side, up to which it may grow within its memory. */
+  private void widen(float[] from, float[] to, int apart) {
+    float[] second = shifted(0, from, -2 * apart);
+    float[] before = shifted(1, from, -apart);
+    float[] after = shifted(2, from, apart);
+    float[] last = shifted(3, from, 2 * apart);
+    for (int i = 2 * apart; i < CELLS - 2 * apart; i++) {
+      to[i] = (second[i] + before[i] + from[i] + after[i] + last[i]) / 5;
     }
   }
 
   /** Differences of the logarithm, bounded where the density is the floor. */
-  private void differentiate() {
+  private void differentiate(float[] to, int apart) {
     float perPx = (float) (1.5 / cellPx);
+    float[] low = shifted(0, density, -apart);
+    float[] high = shifted(1, density, apart);
     for (int i = SIDE; i < CELLS - SIDE; i++) {
-      float left = density[i - 1];
-      float right = density[i + 1];
-      float below = density[i - SIDE];
-      float above = density[i + SIDE];
-      gradientX[i] = perPx * (right - left) / (right + left + density[i]);
-      gradientY[i] = perPx * (above - below) / (above + below + density[i]);
+      to[i] = perPx * (high[i] - low[i]) / (high[i] + low[i] + density[i]);
     }
+  }
+
+  /** Works out the means of the density and of the information; at once, as each sum is slow. */
+  private void integrate() {
+    float mean = 0;
     float xx = 0;
     float xy = 0;
     float yy = 0;
-    for (int i = SIDE; i < CELLS - SIDE; i++) {
+    for (int i = 0; i < CELLS; i++) {
       float gx = gradientX[i];
       float gy = gradientY[i];
       float weighted = density[i] * gx;
+      mean += density[i] * density[i];
       xx += weighted * gx;
       xy += weighted * gy;
       yy += density[i] * gy * gy;
     }
+    faint = (float) FAINT * mean;
     infoXx = xx;
     infoXy = xy;
     infoYy = yy;
   }
 
+  /** Whether a cell is of the extent. */
+  boolean isCore(int cell) {
+    return density[cell] > faint;
+  }
+
   private void measureExtent() {
-    if (!(total > 0)) {
-      return;
-    }
-    float mean = 0;
     for (int i = 0; i < CELLS; i++) {
-      mean += density[i] * density[i];
-    }
-    float faint = (float) FAINT * mean;
-    for (int i = 0; i < CELLS; i++) {
-      core[i] = density[i] > faint;
-      work[i] = core[i] ? mass[i] : 0;
+      work[i] = isCore(i) ? mass[i] : 0;
     }
     Arrays.fill(marginalX, 0);
     double xy = 0;

@@ -10,8 +10,6 @@ import java.util.function.ToDoubleFunction;
 /**
  * An object: its components, its identity once that is decided, and its extent. It is the only
  * place where identity lives.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class TrackedObject {
   final List<Component> components = new ArrayList<>(1);
@@ -91,11 +89,7 @@ final class TrackedObject {
 
   /** Probability that one of its components is there. */
   double existence() {
-    double none = 1;
-    for (int i = 0; i < components.size(); i++) {
-      none *= components.get(i).presence.gone();
-    }
-    return 1 - none;
+    return 1 - components.stream().mapToDouble(c -> c.presence.gone()).reduce(1, (a, b) -> a * b);
   }
 
   /** Works out the box around those of its components. */

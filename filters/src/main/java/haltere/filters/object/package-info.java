@@ -6,7 +6,8 @@
  * {@code Presence}) and clutter ({@code ClutterMap}). {@code BirthDetector} begins components,
  * {@code RegionFinder} splits them, {@code ObjectRelations} decides which of them are one {@code
  * TrackedObject}. {@code ObjectTracker} runs these steps, {@link
- * haltere.filters.object.ObjectTrackerFilter} is the stage of a chain.
+ * haltere.filters.object.ObjectTrackerFilter} is the stage of a chain. Thread rule of all these
+ * classes: one thread at a time.
  *
  * @since 0.1
  */

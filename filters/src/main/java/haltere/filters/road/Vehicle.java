@@ -17,8 +17,6 @@ import java.util.Optional;
  * with s = H/(H − z). The point seems to move at s v there. Two such points are measured, the lower
  * edge and the middle of the extent; how they move against one another tells their heights, as far
  * as the prior does not. {@code docs/objects.md} has the equations.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class Vehicle {
   // entries of the state, metres and m/s

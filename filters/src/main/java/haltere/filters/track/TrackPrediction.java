@@ -18,8 +18,6 @@ import org.ejml.dense.row.CommonOps_DDRM;
  * correct   x = x⁻ + K (z − h(x⁻))                        h: plane to pixels, H = ∂h/∂x at x⁻
  *           K = P⁻ Hᵀ (H P⁻ Hᵀ + r I)⁻¹                   on the plane the variance r is J r Jᵀ
  * </pre>
- *
- * <p>Thread rule: that of its owner.
  */
 final class TrackPrediction {
   /** Measurement variance of a new track where variances are dynamic, px²: Cardinale (2006). */

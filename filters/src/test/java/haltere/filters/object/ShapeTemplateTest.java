@@ -83,7 +83,7 @@ class ShapeTemplateTest {
     template.add(cell, 1);
     template.decay(0.5);
     template.settle();
-    assertEquals(2.5, template.total, 1e-6);
+    assertEquals(2.5, ShapeTemplate.sum(template.mass), 1e-6);
   }
 
   @Test
@@ -91,7 +91,7 @@ class ShapeTemplateTest {
     ShapeTemplate template = box(10, 6);
     template.resample(template.coarser(), 3, -2);
     template.refresh();
-    assertEquals(2000, template.total, 1);
+    assertEquals(2000, ShapeTemplate.sum(template.mass), 1);
     assertEquals(-3, template.middleX, 0.7);
     assertEquals(2, template.middleY, 0.7);
     assertEquals(10, template.halfX, 2);

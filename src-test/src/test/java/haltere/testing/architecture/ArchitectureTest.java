@@ -402,7 +402,7 @@ class ArchitectureTest {
     check(
         noClasses()
             .that()
-            .resideOutsideOfPackages("haltere.ui.viewer..", "haltere.ui.overlay..")
+            .resideOutsideOfPackages("haltere.ui.viewer..")
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage("javafx..", "com.sun.javafx..", "atlantafx..")

@@ -22,6 +22,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -118,7 +119,8 @@ final class BenchCommand extends Subcommand {
         checkInterrupted("measuring");
       }
       reading.requireWhole(reader);
-      warnings(reader);
+      warnings(recording, reader.remarks());
+      warnings(recording, reader.violations().describe(Set.of()));
     }
     long decoded = held.events + skipped[0];
     if (held.events == 0) {

@@ -1,6 +1,5 @@
 package haltere.ui.command;
 
-import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.Supplier;
@@ -68,13 +67,8 @@ final class CompletionCommand extends Subcommand {
       words.append(" -r");
     }
     if (option.type().isEnum()) {
-      String choices =
-          String.join(
-              " ",
-              Arrays.stream(option.type().getEnumConstants())
-                  .map(choice -> choice.toString().toLowerCase(Locale.ROOT))
-                  .toList());
-      words.append(" -f -a '" + choices + "'");
+      String choices = String.join(" ", option.completionCandidates());
+      words.append(" -f -a '" + choices.toLowerCase(Locale.ROOT) + "'");
     }
     String help = option.description().length == 0 ? "" : option.description()[0];
     return words + " -d " + quoted(help);

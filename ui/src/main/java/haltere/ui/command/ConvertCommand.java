@@ -108,21 +108,19 @@ final class ConvertCommand extends Subcommand {
   @Override
   public Integer call() throws IOException {
     checkArguments();
-    if (stream != null) {
-      checkStream();
+    if (stream != null || isEventTable(out)) {
       writing.check(out);
-      WritingOptions.checkDifferent(in, out);
-      convertStream();
-      return OK;
-    }
-    if (isEventTable(out)) {
-      writing.check(out);
-      WritingOptions.checkDifferent(in, out);
     } else if (!ReadingOptions.isStandard(out)) {
       writing.checkRecording(out);
+    }
+    if (stream != null || !ReadingOptions.isStandard(out)) {
       WritingOptions.checkDifferent(in, out);
     }
-    convert();
+    if (stream != null) {
+      convertStream();
+    } else {
+      convert();
+    }
     return OK;
   }
 
@@ -149,6 +147,9 @@ final class ConvertCommand extends Subcommand {
       filters.forEach(Filters::named);
     } catch (ChainProblem problem) {
       throw wrongArguments(problem.getMessage());
+    }
+    if (stream != null) {
+      checkStream();
     }
   }
 
@@ -221,9 +222,7 @@ final class ConvertCommand extends Subcommand {
       warnings.addAll(reader.remarks());
       warnings.addAll(reader.violations().describe(Set.of(Violation.OTHER_DATA)));
     }
-    for (String warning : warnings) {
-      warning(in + ": " + warning);
-    }
+    warnings(in, warnings);
     SampleKind kind =
         switch (stream) {
           case IMU -> SampleKind.INERTIAL_SAMPLE;
@@ -251,9 +250,7 @@ final class ConvertCommand extends Subcommand {
       done = conversion.run(reader, writer, reading.strict);
       chain.close();
     }
-    for (String warning : done.warnings()) {
-      warning(in + ": " + warning);
-    }
+    warnings(in, done.warnings());
     if (done.eventsRead() == 0) {
       warning(in + ": there are no events" + (isPart() ? " in this stretch of time" : ""));
     }

@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Model.UsageMessageSpec;
@@ -174,12 +175,7 @@ public final class HaltereProgram {
   }
 
   private static String firstWord(String... args) {
-    for (String arg : args) {
-      if (!arg.startsWith("-")) {
-        return arg;
-      }
-    }
-    return "";
+    return Stream.of(args).filter(arg -> !arg.startsWith("-")).findFirst().orElse("");
   }
 
   /**
@@ -212,13 +208,8 @@ public final class HaltereProgram {
     if (isDebug(command)) {
       problem.printStackTrace(surroundings.err());
     }
-    surroundings
-        .err()
-        .print(
-            command.getCommandSpec().qualifiedName()
-                + ": "
-                + Failures.shortened(problem.getMessage().strip())
-                + "\n");
+    String line = Failures.shortened(problem.getMessage().strip());
+    surroundings.err().print(command.getCommandSpec().qualifiedName() + ": " + line + "\n");
     UnmatchedArgumentException.printSuggestions(problem, command.getErr());
     command.usage(command.getErr());
     return Subcommand.WRONG_ARGUMENTS;

@@ -26,16 +26,12 @@ import java.util.List;
 /**
  * What the viewer shows at first, without a window: the built-in fly scene through the chain for a
  * fly, with a picture and a table of the wings at the end. The same every time.
+ *
+ * @param command says what was found
  */
-final class HeadlessDemo {
+record HeadlessDemo(Subcommand command) {
   private static final int DURATION_S = 3;
   private static final long FADING_US = 4_000;
-
-  private final Subcommand command;
-
-  HeadlessDemo(Subcommand command) {
-    this.command = command;
-  }
 
   /** Runs the scene; files of an earlier run are replaced. */
   int run() throws IOException {

@@ -17,6 +17,7 @@ import haltere.ui.rendering.Pictures;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -69,9 +70,6 @@ final class InfoCommand extends Subcommand {
       writing.check(picture);
       WritingOptions.checkDifferent(files.get(0), picture);
     }
-    if (files.size() == 1) {
-      return single(files.get(0));
-    }
     int status = OK;
     List<Object> objects = new ArrayList<>();
     for (Path file : files) {
@@ -83,7 +81,7 @@ final class InfoCommand extends Subcommand {
           status = FAILED;
         }
       } catch (IOException problem) {
-        if (Failures.isInterruption(problem)) {
+        if (files.size() == 1 || Failures.isInterruption(problem)) {
           throw problem;
         }
         if (isDebug()) {
@@ -91,218 +89,194 @@ final class InfoCommand extends Subcommand {
         }
         String line = Failures.describe(problem);
         error(line);
-        objects.add(failed(file, line));
+        Map<String, Object> failed = new LinkedHashMap<>();
+        failed.put("file", file.toString());
+        failed.put("error", line);
+        objects.add(failed);
         status = FAILED;
       }
     }
     if (json) {
-      result(Json.write(objects));
+      result(Json.write(files.size() == 1 ? objects.get(0) : objects));
     }
     return status;
   }
 
-  private int single(Path file) throws IOException {
-    List<Object> objects = new ArrayList<>();
-    boolean whole = describe(file, objects);
-    if (json) {
-      result(Json.write(objects.get(0)));
+  /**
+   * What is told of a recording.
+   *
+   * @param clock what its times count from
+   * @param metadata what it says of its camera and chain, if anything
+   * @param outline events and times
+   * @param durationS length without what lies between a clock's end and its next start, seconds
+   * @param read what else was found by reading it; empty if only what it tells of itself is known
+   */
+  private record Facts(
+      RecordingClock clock,
+      Map<String, String> metadata,
+      RecordingOutline outline,
+      double durationS,
+      Optional<RecordingSummary> read) {
+    double meanRateEps() {
+      return durationS > 0 ? outline.events() / durationS : 0;
     }
-    return whole ? OK : FAILED;
   }
 
   /** Describes a file; false if it is less whole than the user demands. */
   private boolean describe(Path file, List<Object> objects) throws IOException {
-    RecordingSummary summary;
-    RecordingClock clock;
-    Map<String, String> metadata;
-    Optional<RecordingProblem> objection;
     EventRate rates = new EventRate(48);
-    try (RecordingReader reader = reading.open(file);
-        ProgressBar bar = progressBar("reading", file)) {
-      Optional<RecordingOutline> outline = quick ? reader.outline() : Optional.empty();
-      if (outline.isPresent()) {
-        describe(reader, outline.get(), objects);
-        return true;
-      }
-      clock = reader.clock();
-      metadata = reader.metadata();
-      if (picture == null) {
-        summary = RecordingSummary.scan(reader, bar, rates);
+    try (RecordingReader reader = reading.open(file)) {
+      Facts facts = facts(reader, rates);
+      List<String> warnings = facts.read.map(RecordingSummary::warnings).orElse(reader.remarks());
+      Optional<RecordingProblem> objection =
+          facts.read.flatMap(all -> reading.objection(file, reader.violations()));
+      if (json) {
+        Map<String, Object> object = object(reader, facts, warnings);
+        objection.ifPresent(problem -> object.put("error", problem.getMessage()));
+        objects.add(object);
       } else {
-        ContactSheet sheet = new ContactSheet(reader.geometry(), (timeUs, marks) -> {});
-        summary = RecordingSummary.scan(reader, bar, rates, sheet);
+        print(reader, facts);
+        if (surroundings().outIsTerminal() && rates.highestHz() > 0) {
+          line("rate", rates.line() + "  up to " + Quantities.rate(rates.highestHz()));
+        }
+      }
+      warnings(file, warnings);
+      if (picture != null) {
+        message("wrote " + picture);
+      }
+      objection.ifPresent(problem -> error(problem.getMessage()));
+      return objection.isEmpty();
+    }
+  }
+
+  private Facts facts(RecordingReader reader, EventRate rates) throws IOException {
+    RecordingClock clock = reader.clock();
+    Map<String, String> metadata = reader.metadata();
+    Optional<RecordingOutline> outline = quick ? reader.outline() : Optional.empty();
+    if (outline.isPresent()) {
+      double durationS = (outline.get().lastUs() - outline.get().firstUs()) / 1e6;
+      return new Facts(clock, metadata, outline.get(), durationS, Optional.empty());
+    }
+    try (ProgressBar bar = progressBar("reading", reader.path())) {
+      ContactSheet sheet = new ContactSheet(reader.geometry(), (timeUs, marks) -> {});
+      RecordingSummary read =
+          picture == null
+              ? RecordingSummary.scan(reader, bar, rates)
+              : RecordingSummary.scan(reader, bar, rates, sheet);
+      if (picture != null) {
         Pictures.write(picture, sheet.draw());
       }
-      objection = reading.objection(file, reader.violations());
-    }
-    if (json) {
-      Map<String, Object> object = object(summary);
-      add(metadata, object);
-      objection.ifPresent(problem -> object.put("error", problem.getMessage()));
-      objects.add(object);
-    } else {
-      print(file, summary, clock);
-      metadata.forEach(this::line);
-      if (surroundings().outIsTerminal() && summary.events() > 0) {
-        line("rate", rates.line() + "  up to " + Quantities.rate(rates.highestHz()));
-      }
-    }
-    for (String warning : summary.warnings()) {
-      warning(file + ": " + warning);
-    }
-    if (picture != null) {
-      message("wrote " + picture);
-    }
-    objection.ifPresent(problem -> error(problem.getMessage()));
-    return objection.isEmpty();
-  }
-
-  private void describe(RecordingReader reader, RecordingOutline outline, List<Object> objects) {
-    double durationS = (outline.lastUs() - outline.firstUs()) / 1e6;
-    double meanRateEps = durationS > 0 ? outline.events() / durationS : 0;
-    if (json) {
-      Map<String, Object> object = identity(reader.formatName(), reader.geometry());
-      object.put("events", outline.events());
-      object.put("firstUs", outline.firstUs());
-      object.put("lastUs", outline.lastUs());
-      object.put("durationS", durationS);
-      object.put("meanRateEps", meanRateEps);
-      object.put("warnings", reader.remarks());
-      add(reader.metadata(), object);
-      objects.add(object);
-    } else {
-      result(reader.path().toString());
-      printIdentity(reader.formatName(), reader.geometry());
-      line("events", Quantities.count(outline.events()));
-      if (outline.events() > 0) {
-        printTimes(outline.firstUs(), outline.lastUs(), durationS, meanRateEps);
-        line("zero", reader.clock().describe());
-      }
-      reader.metadata().forEach(this::line);
-    }
-    for (String remark : reader.remarks()) {
-      warning(reader.path() + ": " + remark);
+      RecordingOutline found = new RecordingOutline(read.events(), read.firstUs(), read.lastUs());
+      return new Facts(clock, metadata, found, read.durationS(), Optional.of(read));
     }
   }
 
-  /** Stands for a file that cannot be read, so that the array has a place for each file. */
-  private static Map<String, Object> failed(Path file, String line) {
+  private static Map<String, Object> object(
+      RecordingReader reader, Facts facts, List<String> warnings) {
+    SensorGeometry geometry = reader.geometry();
     Map<String, Object> object = new LinkedHashMap<>();
-    object.put("file", file.toString());
-    object.put("error", line);
-    return object;
-  }
-
-  private static Map<String, Object> identity(String format, SensorGeometry geometry) {
-    Map<String, Object> object = new LinkedHashMap<>();
-    object.put("format", format);
+    object.put("format", reader.formatName());
     object.put("width", geometry.width());
     object.put("height", geometry.height());
-    object.put("origin", geometry.origin().name().toLowerCase(Locale.ROOT));
+    object.put("origin", origin(geometry));
+    object.put("events", facts.outline.events());
+    facts.read.ifPresent(
+        read -> {
+          object.put("on", read.on());
+          object.put("off", read.off());
+        });
+    object.put("firstUs", facts.outline.firstUs());
+    object.put("lastUs", facts.outline.lastUs());
+    object.put("durationS", facts.durationS);
+    object.put("meanRateEps", facts.meanRateEps());
+    facts.read.ifPresent(
+        read -> {
+          object.put("peakRateEps", read.peakRateEps());
+          object.put("timestampsMonotonic", read.timestampsMonotonic());
+          object.put("gaps", read.gaps().stream().map(InfoCommand::object).toList());
+        });
+    object.put("warnings", warnings);
+    facts
+        .read
+        .map(RecordingSummary::samples)
+        .filter(samples -> !samples.isEmpty())
+        .ifPresent(
+            samples -> {
+              object.put("frames", samples.frames());
+              object.put("inertialSamples", samples.inertialSamples());
+              object.put("triggers", samples.triggers());
+            });
+    if (!facts.metadata.isEmpty()) {
+      object.put("metadata", facts.metadata);
+    }
     return object;
   }
 
-  private static Map<String, Object> object(RecordingSummary summary) {
-    Map<String, Object> object = identity(summary.format(), summary.geometry());
-    object.put("events", summary.events());
-    object.put("on", summary.on());
-    object.put("off", summary.off());
-    object.put("firstUs", summary.firstUs());
-    object.put("lastUs", summary.lastUs());
-    object.put("durationS", summary.durationS());
-    object.put("meanRateEps", summary.meanRateEps());
-    object.put("peakRateEps", summary.peakRateEps());
-    object.put("timestampsMonotonic", summary.timestampsMonotonic());
-    List<Object> gaps = new ArrayList<>();
-    for (Gap gap : summary.gaps()) {
-      Map<String, Object> entry = new LinkedHashMap<>();
-      entry.put("fromUs", time(gap.fromUs()));
-      entry.put("toUs", time(gap.toUs()));
-      entry.put("told", gap.told());
-      gaps.add(entry);
-    }
-    object.put("gaps", gaps);
-    object.put("warnings", summary.warnings());
-    if (!summary.samples().isEmpty()) {
-      object.put("frames", summary.samples().frames());
-      object.put("inertialSamples", summary.samples().inertialSamples());
-      object.put("triggers", summary.samples().triggers());
-    }
+  private static Map<String, Object> object(Gap gap) {
+    Map<String, Object> object = new LinkedHashMap<>();
+    object.put("fromUs", time(gap.fromUs()));
+    object.put("toUs", time(gap.toUs()));
+    object.put("told", gap.told());
     return object;
   }
 
-  /** What the recording says of its camera and chain, if anything. */
-  private static void add(Map<String, String> metadata, Map<String, Object> object) {
-    if (!metadata.isEmpty()) {
-      object.put("metadata", metadata);
-    }
+  private static String origin(SensorGeometry geometry) {
+    return geometry.origin().name().toLowerCase(Locale.ROOT);
   }
 
   private static Object time(long timeUs) {
     return timeUs == StreamNotification.NO_TIME_US ? null : (Object) timeUs;
   }
 
-  private void printIdentity(String format, SensorGeometry geometry) {
-    line("format", format);
-    line(
-        "sensor",
-        geometry
-            + " pixels, rows count from the "
-            + geometry.origin().name().toLowerCase(Locale.ROOT));
-  }
-
-  private void printTimes(long firstUs, long lastUs, double durationS, double meanRateEps) {
-    line("time", Quantities.seconds(firstUs) + " to " + Quantities.seconds(lastUs));
-    line("duration", Quantities.text("%.6f s", durationS));
-    line("mean rate", Quantities.rate(meanRateEps));
-  }
-
-  private void print(Path file, RecordingSummary summary, RecordingClock clock) {
-    result(file.toString());
-    printIdentity(summary.format(), summary.geometry());
+  private void print(RecordingReader reader, Facts facts) {
+    SensorGeometry geometry = reader.geometry();
+    RecordingOutline outline = facts.outline;
+    result(reader.path().toString());
+    line("format", reader.formatName());
+    line("sensor", geometry + " pixels, rows count from the " + origin(geometry));
+    String events = Quantities.count(outline.events());
     line(
         "events",
-        Quantities.text("%,d  (%,d ON, %,d OFF)", summary.events(), summary.on(), summary.off()));
-    if (!summary.samples().isEmpty()) {
-      line("also", summary.samples().toString());
+        facts
+            .read
+            .map(read -> Quantities.text("%s  (%,d ON, %,d OFF)", events, read.on(), read.off()))
+            .orElse(events));
+    facts
+        .read
+        .filter(read -> !read.samples().isEmpty())
+        .ifPresent(read -> line("also", read.samples().toString()));
+    if (outline.events() > 0) {
+      String last = Quantities.seconds(outline.lastUs());
+      line("time", Quantities.seconds(outline.firstUs()) + " to " + last);
+      line("duration", Quantities.text("%.6f s", facts.durationS));
+      line("mean rate", Quantities.rate(facts.meanRateEps()));
+      facts.read.ifPresent(
+          read -> {
+            line("peak rate", Quantities.rate(read.peakRateEps()) + "  (over 10 ms)");
+            String segments = "goes back: " + read.segments().size() + " segments";
+            line("clock", read.timestampsMonotonic() ? "never goes back" : segments);
+          });
+      line("zero", facts.clock.describe());
+      facts.read.ifPresent(read -> line("gaps", gaps(read.gaps())));
     }
-    if (summary.events() == 0) {
-      return;
-    }
-    printTimes(summary.firstUs(), summary.lastUs(), summary.durationS(), summary.meanRateEps());
-    line("peak rate", Quantities.rate(summary.peakRateEps()) + "  (over 10 ms)");
-    line(
-        "clock",
-        summary.timestampsMonotonic()
-            ? "never goes back"
-            : "goes back: " + summary.segments().size() + " segments");
-    line("zero", clock.describe());
-    line("gaps", gaps(summary.gaps()));
+    facts.metadata.forEach(this::line);
   }
 
   private static String gaps(List<Gap> gaps) {
     if (gaps.isEmpty()) {
       return "none";
     }
-    return gaps.size() + ", the longest " + longest(gaps);
-  }
-
-  private static String longest(List<Gap> gaps) {
-    Gap longest = null;
-    for (Gap gap : gaps) {
-      boolean timed =
-          gap.fromUs() != StreamNotification.NO_TIME_US
-              && gap.toUs() != StreamNotification.NO_TIME_US;
-      if (timed
-          && (longest == null || gap.toUs() - gap.fromUs() > longest.toUs() - longest.fromUs())) {
-        longest = gap;
-      }
-    }
-    return longest == null
-        ? "of unknown length"
-        : Quantities.text(
-            "%.3f s from %s",
-            (longest.toUs() - longest.fromUs()) / 1e6, Quantities.seconds(longest.fromUs()));
+    return gaps.stream()
+        .filter(gap -> time(gap.fromUs()) != null && time(gap.toUs()) != null)
+        .min(Comparator.comparingLong(gap -> gap.fromUs() - gap.toUs()))
+        .map(
+            gap ->
+                Quantities.text(
+                    "%d, the longest %.3f s from %s",
+                    gaps.size(),
+                    (gap.toUs() - gap.fromUs()) / 1e6,
+                    Quantities.seconds(gap.fromUs())))
+        .orElse(gaps.size() + ", the longest of unknown length");
   }
 
   private void line(String name, String value) {

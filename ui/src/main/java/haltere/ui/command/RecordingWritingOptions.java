@@ -96,9 +96,7 @@ final class RecordingWritingOptions extends WritingOptions {
     if (format instanceof Aedat4Format) {
       return Aedat4Writer.createInPlace(output, options, Aedat4Compression.LZ4);
     }
-    return format
-        .create(output, options)
-        .orElseThrow(() -> new CommandProblem(output + ": " + format.name() + " is only read"));
+    return create(output, format, options);
   }
 
   /**
@@ -136,15 +134,17 @@ final class RecordingWritingOptions extends WritingOptions {
       throws IOException {
     WriteOptions toFile =
         new WriteOptions(geometry, overwrite, Optional.ofNullable(origin), Map.of(), samples);
-    WriteOptions options =
+    return create(
+        output,
+        format,
         ReadingOptions.isStandard(output)
             ? toFile.withStream(subcommand().standardOutput())
-            : toFile;
-    return format
-        .create(output, options)
-        .orElseThrow(
-            () ->
-                new CommandProblem(
-                    output + ": " + format.name() + " is only read; choose another ending"));
+            : toFile);
+  }
+
+  private static RecordingWriter create(Path output, RecordingFormat format, WriteOptions options)
+      throws IOException {
+    String readOnly = output + ": " + format.name() + " is only read; choose another ending";
+    return format.create(output, options).orElseThrow(() -> new CommandProblem(readOnly));
   }
 }

@@ -8,15 +8,7 @@ import java.io.IOException;
 import java.util.List;
 
 /** A camera's recording in parts, as a result of a chain. */
-final class SessionResults implements JobResults {
-  private final Subcommand command;
-  private final SessionRecorder recorder;
-
-  SessionResults(Subcommand command, SessionRecorder recorder) {
-    this.command = command;
-    this.recorder = recorder;
-  }
-
+record SessionResults(Subcommand command, SessionRecorder recorder) implements JobResults {
   @Override
   public List<StreamHandler> sinks() {
     return List.of(recorder);

@@ -2,8 +2,6 @@ package haltere.ui.command;
 
 import haltere.core.camera.Camera;
 import haltere.core.chain.FilterProvider;
-import haltere.core.format.RecordingReader;
-import haltere.core.format.Violation;
 import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.RecordingJob;
@@ -15,7 +13,6 @@ import haltere.ui.command.terminal.LiveStatus;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
 import haltere.ui.command.terminal.StandardOutput;
-import haltere.ui.command.terminal.TerminalLine;
 import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.io.InterruptedIOException;
@@ -25,7 +22,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
 import picocli.CommandLine.Mixin;
@@ -79,13 +75,13 @@ abstract class Subcommand implements Callable<Integer> {
     return surroundings;
   }
 
-  /** Prints a line of the result. */
-  void result(String line) {
-    surroundings.out().print(line + "\n");
+  /** Prints a line of the result: as it is, or a format of values. */
+  void result(String form, Object... values) {
+    surroundings.out().print(line(form, values));
   }
 
-  void result(String form, Object... values) {
-    result(Quantities.text(form, values));
+  private static String line(String form, Object... values) {
+    return (values.length == 0 ? form : Quantities.text(form, values)) + "\n";
   }
 
   /** The standard output for bytes; it fails where a print stream would pass over it. */
@@ -111,37 +107,19 @@ abstract class Subcommand implements Callable<Integer> {
   }
 
   /** Tells the user what has been done. */
-  void message(String line) {
-    if (!isQuiet()) {
-      surroundings.err().print(line + "\n");
-    }
-  }
-
   void message(String form, Object... values) {
-    message(Quantities.text(form, values));
+    if (!isQuiet()) {
+      surroundings.err().print(line(form, values));
+    }
   }
 
   void warning(String form, Object... values) {
-    warning(Quantities.text(form, values));
+    surroundings.err().print("haltere: warning: " + line(form, values));
   }
 
-  void warning(String line) {
-    surroundings.err().print("haltere: warning: " + line + "\n");
-  }
-
-  /** Reports what was wrong with a recording that has been read. */
-  void warnings(RecordingReader reader) {
-    warnings(reader, Set.of());
-  }
-
-  /** Reports what was wrong with a recording that has been read, but for some kinds. */
-  void warnings(RecordingReader reader, Set<Violation> untold) {
-    for (String remark : reader.remarks()) {
-      warning(reader.path() + ": " + remark);
-    }
-    for (String violation : reader.violations().describe(untold)) {
-      warning(reader.path() + ": " + violation);
-    }
+  /** Reports what was wrong with a file, a line each. */
+  void warnings(Path file, Iterable<String> lines) {
+    lines.forEach(line -> warning(file + ": " + line));
   }
 
   void error(String line) {
@@ -164,8 +142,7 @@ abstract class Subcommand implements Callable<Integer> {
   }
 
   LiveStatus liveStatus(List<Camera> cameras) {
-    TerminalLine line = new TerminalLine(surroundings.err(), isLineShown(), System::nanoTime);
-    return new LiveStatus(line, System::nanoTime, cameras);
+    return new LiveStatus(surroundings.err(), isLineShown(), cameras, System::nanoTime);
   }
 
   private boolean isLineShown() {
@@ -189,9 +166,7 @@ abstract class Subcommand implements Callable<Integer> {
               .run();
     }
     wrote(report.files());
-    for (String warning : report.warnings()) {
-      warning(file + ": " + warning);
-    }
+    warnings(file, report.warnings());
     return report;
   }
 

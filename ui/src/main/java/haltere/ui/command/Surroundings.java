@@ -4,7 +4,6 @@ import java.io.PrintStream;
 import java.nio.channels.ReadableByteChannel;
 import java.nio.file.Path;
 import java.util.Map;
-import java.util.Objects;
 
 /**
  * What a command can see of the machine it runs on. The program takes it from the process; a test
@@ -29,11 +28,6 @@ record Surroundings(
     Path folder,
     WindowOpener window) {
   Surroundings {
-    Objects.requireNonNull(in, "in");
-    Objects.requireNonNull(out, "out");
-    Objects.requireNonNull(err, "err");
-    Objects.requireNonNull(folder, "folder");
-    Objects.requireNonNull(window, "window");
     environment = Map.copyOf(environment);
   }
 }

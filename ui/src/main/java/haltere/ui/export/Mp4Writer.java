@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -27,6 +28,12 @@ import java.util.concurrent.TimeoutException;
 public final class Mp4Writer implements FilmWriter {
   /** System property that names the program where it is not on the path. */
   public static final String PROPERTY = "haltere.ffmpeg";
+
+  /** H.264 as most players take it, which has even sides. */
+  private static final String ARGUMENTS =
+      "-hide_banner -loglevel error -y -f rawvideo -pixel_format rgb24 -video_size %dx%d"
+          + " -framerate %.3f -i - -vf pad=ceil(iw/2)*2:ceil(ih/2)*2 -pix_fmt yuv420p"
+          + " -movflags +faststart -f mp4";
 
   private static final Duration PATIENCE = Duration.ofSeconds(60);
 
@@ -105,34 +112,11 @@ public final class Mp4Writer implements FilmWriter {
   }
 
   private void start(int width, int height) throws IOException {
-    ProcessBuilder builder =
-        new ProcessBuilder(
-            List.of(
-                program.toString(),
-                "-hide_banner",
-                "-loglevel",
-                "error",
-                "-y",
-                "-f",
-                "rawvideo",
-                "-pixel_format",
-                "rgb24",
-                "-video_size",
-                width + "x" + height,
-                "-framerate",
-                String.format(Locale.ROOT, "%.3f", framesPerSecond),
-                "-i",
-                "-",
-                // H.264 as most players take it has even sides
-                "-vf",
-                "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-                "-pix_fmt",
-                "yuv420p",
-                "-movflags",
-                "+faststart",
-                "-f",
-                "mp4",
-                partial.toAbsolutePath().toString()));
+    String words = String.format(Locale.ROOT, ARGUMENTS, width, height, framesPerSecond);
+    List<String> command = new ArrayList<>(List.of(words.split(" ")));
+    command.add(0, program.toString());
+    command.add(partial.toAbsolutePath().toString());
+    ProcessBuilder builder = new ProcessBuilder(command);
     builder.redirectErrorStream(true);
     builder.redirectOutput(said.toFile());
     process = builder.start();

@@ -1,5 +1,7 @@
 package haltere.ui.plot;
 
+import java.util.Arrays;
+
 /**
  * A number over time in bounded memory: the newest samples as they are, older ones as the lowest
  * and highest of each 16, 256 and 4,096 of them. At 1 kHz that is a minute of samples, and 18 hours
@@ -224,10 +226,6 @@ public final class Curve {
 
   /** Memory that the samples take, bytes. */
   public long bytes() {
-    long bytes = 0;
-    for (SummaryRing ring : levels) {
-      bytes += ring.bytes();
-    }
-    return bytes;
+    return Arrays.stream(levels).mapToLong(SummaryRing::bytes).sum();
   }
 }

@@ -2,6 +2,8 @@ package haltere.ui.plot;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -64,15 +66,9 @@ public final class Lane {
   }
 
   private void forgetSilent() {
-    Curve silent = all.get(0);
-    for (Curve curve : all) {
-      if (curve.lastUs() < silent.lastUs()) {
-        silent = curve;
-      }
-    }
+    Curve silent = Collections.min(all, Comparator.comparingLong(Curve::lastUs));
     all.remove(silent);
-    Curve gone = silent;
-    curves.values().forEach(ofField -> ofField.values().remove(gone));
+    curves.values().forEach(ofField -> ofField.values().remove(silent));
   }
 
   /** The curves, oldest first. */
@@ -87,12 +83,11 @@ public final class Lane {
 
   /** The unit of the values of a curve, such as "rad"; empty where there is none. */
   public String unit(Curve curve) {
-    for (Map.Entry<PlotField, Map<String, Curve>> ofField : curves.entrySet()) {
-      if (ofField.getValue().containsValue(curve)) {
-        return ofField.getKey().unit();
-      }
-    }
-    return "";
+    return curves.entrySet().stream()
+        .filter(ofField -> ofField.getValue().containsValue(curve))
+        .findFirst()
+        .map(ofField -> ofField.getKey().unit())
+        .orElse("");
   }
 
   /**
@@ -134,11 +129,7 @@ public final class Lane {
    * where there is none.
    */
   public long lastUs(PlotField field) {
-    long lastUs = Long.MIN_VALUE;
-    for (Curve curve : curves.get(field).values()) {
-      lastUs = Math.max(lastUs, curve.lastUs());
-    }
-    return lastUs;
+    return lastUs(curves.get(field).values());
   }
 
   /** Forgets all curves. */
@@ -150,10 +141,10 @@ public final class Lane {
 
   /** Time of the newest sample, microseconds; {@link Long#MIN_VALUE} before the first. */
   public long lastUs() {
-    long lastUs = Long.MIN_VALUE;
-    for (Curve curve : all) {
-      lastUs = Math.max(lastUs, curve.lastUs());
-    }
-    return lastUs;
+    return lastUs(all);
+  }
+
+  private static long lastUs(Collection<Curve> curves) {
+    return curves.stream().mapToLong(Curve::lastUs).max().orElse(Long.MIN_VALUE);
   }
 }

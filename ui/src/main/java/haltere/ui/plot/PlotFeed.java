@@ -12,16 +12,14 @@ import java.util.Optional;
  */
 public final class PlotFeed implements AutoCloseable {
   private static final int CAPACITY = 1 << 15;
-
   private final PlotField field;
-  private final SampleQueue queue = new SampleQueue(CAPACITY);
+  private final SampleQueue queue;
   private final Outlet.Subscription subscription;
 
-  private PlotFeed(PlotField field, Outlet<?> outlet, RowFields row, int column) {
+  private PlotFeed(PlotField field, SampleQueue queue, Outlet.Subscription subscription) {
     this.field = field;
-    subscription =
-        outlet.follow(
-            result -> queue.put(row.timeUs(result), row.key(result), row.value(result, column)));
+    this.queue = queue;
+    this.subscription = subscription;
   }
 
   /**
@@ -29,16 +27,10 @@ public final class PlotFeed implements AutoCloseable {
    * where the chain does not publish it.
    */
   public static Optional<PlotFeed> open(PlotField field, FilterChain chain) {
+    SampleQueue queue = new SampleQueue(CAPACITY);
     return field
-        .find(chain)
-        .flatMap(
-            outlet ->
-                RowFields.of(outlet.type())
-                    .filter(row -> row.columns().contains(field.column()))
-                    .map(
-                        row ->
-                            new PlotFeed(
-                                field, outlet, row, row.columns().indexOf(field.column()))));
+        .listen(chain, true, queue::put)
+        .map(subscription -> new PlotFeed(field, queue, subscription));
   }
 
   /** What it listens to. */

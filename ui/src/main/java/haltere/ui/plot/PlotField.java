@@ -7,6 +7,7 @@ import haltere.core.sink.ColumnUnit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.regex.Pattern;
 
 /**
@@ -75,6 +76,26 @@ public record PlotField(String stage, String outlet, String column) {
       }
     }
     return Optional.empty();
+  }
+
+  /**
+   * Hands over the numbers that a chain publishes from now on, on its processing thread, on request
+   * those of run-ups too; called there, or while it does not run. Empty where the chain does not
+   * publish the field.
+   */
+  public Optional<Outlet.Subscription> listen(
+      FilterChain chain, boolean inRunUps, SampleQueue.SampleConsumer consumer) {
+    Optional<Outlet<?>> found = find(chain);
+    Optional<RowFields> row = found.flatMap(outlet -> RowFields.of(outlet.type()));
+    int at = row.map(RowFields::columns).orElse(List.of()).indexOf(column);
+    if (at < 0) {
+      return Optional.empty();
+    }
+    Consumer<Object> listener =
+        result ->
+            consumer.take(
+                row.get().timeUs(result), row.get().key(result), row.get().value(result, at));
+    return found.map(outlet -> inRunUps ? outlet.follow(listener) : outlet.subscribe(listener));
   }
 
   /** The field in words, such as "cluster-tracker / clusters / x_px". */

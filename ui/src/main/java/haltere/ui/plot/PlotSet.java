@@ -1,9 +1,7 @@
 package haltere.ui.plot;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Stream;
 
 /**
@@ -14,10 +12,52 @@ import java.util.stream.Stream;
  * @param lanes the fields of each lane
  */
 public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
-  /** Each lane as the names of its fields, outlet and column, by title. */
-  private static final Map<String, List<String>> KNOWN = known();
+  /**
+   * The title of each set, and below it each lane as the names of its fields: outlet and column.
+   */
+  private static final String KNOWN =
+      """
+      Acceleration and rotation
+        samples/acceleration_g
+        samples/rotation_deg_s
+      Stroke with measurements
+        measurements/measured_rad wings/angle_rad
+        wings/centre_rad
+        wings/amplitude_rad
+        wings/frequency_hz
+        wings/phase_rad
+      Kalman filter beside running average (method BOTH)
+        wings/angle_rad averages/angle_rad
+        differences/angle_rad
+        wings/amplitude_rad averages/amplitude_rad
+        wings/frequency_hz averages/frequency_hz
+      Left beside right
+        wings/angle_rad
+        pairs/left_minus_right_rad pairs/left_plus_right_rad
+        pairs/amplitude_left_minus_right_rad
+        pairs/phase_lag_rad
+      Covariance of the stroke
+        variances/centre_rad2 variances/amplitude_rad2 variances/phase_rad2
+        variances/centre_amplitude_rad2 variances/centre_phase_rad2 variances/amplitude_phase_rad2
+        variances/frequency_rad2_per_s2
+        variances/phase_frequency_rad2_per_s
+        variances/nis
+      Measured and estimated position
+        estimates/measured_x estimates/x
+        estimates/measured_y estimates/y
+      Covariance and gain
+        estimates/p_xx estimates/p_yy
+        estimates/p_xvx estimates/p_yvy
+        estimates/p_vxvx estimates/p_vyvy
+        estimates/gain_x estimates/gain_y
+        estimates/nis
+      Measurement and process variance
+        estimates/r_px2
+        estimates/q_xx
+        estimates/q_vxvx
+      """;
 
-  /** What a report plots of whoever publishes it. */
+  /** What a report plots of whoever publishes it, lanes as above. */
   private static final List<List<String>> MAIN =
       List.of(
           List.of(
@@ -26,58 +66,6 @@ public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
               "wings/frequency_hz",
               "pairs/phase_lag_rad"),
           List.of("objects/x_px", "objects/y_px"));
-
-  private static Map<String, List<String>> known() {
-    Map<String, List<String>> sets = new LinkedHashMap<>();
-    sets.put(
-        "Acceleration and rotation", List.of("samples/acceleration_g", "samples/rotation_deg_s"));
-    sets.put(
-        "Stroke with measurements",
-        List.of(
-            "measurements/measured_rad wings/angle_rad",
-            "wings/centre_rad",
-            "wings/amplitude_rad",
-            "wings/frequency_hz",
-            "wings/phase_rad"));
-    sets.put(
-        "Kalman filter beside running average (method BOTH)",
-        List.of(
-            "wings/angle_rad averages/angle_rad",
-            "differences/angle_rad",
-            "wings/amplitude_rad averages/amplitude_rad",
-            "wings/frequency_hz averages/frequency_hz"));
-    sets.put(
-        "Left beside right",
-        List.of(
-            "wings/angle_rad",
-            "pairs/left_minus_right_rad pairs/left_plus_right_rad",
-            "pairs/amplitude_left_minus_right_rad",
-            "pairs/phase_lag_rad"));
-    sets.put(
-        "Covariance of the stroke",
-        List.of(
-            "variances/centre_rad2 variances/amplitude_rad2 variances/phase_rad2",
-            "variances/centre_amplitude_rad2 variances/centre_phase_rad2"
-                + " variances/amplitude_phase_rad2",
-            "variances/frequency_rad2_per_s2",
-            "variances/phase_frequency_rad2_per_s",
-            "variances/nis"));
-    sets.put(
-        "Measured and estimated position",
-        List.of("estimates/measured_x estimates/x", "estimates/measured_y estimates/y"));
-    sets.put(
-        "Covariance and gain",
-        List.of(
-            "estimates/p_xx estimates/p_yy",
-            "estimates/p_xvx estimates/p_yvy",
-            "estimates/p_vxvx estimates/p_vyvy",
-            "estimates/gain_x estimates/gain_y",
-            "estimates/nis"));
-    sets.put(
-        "Measurement and process variance",
-        List.of("estimates/r_px2", "estimates/q_xx", "estimates/q_vxvx"));
-    return sets;
-  }
 
   /** Copies the lists. */
   public PlotSet {
@@ -88,13 +76,14 @@ public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
   public static List<PlotSet> of(List<PlotField> offered) {
     List<PlotSet> sets = new ArrayList<>();
     for (String stage : offered.stream().map(PlotField::stage).distinct().toList()) {
-      KNOWN.forEach(
-          (title, names) -> {
-            PlotSet set = new PlotSet(title, stage, lanes(stage, names));
-            if (set.lanes.stream().allMatch(offered::containsAll)) {
-              sets.add(set);
-            }
-          });
+      for (String known : KNOWN.split("\n(?! )")) {
+        List<String> lines = known.lines().map(String::strip).toList();
+        PlotSet set =
+            new PlotSet(lines.get(0), stage, lanes(stage, lines.subList(1, lines.size())));
+        if (set.lanes.stream().allMatch(offered::containsAll)) {
+          sets.add(set);
+        }
+      }
     }
     return sets;
   }

@@ -1,9 +1,9 @@
 package haltere.ui.plot;
 
-import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Outlet;
 import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,60 +14,22 @@ import java.util.Map;
  * <p>Thread rule: everything on the processing thread of the chain.
  */
 public final class PublishedMeans implements AutoCloseable {
-  /** The columns of an outlet. */
-  private static final class Table {
-    private final String stage;
-    private final String outlet;
-    private final RowFields row;
-    private final double[] sums;
-    private final long[] counts;
-
-    Table(String stage, String outlet, RowFields row) {
-      this.stage = stage;
-      this.outlet = outlet;
-      this.row = row;
-      sums = new double[row.columns().size()];
-      counts = new long[row.columns().size()];
-    }
-
-    void add(Object result) {
-      for (int column = 0; column < sums.length; column++) {
-        double value = row.value(result, column);
-        if (Double.isFinite(value)) {
-          sums[column] += value;
-          counts[column]++;
-        }
-      }
-    }
-
-    void takeInto(Map<PlotField, Double> means) {
-      for (int column = 0; column < sums.length; column++) {
-        if (counts[column] > 0) {
-          means.put(
-              new PlotField(stage, outlet, row.columns().get(column)),
-              sums[column] / counts[column]);
-        }
-        sums[column] = 0;
-        counts[column] = 0;
-      }
-    }
-  }
-
-  private final List<Table> tables = new ArrayList<>();
+  private final Map<PlotField, DoubleSummaryStatistics> numbers = new LinkedHashMap<>();
   private final List<Outlet.Subscription> subscriptions = new ArrayList<>();
 
   /** Listens to all that a chain publishes as it is now. */
   public PublishedMeans(FilterChain chain) {
-    for (ChainStage stage : chain.stages()) {
-      for (Outlet<?> outlet : stage.filter().outlets()) {
-        RowFields.of(outlet.type())
-            .ifPresent(
-                row -> {
-                  Table table = new Table(stage.name(), outlet.name(), row);
-                  tables.add(table);
-                  subscriptions.add(outlet.subscribe(table::add));
-                });
-      }
+    for (PlotField field : PlotField.of(chain)) {
+      numbers.put(field, new DoubleSummaryStatistics());
+      field
+          .listen(chain, false, (timeUs, key, value) -> add(field, value))
+          .ifPresent(subscriptions::add);
+    }
+  }
+
+  private void add(PlotField field, double value) {
+    if (Double.isFinite(value)) {
+      numbers.get(field).accept(value);
     }
   }
 
@@ -77,7 +39,13 @@ public final class PublishedMeans implements AutoCloseable {
    */
   public Map<PlotField, Double> take() {
     Map<PlotField, Double> means = new LinkedHashMap<>();
-    tables.forEach(table -> table.takeInto(means));
+    numbers.forEach(
+        (field, values) -> {
+          if (values.getCount() > 0) {
+            means.put(field, values.getAverage());
+          }
+        });
+    numbers.replaceAll((field, values) -> new DoubleSummaryStatistics());
     return means;
   }
 

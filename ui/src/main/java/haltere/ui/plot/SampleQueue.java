@@ -1,12 +1,13 @@
 package haltere.ui.plot;
 
+import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Carries samples from one thread to another through a ring of fixed size. Neither side waits; what
- * does not fit is counted and left out.
+ * Carries samples from one thread to another, at most so many at once. Neither side waits for room
+ * or for samples; what does not fit is counted and left out.
  *
- * <p>Thread rule: one thread puts, one drains; the count may be read from any thread.
+ * <p>Thread rule: all methods may be called from any thread.
  */
 public final class SampleQueue {
   /** Takes samples. */
@@ -18,47 +19,29 @@ public final class SampleQueue {
     void take(long timeUs, String key, double value);
   }
 
-  private final long[] times;
-  private final double[] values;
-  private final String[] keys;
-  private final int mask;
-  private final AtomicLong written = new AtomicLong();
-  private final AtomicLong read = new AtomicLong();
+  private record Sample(long timeUs, String key, double value) {}
+
+  private final ArrayBlockingQueue<Sample> samples;
   private final AtomicLong lost = new AtomicLong();
 
-  /** An empty queue for so many samples, a power of two. */
+  /** An empty queue for so many samples. */
   public SampleQueue(int capacity) {
-    if (capacity < 2 || Integer.bitCount(capacity) != 1) {
-      throw new IllegalArgumentException("capacity " + capacity + " is no power of two");
-    }
-    times = new long[capacity];
-    values = new double[capacity];
-    keys = new String[capacity];
-    mask = capacity - 1;
+    samples = new ArrayBlockingQueue<>(capacity);
   }
 
   /** Puts a sample in, or counts it as lost. */
   public void put(long timeUs, String key, double value) {
-    long at = written.getPlain();
-    if (at - read.get() > mask) {
-      lost.lazySet(lost.getPlain() + 1);
-      return;
+    if (!samples.offer(new Sample(timeUs, key, value))) {
+      lost.incrementAndGet();
     }
-    int slot = (int) at & mask;
-    times[slot] = timeUs;
-    keys[slot] = key;
-    values[slot] = value;
-    written.set(at + 1);
   }
 
   /** Takes out all that is there, oldest first. */
   public void drainTo(SampleConsumer consumer) {
-    long end = written.get();
-    for (long at = read.getPlain(); at < end; at++) {
-      int slot = (int) at & mask;
-      consumer.take(times[slot], keys[slot], values[slot]);
+    for (int left = samples.size(); left > 0; left--) {
+      Sample sample = samples.poll();
+      consumer.take(sample.timeUs, sample.key, sample.value);
     }
-    read.set(end);
   }
 
   /** How many samples did not fit. */

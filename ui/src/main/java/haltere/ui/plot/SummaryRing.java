@@ -1,5 +1,7 @@
 package haltere.ui.plot;
 
+import java.util.Arrays;
+
 /**
  * The newest stretches of a curve, each with its first and last time and its lowest and highest
  * value; a stretch may be a single sample. Grows up to a limit, then forgets the oldest.
@@ -52,24 +54,13 @@ final class SummaryRing {
     highest[slot] = Math.max(highest[slot], high);
   }
 
+  /** Nothing has been forgotten before the limit is reached, so the oldest is the first. */
   private void grow() {
     int length = Math.min(limit, fromUs.length * 2);
-    long[] from = new long[length];
-    long[] to = new long[length];
-    double[] low = new double[length];
-    double[] high = new double[length];
-    for (int i = 0; i < size; i++) {
-      int slot = slot(i);
-      from[i] = fromUs[slot];
-      to[i] = toUs[slot];
-      low[i] = lowest[slot];
-      high[i] = highest[slot];
-    }
-    fromUs = from;
-    toUs = to;
-    lowest = low;
-    highest = high;
-    start = 0;
+    fromUs = Arrays.copyOf(fromUs, length);
+    toUs = Arrays.copyOf(toUs, length);
+    lowest = Arrays.copyOf(lowest, length);
+    highest = Arrays.copyOf(highest, length);
   }
 
   private int next(int slot) {

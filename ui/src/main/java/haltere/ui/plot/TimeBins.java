@@ -1,5 +1,7 @@
 package haltere.ui.plot;
 
+import java.util.Arrays;
+
 /**
  * Lowest and highest value in bins of time. The bins double in length whenever time outgrows them,
  * so memory is bounded and the length of a stream need not be known.
@@ -36,18 +38,15 @@ public final class TimeBins {
   }
 
   private void merge() {
-    for (int to = 0; to < counts.length; to++) {
+    for (int to = 0; to < counts.length / 2; to++) {
       int a = 2 * to;
       int b = a + 1;
-      if (a >= counts.length) {
-        counts[to] = 0;
-        continue;
-      }
       int known = counts[a] > 0 ? a : b;
       lowest[to] = counts[b] == 0 ? lowest[known] : Math.min(lowest[known], lowest[b]);
       highest[to] = counts[b] == 0 ? highest[known] : Math.max(highest[known], highest[b]);
       counts[to] = counts[a] + counts[b];
     }
+    Arrays.fill(counts, counts.length / 2, counts.length, 0);
     binUs *= 2;
   }
 

@@ -1,6 +1,5 @@
 package haltere.ui.rendering;
 
-import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -13,13 +12,6 @@ import java.util.Optional;
  * @param last what the last colour stands for, in words
  */
 public record ColourScale(Gradient gradient, String first, String last) {
-  /** Checks that nothing is missing. */
-  public ColourScale {
-    Objects.requireNonNull(gradient, "gradient");
-    Objects.requireNonNull(first, "first");
-    Objects.requireNonNull(last, "last");
-  }
-
   /**
    * The scale of a mode whose colours stand for ages or counts, by the highest of them in words;
    * empty for other modes, and where that is not known.

@@ -136,7 +136,6 @@ public final class ContactSheet implements StreamHandler {
 
   private static BufferedImage stamped(Panel panel) {
     long minutes = panel.elapsedUs / 60_000_000L;
-    // the font has capitals only, so no unit
     String words =
         String.format(Locale.ROOT, "%d:%06.3f", minutes, panel.elapsedUs * 1e-6 - 60 * minutes);
     new PictureStamp(panel.picture, true).words(words);

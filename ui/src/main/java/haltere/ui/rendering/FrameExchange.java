@@ -15,7 +15,6 @@ public final class FrameExchange<T> {
   private record Slot<T>(T value, boolean fresh) {}
 
   private final AtomicReference<Slot<T>> finished;
-  private final AtomicLong published = new AtomicLong();
   private final AtomicLong conflated = new AtomicLong();
   private T painted;
   private T shown;
@@ -35,7 +34,6 @@ public final class FrameExchange<T> {
   /** Hands the painted picture over. Painting thread only. */
   public void publish() {
     Slot<T> previous = finished.getAndSet(new Slot<>(painted, true));
-    published.incrementAndGet();
     if (previous.fresh()) {
       conflated.incrementAndGet();
     }
@@ -60,11 +58,6 @@ public final class FrameExchange<T> {
     }
     shown = finished.getAndSet(new Slot<>(shown, false)).value();
     return shown;
-  }
-
-  /** How many pictures were handed over so far. Any thread. */
-  public long published() {
-    return published.get();
   }
 
   /** How many pictures were replaced before they were fetched. Any thread. */

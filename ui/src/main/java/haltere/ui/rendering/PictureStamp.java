@@ -11,7 +11,7 @@ import java.awt.image.BufferedImage;
  */
 public final class PictureStamp {
   private static final int MARGIN = 6;
-  private static final int HEIGHT = PixelFont.HEIGHT + 2 * MARGIN;
+  private static final int HEIGHT = 26;
   private static final int BAR_HEIGHT = 4;
   private static final int STRIP_WIDTH = 90;
 
@@ -80,14 +80,14 @@ public final class PictureStamp {
   }
 
   private static int width(String words) {
-    return (int) PixelFont.LETTERS.width(words);
+    return (int) FontLetters.OF_PICTURES.width(words);
   }
 
   private void write(String words, int left, int top) {
-    PixelFont.LETTERS.draw(
+    FontLetters.OF_PICTURES.draw(
         words,
         left,
-        top + HEIGHT - MARGIN,
+        top + HEIGHT - MARGIN - 1,
         (column, row, share) -> painter.dot(column, row, ink, share));
   }
 }

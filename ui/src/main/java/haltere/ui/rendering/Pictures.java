@@ -71,7 +71,7 @@ public final class Pictures {
         pixels[y * width + x] = argb[row + x / scale];
       }
     }
-    PixelOverlayCanvas canvas = new PixelOverlayCanvas(PixelFont.LETTERS);
+    PixelOverlayCanvas canvas = new PixelOverlayCanvas(FontLetters.OF_PICTURES);
     canvas.setTarget(pixels, width, image.getHeight());
     canvas.setView(scale, 0, image.getHeight(), 1);
     canvas.setDark(dark);

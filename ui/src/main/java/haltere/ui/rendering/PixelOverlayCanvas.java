@@ -4,8 +4,7 @@ import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.OverlayCanvas;
 
 /**
- * Draws marks straight into the pixels of a picture that is as large as on the screen. For screens
- * without a graphics card.
+ * Draws marks straight into the pixels of a picture that is as large as on the screen.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -25,8 +24,6 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
   private final LinePainter painter = new LinePainter();
   private final TextPlaces positions = new TextPlaces();
   private final Letters letters;
-  private final double[] ellipseX = new double[CORNERS + 1];
-  private final double[] ellipseY = new double[CORNERS + 1];
   private double density = 1;
   private double scale = 1;
   private double left;
@@ -96,25 +93,19 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
   public void ellipse(
       double x, double y, double radiusA, double radiusB, double angleRad, MarkStyle style) {
     double larger = Math.max(radiusA, radiusB) * scale;
-    int corners = (int) Math.max(8, Math.min(CORNERS, CORNERS_PER_ROOT * Math.sqrt(larger)));
+    int corners = Math.max(8, (int) Math.min(CORNERS, CORNERS_PER_ROOT * Math.sqrt(larger)));
     double cos = Math.cos(angleRad);
     double sin = Math.sin(angleRad);
-    double stepCos = Math.cos(2 * Math.PI / corners);
-    double stepSin = Math.sin(2 * Math.PI / corners);
-    double turnCos = 1;
-    double turnSin = 0;
-    for (int i = 0; i < corners; i++) {
-      double a = radiusA * turnCos;
-      double b = radiusB * turnSin;
-      ellipseX[i] = x + a * cos - b * sin;
-      ellipseY[i] = y + a * sin + b * cos;
-      double before = turnCos;
-      turnCos = turnCos * stepCos - turnSin * stepSin;
-      turnSin = turnSin * stepCos + before * stepSin;
+    double[] cornersX = new double[corners + 1];
+    double[] cornersY = new double[corners + 1];
+    for (int i = 0; i <= corners; i++) {
+      double turnRad = 2 * Math.PI * (i % corners) / corners;
+      double a = radiusA * Math.cos(turnRad);
+      double b = radiusB * Math.sin(turnRad);
+      cornersX[i] = x + a * cos - b * sin;
+      cornersY[i] = y + a * sin + b * cos;
     }
-    ellipseX[corners] = ellipseX[0];
-    ellipseY[corners] = ellipseY[0];
-    polyline(ellipseX, ellipseY, corners + 1, style);
+    polyline(cornersX, cornersY, corners + 1, style);
   }
 
   @Override

@@ -6,55 +6,49 @@ import haltere.core.event.SensorGeometry;
  * Parallel projection of sensor columns, sensor rows and age into a picture. Lengths are pixels of
  * the picture from its middle, to the right and up.
  *
- * @param cosTurn cosine of the turn around the sensor's vertical
- * @param sinTurn its sine
- * @param cosTilt cosine of the tilt
- * @param sinTilt its sine
- * @param scale pixels of the picture per pixel of the sensor
- * @param halfWidth half of the sensor's columns
- * @param halfHeight half of the sensor's rows
- * @param halfDepth half of the time axis, pixels of the sensor
- * @param perUs length of a microsecond, pixels of the sensor
+ * <p>Thread rule: immutable.
  */
-public record SpaceTimeProjection(
-    double cosTurn,
-    double sinTurn,
-    double cosTilt,
-    double sinTilt,
-    double scale,
-    double halfWidth,
-    double halfHeight,
-    double halfDepth,
-    double perUs) {
+public final class SpaceTimeProjection {
   /** Length of the time axis as a share of the sensor's longer side. */
   private static final double DEPTH = 1.6;
 
   private static final double MARGIN = 0.88;
+  private final double cosTurn;
+  private final double sinTurn;
+  private final double cosTilt;
+  private final double sinTilt;
+
+  /** Pixels of the picture per pixel of the sensor. */
+  private final double scale;
+
+  private final double halfWidth;
+  private final double halfHeight;
+
+  /** Half of the time axis, pixels of the sensor. */
+  private final double halfDepth;
+
+  /** Length of a microsecond, pixels of the sensor. */
+  private final double perUs;
 
   /**
    * A projection of a sensor, seen from a view, in which the whole box fits at zoom 1 into a
    * picture of a size in pixels without the room for names.
    */
-  public static SpaceTimeProjection of(
+  public SpaceTimeProjection(
       SpaceTimeView view, SensorGeometry sensor, double width, double height) {
-    double cosTurn = Math.cos(view.turnRad());
-    double sinTurn = Math.sin(view.turnRad());
-    double cosTilt = Math.cos(view.tiltRad());
-    double sinTilt = Math.sin(view.tiltRad());
+    cosTurn = Math.cos(view.turnRad());
+    sinTurn = Math.sin(view.turnRad());
+    cosTilt = Math.cos(view.tiltRad());
+    sinTilt = Math.sin(view.tiltRad());
+    halfWidth = (sensor.width() - 1) / 2.0;
+    halfHeight = (sensor.height() - 1) / 2.0;
     double depth = DEPTH * sensor.longerSide();
+    halfDepth = depth / 2;
+    perUs = depth / view.spanUs();
     double boxWidth = sensor.width() * Math.abs(cosTurn) + depth * Math.abs(sinTurn);
     double boxDepth = sensor.width() * Math.abs(sinTurn) + depth * Math.abs(cosTurn);
     double boxHeight = sensor.height() * Math.abs(cosTilt) + boxDepth * Math.abs(sinTilt);
-    return new SpaceTimeProjection(
-        cosTurn,
-        sinTurn,
-        cosTilt,
-        sinTilt,
-        view.zoom() * MARGIN * Math.min(width / boxWidth, height / boxHeight),
-        (sensor.width() - 1) / 2.0,
-        (sensor.height() - 1) / 2.0,
-        depth / 2,
-        depth / view.spanUs());
+    scale = view.zoom() * MARGIN * Math.min(width / boxWidth, height / boxHeight);
   }
 
   /** Place of a column at an age in microseconds to the right of the middle, pixels. */

@@ -2,7 +2,9 @@ package haltere.ui.rendering;
 
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
-import java.util.Arrays;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * Where the words of a picture go so that they stay whole at its edges and none lie over others.
@@ -18,11 +20,7 @@ public final class TextPlaces {
     {0, 0}, {0, 1}, {0, -1}, {1, 0}, {1, 1}, {1, -1}, {0, 2}, {0, -2}, {1, 2}, {1, -2}
   };
 
-  /** Of a rectangle: left, top, right, bottom. */
-  private static final int SIDES = 4;
-
-  private double[] taken = new double[SIDES * 32];
-  private int size;
+  private final List<Rectangle2D> taken = new ArrayList<>();
   private double pictureWidth;
   private double pictureHeight;
   private double left;
@@ -32,7 +30,7 @@ public final class TextPlaces {
   public void begin(double width, double height) {
     pictureWidth = width;
     pictureHeight = height;
-    size = 0;
+    taken.clear();
   }
 
   /**
@@ -55,8 +53,10 @@ public final class TextPlaces {
       left = Math.max(margin, Math.min(left, pictureWidth - width - margin));
       base = wantedBase - step[1] * line;
       base = Math.max(ascent, Math.min(base, pictureHeight - descent));
-      if (isFree(left - margin, base - ascent, left + width + margin, base + descent)) {
-        take(left - margin, base - ascent, left + width + margin, base + descent);
+      Rectangle2D plate =
+          new Rectangle2D.Double(left - margin, base - ascent, width + 2 * margin, line);
+      if (taken.stream().noneMatch(plate::intersects)) {
+        taken.add(plate);
         return true;
       }
     }
@@ -73,24 +73,5 @@ public final class TextPlaces {
   /** Base line of the words that were found room for. */
   public double base() {
     return base;
-  }
-
-  private boolean isFree(double west, double north, double east, double south) {
-    for (int i = 0; i < size; i += SIDES) {
-      if (west < taken[i + 2] && taken[i] < east && north < taken[i + 3] && taken[i + 1] < south) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  private void take(double west, double north, double east, double south) {
-    if (size == taken.length) {
-      taken = Arrays.copyOf(taken, 2 * size);
-    }
-    taken[size++] = west;
-    taken[size++] = north;
-    taken[size++] = east;
-    taken[size++] = south;
   }
 }

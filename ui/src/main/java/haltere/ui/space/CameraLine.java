@@ -44,11 +44,6 @@ public record CameraLine(
         camera.heading(position, new double[] {now.ux(), now.uy(), now.uz()}));
   }
 
-  /** Whether the camera observed a line that was not used. */
-  public boolean isGated() {
-    return !isAccepted && observed.filter(seen -> Double.isFinite(seen.angleRad())).isPresent();
-  }
-
   /** Half the length of the body in the picture, pixels. */
   public double halfLengthPx() {
     double length =

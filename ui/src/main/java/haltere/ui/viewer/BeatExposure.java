@@ -32,7 +32,7 @@ final class BeatExposure implements ViewerFeature {
 
   private void follow() {
     if (window.playback().beatsProperty().get()) {
-      window.editor().read(this::subscribe, this::say);
+      window.read(this::subscribe, this::say);
     }
   }
 

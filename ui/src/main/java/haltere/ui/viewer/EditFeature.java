@@ -1,5 +1,6 @@
 package haltere.ui.viewer;
 
+import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.chain.EditHistory;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
@@ -8,19 +9,16 @@ import haltere.ui.viewer.feature.ViewerFeature;
 final class EditFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext window) {
+    ViewerActions actions = window.actions();
     EditHistory history = window.editor().history();
-    window
-        .actions()
-        .add(
-            "undo",
-            () -> say(window, "Undone: ", history.undo()),
-            () -> history.canUndo() ? "" : "nothing was changed");
-    window
-        .actions()
-        .add(
-            "redo",
-            () -> say(window, "Redone: ", history.redo()),
-            () -> history.canRedo() ? "" : "nothing was undone");
+    actions.add(
+        "undo",
+        () -> say(window, "Undone: ", history.undo()),
+        () -> history.canUndo() ? "" : "nothing was changed");
+    actions.add(
+        "redo",
+        () -> say(window, "Redone: ", history.redo()),
+        () -> history.canRedo() ? "" : "nothing was undone");
   }
 
   private static void say(ViewerContext window, String what, String words) {

@@ -3,7 +3,9 @@ package haltere.ui.viewer;
 import haltere.core.simulation.SceneProvider;
 import haltere.core.simulation.Scenes;
 import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.feature.Sessions;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.session.SessionRequest;
@@ -17,24 +19,22 @@ final class FileFeature implements ViewerFeature {
 
   @Override
   public void install(ViewerContext window) {
-    window
-        .actions()
-        .add("open", () -> window.dialogs().recording().ifPresent(window.sessions()::open));
-    window.actions().add("open-scene", () -> window.sessions().open(SessionRequest.scene()));
+    ViewerActions actions = window.actions();
+    Sessions sessions = window.sessions();
+    actions.add("open", () -> window.dialogs().recording().ifPresent(sessions::open));
+    actions.add("open-scene", () -> sessions.open(SessionRequest.scene()));
     List<SceneProvider<?>> scenes = new ArrayList<>(Scenes.all().values());
     // the one to begin with stands first
     scenes.sort(Comparator.comparing(scene -> !scene.name().equals("fly")));
     for (SceneProvider<?> scene : scenes) {
       String title = Texts.title(scene.name()) + " scene";
-      window
-          .actions()
-          .add(
-              ViewerAction.of(
-                      "scene-" + scene.name(),
-                      title,
-                      SCENES,
-                      () -> window.sessions().open(SessionRequest.scene(scene.name(), title)))
-                  .withHelp(scene.description()));
+      actions.add(
+          ViewerAction.of(
+                  "scene-" + scene.name(),
+                  title,
+                  SCENES,
+                  () -> sessions.open(SessionRequest.scene(scene.name(), title)))
+              .withHelp(scene.description()));
     }
   }
 }

@@ -4,15 +4,18 @@ import haltere.core.chain.ChainFile;
 import haltere.core.format.AtomicFile;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.chain.ChainEditor;
-import haltere.ui.viewer.chain.ChainPresets;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.SeparatorMenuItem;
 
 /**
  * Chains that a user keeps under a name: chain files in the folder {@code presets} beside the
@@ -20,7 +23,7 @@ import java.util.stream.Stream;
  *
  * <p>Thread rule: JavaFX thread only.
  */
-public final class PresetFeature implements ViewerFeature, ChainPresets {
+public final class PresetFeature implements ViewerFeature {
   private static final String MENU = "Chain/Presets";
   private static final String FOLDER = "presets";
   private static final String ENDING = ".json";
@@ -33,7 +36,7 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
   public void install(ViewerContext installed) {
     window = installed;
     window.actions().add("save-preset", () -> keep(window.editor()));
-    window.editor().setPresets(this);
+    window.editor().setPresets(this::items);
     window
         .settings()
         .file()
@@ -44,13 +47,24 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
             });
   }
 
-  @Override
+  /** What is kept, by name. */
   public List<String> names() {
     return names;
   }
 
-  @Override
-  public void keep(ChainEditor chain) {
+  /** A menu that keeps a chain under a name, or puts what is kept in place of its filters. */
+  private List<MenuItem> items(String menu, ChainEditor chain) {
+    List<MenuItem> items = new ArrayList<>();
+    items.add(Controls.item(menu + "-keep", "Save as preset\u2026", () -> keep(chain)));
+    if (!names.isEmpty()) {
+      items.add(new SeparatorMenuItem());
+    }
+    names.forEach(
+        name -> items.add(Controls.item(menu + "-" + name, name, () -> load(name, chain))));
+    return items;
+  }
+
+  private void keep(ChainEditor chain) {
     Windows.ask(window.stage(), "Preset", "Name of the preset", "", name -> save(name, chain));
   }
 
@@ -72,20 +86,25 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
   }
 
   private void list() {
-    window.file(() -> files(folder), this::offer);
+    window.file(() -> names(folder), this::offer);
   }
 
-  private static List<Path> files(Path folder) throws IOException {
+  private static List<String> names(Path folder) throws IOException {
     if (!Files.isDirectory(folder)) {
       return List.of();
     }
     try (Stream<Path> files = Files.list(folder)) {
-      return files.filter(file -> file.toString().endsWith(ENDING)).sorted().toList();
+      return files
+          .map(file -> file.getFileName().toString())
+          .filter(name -> name.endsWith(ENDING))
+          .map(name -> name.substring(0, name.length() - ENDING.length()))
+          .sorted()
+          .toList();
     }
   }
 
-  private void offer(List<Path> files) {
-    names = files.stream().map(PresetFeature::name).toList();
+  private void offer(List<String> kept) {
+    names = kept;
     window.actions().offer(FOLDER, names.stream().map(this::action).toList());
   }
 
@@ -93,13 +112,7 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
     return ViewerAction.of("preset-" + name, name, MENU, () -> load(name, window.editor()));
   }
 
-  private static String name(Path file) {
-    String name = file.getFileName().toString();
-    return name.substring(0, name.length() - ENDING.length());
-  }
-
-  @Override
-  public void load(String name, ChainEditor chain) {
+  private void load(String name, ChainEditor chain) {
     window.loadChain(folder.resolve(name + ENDING), chain);
   }
 }

@@ -31,12 +31,10 @@ public final class SeeingFeature implements ViewerFeature {
   private final BooleanProperty pointing = new SimpleBooleanProperty();
   private RegionReading reading = RegionReading.NOTHING;
   private ViewerContext window;
-  private MeasuringTape tape;
 
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    tape = new MeasuringTape(window.display().tapeProperty());
     EventView view = window.panels().view();
     view.setPointerListener(
         (x, y, over) -> window.ifOpen(open -> open.display().maker().point(x, y, over)));
@@ -45,7 +43,7 @@ public final class SeeingFeature implements ViewerFeature {
     followLegend(view);
     window.onSession(made -> setRegion(Optional.empty()));
     RegionTool regionTool = new RegionTool(this::sensor, this::setRegion);
-    window.bindTool(measuring, tape);
+    window.bindTool(measuring, new MeasuringTape(window.display().tapeProperty()));
     window.bindTool(drawingRegion, regionTool);
     // points at pixels with the keys, so that what stands under the mouse is read without one
     window.bindTool(pointing, () -> "The pixel at the cross is described below the picture.");
@@ -116,10 +114,5 @@ public final class SeeingFeature implements ViewerFeature {
   /** What is shown of the region of interest. */
   Optional<RegionMarks> region() {
     return window.display().regionProperty().get().map(pixels -> new RegionMarks(pixels, reading));
-  }
-
-  /** The measuring tape. */
-  MeasuringTape tape() {
-    return tape;
   }
 }

@@ -60,7 +60,7 @@ final class UsualFiltersFeature implements ViewerFeature {
     }
     window.actions().add("usual-chain", this::usualChain);
     window.actions().add("all-events", all);
-    window.editor().onChange(() -> window.editor().read(StageState::of, this::follow));
+    window.editor().onChange(() -> window.read(StageState::of, this::follow));
     window.onSession(
         made -> {
           all.set(false);
@@ -68,6 +68,7 @@ final class UsualFiltersFeature implements ViewerFeature {
           follow(made.firstStages());
         });
     window.panels().onPulse(this::pulse);
+    window.panels().every(HiddenEvents.BETWEEN_NANOS, () -> window.ifOpen(this::measure));
   }
 
   private static String id(UsualFilter filter) {
@@ -110,11 +111,10 @@ final class UsualFiltersFeature implements ViewerFeature {
   private void pulse() {
     // a card switches its filter without another word
     on.forEach((filter, property) -> property.set(filter.isOn(stages)));
-    window.ifOpen(this::measure);
   }
 
   private void measure(ViewerSession open) {
     boolean any = stages.stream().anyMatch(state -> state.stage().isEnabled());
-    hidden.update(open.player().status(), any, System.nanoTime());
+    hidden.update(open.player().status(), any);
   }
 }

@@ -1,6 +1,5 @@
 package haltere.ui.viewer;
 
-import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.action.ViewerKeys;
@@ -102,7 +101,7 @@ public final class ViewerWindow {
     ViewerKeys.install(scene, actions);
     Controls.onDrop(
         panels, TransferMode.COPY, board -> Optional.ofNullable(board.getFiles()), this::dropped);
-    scene.setFill(JavaFxOverlayCanvas.colour(display.options().colours().background()));
+    scene.setFill(Theme.colour(display.options().colours().background()));
     stage.setScene(scene);
     stage.setMinWidth(Math.min(MIN_WIDTH, room.getWidth()));
     stage.setMinHeight(Math.min(MIN_HEIGHT, room.getHeight()));
@@ -146,7 +145,7 @@ public final class ViewerWindow {
                 open.player().refresh();
               });
           ColourMap colours = display.options().colours();
-          stage.getScene().setFill(JavaFxOverlayCanvas.colour(colours.background()));
+          stage.getScene().setFill(Theme.colour(colours.background()));
         });
     ViewerPanels panels = context.panels();
     display

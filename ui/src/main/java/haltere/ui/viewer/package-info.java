@@ -1,11 +1,11 @@
 /**
- * The window. {@code ViewerWindow} joins its parts, {@code SessionOpener} opens what they show.
- * What a person can do is brought by features, listed in {@code ViewerFeatures}: each adds its
- * actions, panels and mouse tools by way of a {@code ViewerContext}. Small features stand here,
- * larger ones in packages of their own. From below: {@code controls}; {@code action}, {@code
- * chain}, {@code picture} and {@code playback}; {@code plots} and {@code session}; {@code feature},
- * which holds the panels and what features may use; the features {@code wings}, {@code space},
- * {@code cameras}, {@code compare}, {@code saving} and {@code road}; this package.
+ * The window. {@code ViewerWindow} joins its parts, {@code Sessions} opens what they show. What a
+ * person can do is brought by features, listed in {@code ViewerFeatures}: each adds its actions,
+ * panels and mouse tools by way of a {@code ViewerContext}. Small features stand here, larger ones
+ * in packages of their own. From below: {@code controls}; {@code action}, {@code chain}, {@code
+ * picture} and {@code playback}; {@code plots} and {@code session}; {@code feature}, which holds
+ * the panels and what features may use; the features {@code wings}, {@code space}, {@code cameras},
+ * {@code compare}, {@code saving} and {@code road}; this package.
  *
  * <p>Thread rule, for all of these packages: nodes are touched on the JavaFX thread only, and a
  * type of a package that names no rule of its own belongs to that thread; values may go anywhere.

@@ -1,7 +1,6 @@
 package haltere.ui.plot;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
@@ -46,10 +45,5 @@ class SampleQueueTest {
     writer.join();
     queue.drainTo(consumer);
     assertEquals(samples, lastAndCount[1] + queue.lost());
-  }
-
-  @Test
-  void theCapacityIsAPowerOfTwo() {
-    assertThrows(IllegalArgumentException.class, () -> new SampleQueue(12));
   }
 }

@@ -29,7 +29,8 @@ class ColourScaleTest {
     int first = -1;
     int last = -1;
     int before = 0;
-    for (int x = 400 - 6 - 6 - 10 - 6 - 90; x < 400 - 6 - 6 - 10 - 6; x++) {
+    int right = 400 - 6 - 6 - (int) FontLetters.OF_PICTURES.width("9") - 6;
+    for (int x = right - 90; x < right; x++) {
       int grey = image.getRGB(x, row) & 0xFF;
       assertTrue(grey >= before, "lighter and lighter");
       before = grey;

@@ -73,13 +73,13 @@ class PicturesTest {
   }
 
   @Test
-  void wordsAreDrawnWithoutAnInstalledFont() {
+  void wordsAreDrawnInSight() {
     MarkStyle label = MarkStyle.of(Role.LABEL, 1);
     BufferedImage image =
         Pictures.draw(frame, painter, 6, canvas -> canvas.text(20, 20, "#12: 3.5 µs ♞", label));
     int marked = 0;
     for (int y = 576 - 21 * 6 - 14; y < 576 - 20 * 6; y++) {
-      for (int x = 20 * 6; x < 20 * 6 + PixelFont.LETTERS.width("#12: 3.5 µs ♞") + 4; x++) {
+      for (int x = 20 * 6; x < 20 * 6 + FontLetters.OF_PICTURES.width("#12: 3.5 µs ♞") + 4; x++) {
         marked += image.getRGB(x, y) != ColourMap.DARK.background() ? 1 : 0;
       }
     }

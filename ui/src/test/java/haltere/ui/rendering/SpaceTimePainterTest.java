@@ -29,7 +29,7 @@ class SpaceTimePainterTest {
 
   private void paint(SpaceTimeView view) {
     cloud.copyTo(view.spanUs(), points);
-    SpaceTimeProjection projection = SpaceTimeProjection.of(view, SENSOR, SIDE, SIDE);
+    SpaceTimeProjection projection = new SpaceTimeProjection(view, SENSOR, SIDE, SIDE);
     new SpaceTimePainter().paint(points, projection, view, ColourMap.DARK, SIDE, SIDE, argb);
   }
 

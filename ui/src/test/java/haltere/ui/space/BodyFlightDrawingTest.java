@@ -145,9 +145,9 @@ class BodyFlightDrawingTest {
                   - (piece[1] - line.observed().get().yPx()) * Math.cos(angleRad);
           assertEquals(0, beside, 1e-9, "through the observed position");
         }
-        assertEquals(line.isGated(), marks.texts.get(0).endsWith("gated"), marks.texts.get(0));
+        assertEquals(!line.isAccepted(), marks.texts.get(0).endsWith("gated"), marks.texts.get(0));
         accepted += line.isAccepted() ? 1 : 0;
-        gated += line.isGated() ? 1 : 0;
+        gated += !line.isAccepted() ? 1 : 0;
         double[] axis = marks.axes.get(0);
         double off =
             Math.hypot(axis[0] + axis[2] - 2 * line.xPx(), axis[1] + axis[3] - 2 * line.yPx());

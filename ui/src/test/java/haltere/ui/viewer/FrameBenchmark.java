@@ -104,10 +104,11 @@ public final class FrameBenchmark {
               made.context()
                   .sessions()
                   .open(
-                      () ->
-                          new ScenePlayable(
-                              () -> new BusySource(geometry, millionEps), "busy source"),
-                      "the busy source");
+                      SessionRequest.made(
+                          () ->
+                              new ScenePlayable(
+                                  () -> new BusySource(geometry, millionEps), "busy source"),
+                          "the busy source"));
               stage.show();
               return made;
             });

@@ -8,6 +8,7 @@ import haltere.core.chain.ChainStage;
 import haltere.filters.frequency.PixelRegion;
 import haltere.ui.plot.PlotField;
 import haltere.ui.viewer.controls.FocusOrder;
+import haltere.ui.viewer.picture.MeasuredLine;
 import haltere.ui.viewer.picture.RegionMarks;
 import haltere.ui.viewer.plots.PlotPanel;
 import java.io.IOException;
@@ -193,7 +194,7 @@ class KeyboardTest {
     goTo("event-view");
     viewer.press(KeyCode.T);
     drawToTheRight(3);
-    viewer.waitFor("a length", () -> seeing.tape().words().startsWith("3.0 px   0.0\u00b0"));
+    viewer.waitFor("a length", () -> tapeWords().startsWith("3.0 px   0.0\u00b0"));
     viewer.press(KeyCode.G);
     drawToTheRight(4);
     viewer.waitFor(
@@ -211,6 +212,11 @@ class KeyboardTest {
                 && viewer.text("cursor-readout").matches("x 5[34]   y 6[34].*"));
     viewer.press(KeyCode.C);
     viewer.waitFor("none", () -> !viewer.node("cursor-readout", Label.class).isVisible());
+  }
+
+  private String tapeWords() {
+    var tape = viewer.window.context().display().tapeProperty().get();
+    return tape.map(MeasuredLine::words).orElse("");
   }
 
   private static boolean isFiveWide(PixelRegion region) {

@@ -8,6 +8,7 @@ import haltere.core.playback.Slicing;
 import haltere.filters.frequency.PixelRegion;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.viewer.picture.EventView;
+import haltere.ui.viewer.picture.MeasuredLine;
 import haltere.ui.viewer.picture.RegionTool;
 import haltere.ui.viewer.playback.PlaybackController;
 import java.util.HashSet;
@@ -94,6 +95,11 @@ class SeeingTest {
     viewer.waitFor("a click takes it away", () -> seeing().region().isEmpty());
   }
 
+  private String tapeWords() {
+    var tape = viewer.window.context().display().tapeProperty();
+    return viewer.onFx(() -> tape.get().map(MeasuredLine::words).orElse(""));
+  }
+
   @Test
   void theTapeMeasuresAndToolsTakeTurns() {
     viewer.press(KeyCode.T);
@@ -102,13 +108,13 @@ class SeeingTest {
     assertTrue(viewer.text("status-message").contains("measure"));
     viewer.run(
         () -> {
-          seeing().tape().pressed(10, 10);
-          seeing().tape().dragged(40, 50);
+          view.tool().orElseThrow().pressed(10, 10);
+          view.tool().orElseThrow().dragged(40, 50);
         });
-    assertEquals("50.0 px   53.1\u00b0   x 30.0   y 40.0", viewer.onFx(seeing().tape()::words));
+    assertEquals("50.0 px   53.1\u00b0   x 30.0   y 40.0", tapeWords());
     viewer.press(KeyCode.G);
     viewer.waitFor("the other tool", () -> view.tool().orElseThrow() instanceof RegionTool);
-    assertEquals("", viewer.onFx(seeing().tape()::words));
+    assertEquals("", tapeWords());
     viewer.press(KeyCode.ESCAPE);
     viewer.waitFor("none", () -> view.tool().isEmpty());
     assertFalse(viewer.text("status-message").contains("Esc"), "and no hint");

@@ -37,21 +37,14 @@ import java.util.stream.IntStream;
  * a shared run.
  *
  * <p>Thread rule: one thread.
+ *
+ * @param folder where the results are
+ * @param chains makes the chain of the results
+ * @param reading how the recordings were read
  */
-public final class FolderReport {
+public record FolderReport(Path folder, RecordingJob.ChainMaker chains, ReadOptions reading) {
   private static final int MAX_PICTURES = 8;
   private static final long PICTURED_US = 1_000_000;
-
-  private final Path folder;
-  private final RecordingJob.ChainMaker chains;
-  private final ReadOptions reading;
-
-  /** A report of a folder of results, whose recordings are read and chained as for the results. */
-  public FolderReport(Path folder, RecordingJob.ChainMaker chains, ReadOptions reading) {
-    this.folder = folder;
-    this.chains = chains;
-    this.reading = reading;
-  }
 
   /**
    * Adds all to a page: the recordings in the order of their names, those that failed, and lines

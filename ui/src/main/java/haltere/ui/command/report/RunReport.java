@@ -21,7 +21,6 @@ import haltere.ui.command.terminal.Quantities;
 import haltere.ui.plot.EventRate;
 import haltere.ui.plot.PlotField;
 import haltere.ui.plot.PlotSet;
-import haltere.ui.plot.RowFields;
 import haltere.ui.plot.TimeBins;
 import haltere.ui.rendering.ContactSheet;
 import java.io.IOException;
@@ -71,23 +70,12 @@ public final class RunReport implements JobResults {
     for (List<PlotField> lane : PlotSet.main(PlotField.of(filters))) {
       ReportCurves plotted = new ReportCurves(lane);
       curves.add(plotted);
-      lane.forEach(field -> listen(field, plotted));
+      for (PlotField field : lane) {
+        field.listen(
+            filters, false, (timeUs, key, value) -> plotted.take(field, timeUs, key, value));
+      }
     }
     return this;
-  }
-
-  private void listen(PlotField field, ReportCurves plotted) {
-    field
-        .find(chain)
-        .ifPresent(
-            outlet -> {
-              RowFields row = RowFields.of(outlet.type()).orElseThrow();
-              int column = row.columns().indexOf(field.column());
-              outlet.subscribe(
-                  result ->
-                      plotted.take(
-                          field, row.timeUs(result), row.key(result), row.value(result, column)));
-            });
   }
 
   @Override

@@ -6,6 +6,7 @@ import haltere.core.overlay.OverlayLayer;
 import haltere.ui.rendering.ContactSheet;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 
 /**
  * Keeps the last snapshot of each overlay of a chain, so that they can be drawn when the run is
@@ -14,35 +15,25 @@ import java.util.List;
  * <p>Thread rule: the processing thread.
  */
 public final class LatestSnapshots implements ContactSheet.Marks {
-  private static final class Latest<T> {
-    private final OverlayLayer<T> layer;
-    private T snapshot;
-
-    Latest(OverlayLayer<T> layer) {
-      this.layer = layer;
-      layer.subscribe().apply(taken -> snapshot = taken);
-    }
-
-    void drawAt(long timeUs, OverlayCanvas canvas) {
-      if (snapshot != null) {
-        layer.overlay().drawAt(snapshot, timeUs, canvas);
-      }
-    }
-  }
-
-  private final List<Latest<?>> layers = new ArrayList<>();
+  private final List<ContactSheet.Marks> layers = new ArrayList<>();
 
   /** Listens to a chain's overlays from now on. */
   public LatestSnapshots(FilterChain chain) {
-    for (OverlayLayer<?> layer : chain.overlays()) {
-      layers.add(new Latest<>(layer));
-    }
+    chain.overlays().forEach(layer -> layers.add(latest(layer)));
+  }
+
+  private static <T> ContactSheet.Marks latest(OverlayLayer<T> layer) {
+    AtomicReference<T> last = new AtomicReference<>();
+    layer.subscribe().apply(last::set);
+    return (timeUs, canvas) -> {
+      if (last.get() != null) {
+        layer.overlay().drawAt(last.get(), timeUs, canvas);
+      }
+    };
   }
 
   @Override
   public void drawAt(long timeUs, OverlayCanvas canvas) {
-    for (Latest<?> layer : layers) {
-      layer.drawAt(timeUs, canvas);
-    }
+    layers.forEach(layer -> layer.drawAt(timeUs, canvas));
   }
 }

@@ -31,34 +31,21 @@ import java.util.stream.Stream;
 /**
  * Writes one of the streams beside the events: samples or triggers as a table, frames as pictures
  * in a new folder with a table of their times. Each appears whole or not at all.
+ *
+ * @param stream which
+ * @param out the table, or the folder of the pictures
+ * @param overwrite whether a table that is there may be replaced
+ * @param fromUs first time, microseconds
+ * @param toUs first time that is not written any more, microseconds
+ * @param metadata what a table says of itself
  */
-public final class SampleExport {
-  private final SampleStream stream;
-  private final Path out;
-  private final boolean overwrite;
-  private final long fromUs;
-  private final long toUs;
-  private final TableMetadata metadata;
-
-  /**
-   * An export that has not begun, from the first time to before the last, microseconds, into a
-   * table or a folder of pictures.
-   */
-  public SampleExport(
-      SampleStream stream,
-      Path out,
-      boolean overwrite,
-      long fromUs,
-      long toUs,
-      TableMetadata metadata) {
-    this.stream = stream;
-    this.out = out;
-    this.overwrite = overwrite;
-    this.fromUs = fromUs;
-    this.toUs = toUs;
-    this.metadata = metadata;
-  }
-
+public record SampleExport(
+    SampleStream stream,
+    Path out,
+    boolean overwrite,
+    long fromUs,
+    long toUs,
+    TableMetadata metadata) {
   /**
    * Reads a recording from its start to its end, with samples, and returns how many were written;
    * the check is asked before anything is put in its place.

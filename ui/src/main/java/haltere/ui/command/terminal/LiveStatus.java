@@ -2,6 +2,7 @@ package haltere.ui.command.terminal;
 
 import haltere.core.camera.Camera;
 import haltere.core.camera.CameraStatistics;
+import java.io.PrintStream;
 import java.util.List;
 import java.util.function.LongSupplier;
 
@@ -11,37 +12,31 @@ import java.util.function.LongSupplier;
  *
  * <p>Thread rule: one thread shows; the rest may be called from any.
  */
-public final class LiveStatus implements AutoCloseable {
+public final class LiveStatus extends TerminalLine {
   /** What does not fit onto one line of a terminal would stay there. */
   private static final int MAX_LETTERS = 79;
 
-  private final TerminalLine line;
-  private final LongSupplier nanoTime;
   private final List<Camera> cameras;
-  private final long startNanos;
   private final long[] eventsBefore;
   private long nanosBefore;
 
   /** A status of open cameras that has not been shown yet. */
-  public LiveStatus(TerminalLine line, LongSupplier nanoTime, List<Camera> cameras) {
-    this.line = line;
-    this.nanoTime = nanoTime;
+  public LiveStatus(PrintStream err, boolean shown, List<Camera> cameras, LongSupplier nanoTime) {
+    super(err, shown, nanoTime);
     this.cameras = List.copyOf(cameras);
     eventsBefore = new long[cameras.size()];
-    startNanos = nanoTime.getAsLong();
-    nanosBefore = startNanos;
   }
 
   /** Shows what is now, if it was not shown just before. */
   public void show() {
-    if (!line.isDue()) {
+    if (!isDue()) {
       return;
     }
-    long now = nanoTime.getAsLong();
+    long now = elapsedNanos();
     double sinceS = (now - nanosBefore) / 1e9;
     nanosBefore = now;
     StringBuilder text = new StringBuilder();
-    long seconds = (now - startNanos) / 1_000_000_000L;
+    long seconds = now / 1_000_000_000L;
     text.append(Quantities.text("%d:%02d", seconds / 60, seconds % 60));
     for (int i = 0; i < cameras.size(); i++) {
       CameraStatistics statistics = cameras.get(i).statistics();
@@ -49,7 +44,7 @@ public final class LiveStatus implements AutoCloseable {
       text.append(words(statistics, (statistics.events() - eventsBefore[i]) / sinceS));
       eventsBefore[i] = statistics.events();
     }
-    line.draw(text.substring(0, Math.min(text.length(), MAX_LETTERS)));
+    draw(text.substring(0, Math.min(text.length(), MAX_LETTERS)));
   }
 
   private String words(CameraStatistics statistics, double rate) {
@@ -61,15 +56,5 @@ public final class LiveStatus implements AutoCloseable {
             + Quantities.text(
                 ", %d waiting, half within %d us",
                 statistics.waiting(), statistics.medianLatencyUs());
-  }
-
-  /** Makes room for a message. */
-  public void erase() {
-    line.erase();
-  }
-
-  @Override
-  public void close() {
-    line.close();
   }
 }

@@ -10,27 +10,22 @@ import java.util.function.LongSupplier;
  *
  * <p>Thread rule: one thread.
  */
-public final class ProgressBar implements ProgressListener, AutoCloseable {
+public final class ProgressBar extends TerminalLine implements ProgressListener {
   private static final int BAR_WIDTH = 24;
   private static final int MIN_BAR_WIDTH = 8;
 
   /** Letters of label and bar together, so that all fits onto a line of 80. */
   private static final int WIDTH = 46;
 
-  private final TerminalLine line;
   private final String label;
   private final int barWidth;
-  private final LongSupplier nanoTime;
-  private final long startNanos;
   private long events = -1;
 
   /** A bar that has not been drawn yet; one that is not shown stays silent. */
   public ProgressBar(PrintStream err, boolean shown, String label, LongSupplier nanoTime) {
-    line = new TerminalLine(err, shown, nanoTime);
+    super(err, shown, nanoTime);
     this.label = shortened(label);
     barWidth = Math.min(BAR_WIDTH, WIDTH - this.label.length());
-    this.nanoTime = nanoTime;
-    startNanos = nanoTime.getAsLong();
   }
 
   /** A long name loses its middle, because its end tells it from others. */
@@ -49,8 +44,8 @@ public final class ProgressBar implements ProgressListener, AutoCloseable {
 
   @Override
   public void progress(long done, long total) {
-    if (line.isDue()) {
-      line.draw(text(done, total, (nanoTime.getAsLong() - startNanos) / 1e9));
+    if (isDue()) {
+      draw(text(done, total, elapsedNanos() / 1e9));
     }
   }
 
@@ -72,15 +67,5 @@ public final class ProgressBar implements ProgressListener, AutoCloseable {
       bar.append(Quantities.text("  %d:%02d left", left / 60, left % 60));
     }
     return bar.toString();
-  }
-
-  @Override
-  public void close() {
-    line.close();
-  }
-
-  /** Takes the line away, so that results can be printed. */
-  public void erase() {
-    line.erase();
   }
 }

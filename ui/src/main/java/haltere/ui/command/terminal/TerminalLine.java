@@ -9,21 +9,28 @@ import java.util.function.LongSupplier;
  *
  * <p>Thread rule: all methods may be called from any thread.
  */
-public final class TerminalLine implements AutoCloseable {
+class TerminalLine implements AutoCloseable {
   private static final long REDRAW_NANOS = 100_000_000L;
 
   private final PrintStream err;
   private final boolean shown;
   private final LongSupplier nanoTime;
+  private final long startNanos;
   private long lastDrawNanos;
   private int drawnLength;
 
   /** A line that has not been drawn yet; one that is not shown stays silent. */
-  public TerminalLine(PrintStream err, boolean shown, LongSupplier nanoTime) {
+  TerminalLine(PrintStream err, boolean shown, LongSupplier nanoTime) {
     this.err = err;
     this.shown = shown;
     this.nanoTime = nanoTime;
-    lastDrawNanos = nanoTime.getAsLong();
+    startNanos = nanoTime.getAsLong();
+    lastDrawNanos = startNanos;
+  }
+
+  /** Time since the line was made, nanoseconds. */
+  long elapsedNanos() {
+    return nanoTime.getAsLong() - startNanos;
   }
 
   /** Whether it is time to draw again; if so, the next time is a tenth of a second later. */
@@ -44,7 +51,7 @@ public final class TerminalLine implements AutoCloseable {
   }
 
   /** Takes the line away, so that results can be printed. */
-  synchronized void erase() {
+  public synchronized void erase() {
     if (drawnLength > 0) {
       err.print("\r" + " ".repeat(drawnLength) + "\r");
       err.flush();

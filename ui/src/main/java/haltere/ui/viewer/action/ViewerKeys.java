@@ -17,6 +17,7 @@ import javafx.scene.control.Slider;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 
 /**
@@ -30,18 +31,6 @@ public final class ViewerKeys {
   /** What keyboards of some countries send in place of a key's usual code. */
   private static final Map<KeyCode, KeyCode> SAME =
       Map.of(KeyCode.GREATER, KeyCode.PERIOD, KeyCode.LESS, KeyCode.COMMA);
-
-  private static final Map<String, String> WORDS =
-      Map.of(
-          "Period", ".",
-          "Comma", ",",
-          "Left", "\u2190",
-          "Right", "\u2192",
-          "Up", "\u2191",
-          "Down", "\u2193",
-          "Plus", "+",
-          "Minus", "\u2212",
-          "Shortcut", "Ctrl");
 
   private final ViewerActions actions;
 
@@ -72,11 +61,7 @@ public final class ViewerKeys {
 
   /** A key as a person reads it. */
   static String words(String key) {
-    StringBuilder words = new StringBuilder();
-    for (String part : key.split("\\+")) {
-      words.append(words.isEmpty() ? "" : "+").append(WORDS.getOrDefault(part, part));
-    }
-    return words.toString();
+    return key.isEmpty() ? "" : KeyCombination.keyCombination(key).getDisplayText();
   }
 
   private boolean handle(KeyEvent event, Node focus) {

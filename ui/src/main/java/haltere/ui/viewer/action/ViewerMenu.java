@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import javafx.beans.value.ChangeListener;
 import javafx.beans.value.ObservableBooleanValue;
 import javafx.beans.value.WeakChangeListener;
@@ -92,16 +93,13 @@ public final class ViewerMenu extends MenuBar {
   }
 
   private void fillBar(Map<String, List<Object>> contents) {
-    List<Menu> bar = new ArrayList<>();
-    contents.forEach(
-        (path, content) -> {
-          if (!path.contains("/") && !path.equals(LAST) && !content.isEmpty()) {
-            bar.add(menu(path));
-          }
-        });
-    if (contents.containsKey(LAST)) {
-      bar.add(menu(LAST));
-    }
+    List<Menu> bar =
+        Stream.concat(
+                contents.keySet().stream().filter(path -> !path.equals(LAST)), Stream.of(LAST))
+            .filter(
+                path -> !path.contains("/") && !contents.getOrDefault(path, List.of()).isEmpty())
+            .map(this::menu)
+            .toList();
     if (!bar.equals(getMenus())) {
       getMenus().setAll(bar);
     }

@@ -14,11 +14,11 @@ import haltere.filters.frequency.PixelRegion;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Texts;
-import haltere.ui.viewer.feature.BackgroundWork;
 import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.RegionTool;
+import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -72,7 +72,7 @@ public final class CameraFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    panel = new CameraPanel(this::tell);
+    panel = new CameraPanel(window.background());
     comingSoon.setOnFinished(over -> list());
     BooleanProperty shown = window.addPanel("camera", PanelPlace.SIDE, () -> panel);
     ViewerActions actions = window.actions();
@@ -175,7 +175,7 @@ public final class CameraFeature implements ViewerFeature {
 
   /** Opens a camera in place of what is open. */
   public void open(String id) {
-    window.sessions().open(() -> playable(id), id);
+    window.sessions().open(SessionRequest.made(() -> playable(id), id));
   }
 
   private CameraPlayable playable(String id) throws java.io.IOException {
@@ -186,19 +186,15 @@ public final class CameraFeature implements ViewerFeature {
 
   // ---- What a camera can be told
 
-  /** Tells the camera something in the background. */
-  private void tell(
-      BackgroundWork.Action telling, Runnable done, java.util.function.Consumer<String> refused) {
-    window.background().file(telling, done, problem -> refused.accept(Texts.oneLine(problem)));
-  }
-
   private <F> void tellFacet(Class<F> facet, String ability, Telling<F> telling) {
     Optional<F> there = open.map(CameraPlayable::camera).flatMap(camera -> camera.facet(facet));
     if (there.isEmpty()) {
       window.status().showError("There is no camera open that " + ability);
       return;
     }
-    tell(() -> telling.tell(there.get()), panel::refresh, window.status()::showError);
+    window
+        .background()
+        .file(() -> telling.tell(there.get()), panel::refresh, window.status()::showProblem);
   }
 
   private interface Telling<F> {

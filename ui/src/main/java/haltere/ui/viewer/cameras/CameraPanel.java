@@ -34,12 +34,6 @@ final class CameraPanel extends ScrollPane {
   /** Latency from which on a camera's events count as shown late. */
   private static final long BEHIND_US = 100_000;
 
-  /** Tells a camera something in the background. */
-  interface Teller {
-    /** Does it, then calls the one or the other on the JavaFX thread. */
-    void tell(BackgroundWork.Action telling, Runnable done, Consumer<String> refused);
-  }
-
   private static final Map<BiasSliders.Slider, String> WORDS =
       Map.of(
           BiasSliders.Slider.BANDWIDTH, "Bandwidth",
@@ -53,7 +47,7 @@ final class CameraPanel extends ScrollPane {
           BiasSliders.Slider.REFRACTORY_PERIOD, "Right: a pixel rests longer after an event",
           BiasSliders.Slider.BALANCE, "Right: ON events come more easily, left: OFF events");
 
-  private final Teller teller;
+  private final BackgroundWork background;
   private final VBox content = new VBox(10);
   private final Label statistics =
       Controls.named(new Label(), "camera-statistics", Styles.TEXT_SMALL);
@@ -65,8 +59,8 @@ final class CameraPanel extends ScrollPane {
   private Optional<Camera> camera = Optional.empty();
   private boolean showing;
 
-  CameraPanel(Teller teller) {
-    this.teller = teller;
+  CameraPanel(BackgroundWork background) {
+    this.background = background;
     setId("camera-panel");
     setFitToWidth(true);
     getStyleClass().add("settings");
@@ -132,9 +126,8 @@ final class CameraPanel extends ScrollPane {
   }
 
   private void addBiases(Biases facet) {
-    ChoiceBox<String> sets = Controls.named(new ChoiceBox<>(), "camera-bias-sets");
-    sets.setAccessibleText("Sets of biases");
-    sets.getItems().addAll(facet.sets());
+    ChoiceBox<String> sets =
+        Controls.choice("camera-bias-sets", "Sets of biases", facet.sets(), set -> set);
     sets.setMaxWidth(Double.MAX_VALUE);
     sets.setOnAction(
         event -> {
@@ -154,11 +147,10 @@ final class CameraPanel extends ScrollPane {
               "camera",
               parameter,
               (value, refused) ->
-                  teller.tell(
+                  tell(
                       () ->
                           facet.set(
                               parameter.name(), ((Number) parameter.convert(value)).doubleValue()),
-                      this::refresh,
                       refused));
       fields.add(field);
       content.getChildren().add(field);
@@ -166,13 +158,18 @@ final class CameraPanel extends ScrollPane {
   }
 
   private void tell(BackgroundWork.Action telling) {
-    teller.tell(
+    tell(telling, problem::setText);
+  }
+
+  /** Tells the camera something in the background; in one line why it cannot be. */
+  private void tell(BackgroundWork.Action telling, Consumer<String> refused) {
+    background.file(
         telling,
         () -> {
           problem.setText("");
           refresh();
         },
-        problem::setText);
+        why -> refused.accept(Texts.oneLine(why)));
   }
 
   /** Shows the values in effect. */

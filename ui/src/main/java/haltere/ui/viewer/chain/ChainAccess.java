@@ -21,7 +21,7 @@ public record ChainAccess(Work edit, Work adjust, Work read) {
   }
 
   /** The chain of a player. */
-  static ChainAccess of(Player player) {
+  public static ChainAccess of(Player player) {
     return new ChainAccess(player::edit, player::adjust, player::read);
   }
 

@@ -4,7 +4,6 @@ import haltere.core.chain.ChainFile;
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterProvider;
-import haltere.core.playback.Player;
 import haltere.ui.viewer.controls.Texts;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -14,9 +13,11 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javafx.application.Platform;
+import javafx.scene.control.MenuItem;
 
 /**
  * Changes of the chain as the panels ask for them. Each runs between two packets on the processing
@@ -33,7 +34,7 @@ public final class ChainEditor {
   private final String prefix;
   private final ChainEditor outermost;
   private Optional<ChainAccess> player = Optional.empty();
-  private Optional<ChainPresets> presets = Optional.empty();
+  private BiFunction<String, ChainEditor, List<MenuItem>> presets = (id, chain) -> List.of();
 
   /** An editor without a chain; tells what went wrong in one line. */
   public ChainEditor(Consumer<String> problems) {
@@ -62,25 +63,18 @@ public final class ChainEditor {
     ChainEditor inner = new ChainEditor(problems, adopters, history, path(nested) + "/", outermost);
     inner.onStages(stages -> change(chain -> {}));
     ChainAccess.Work read =
-        work -> run(access -> access.read().run(chain -> work.accept(find(chain, name))));
+        work ->
+            run(access -> access.read().run(chain -> work.accept(StageMoves.chain(chain, name))));
     inner.player =
         Optional.of(
-            new ChainAccess(work -> edit(chain -> work.accept(find(chain, name))), read, read));
+            new ChainAccess(
+                work -> edit(chain -> work.accept(StageMoves.chain(chain, name))), read, read));
     return inner;
-  }
-
-  private static FilterChain find(FilterChain chain, String name) {
-    return (FilterChain) chain.stage(name).filter();
   }
 
   /** The names of the chains that a stage is in, and its own. */
   String path(ChainStage stage) {
     return prefix + stage.name();
-  }
-
-  /** Goes over to the chain of another player, as {@link #setAccess}. */
-  public void setPlayer(Player newPlayer) {
-    setAccess(ChainAccess.of(newPlayer));
   }
 
   /** Goes over to another chain; what was changed in the one before can no longer be undone. */
@@ -105,13 +99,15 @@ public final class ChainEditor {
     return history;
   }
 
-  /** Says where chains are kept under a name, for this one and those inside of it. */
-  public void setPresets(ChainPresets kept) {
-    presets = Optional.of(kept);
+  /**
+   * Says what a menu of presets offers, by the menu's id, for this chain and those inside of it.
+   */
+  public void setPresets(BiFunction<String, ChainEditor, List<MenuItem>> items) {
+    presets = items;
   }
 
-  /** Where chains are kept under a name, if anywhere. */
-  public Optional<ChainPresets> presets() {
+  /** What a menu of presets offers. */
+  public BiFunction<String, ChainEditor, List<MenuItem>> presets() {
     return outermost.presets;
   }
 

@@ -18,6 +18,7 @@ import javafx.scene.AccessibleRole;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
+import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.input.ClipboardContent;
@@ -42,11 +43,13 @@ final class StageCard extends VBox {
   private final MenuItem down;
   private final MenuItem into;
   private final Button expand;
-  private final Optional<Record> firstSettings;
   private final Optional<StageList> inside;
   private final ChainEditor editor;
   private Optional<SettingsPanel<?>> settings = Optional.empty();
-  private Optional<Record> adopted = Optional.empty();
+
+  /** The settings in force; empty for a filter without. */
+  private Optional<Record> inForce;
+
   private SettingsSearch search = SettingsSearch.ALL;
   private FilterTiming last;
   private long lastNanos = System.nanoTime();
@@ -60,8 +63,7 @@ final class StageCard extends VBox {
     id = editor.path(stage).replace('/', '-');
     String title = Texts.title(stage.name());
     Controls.named(this, "stage-" + id, "stage");
-    firstSettings =
-        state.settings().filter(found -> found.getClass().getRecordComponents().length > 0);
+    inForce = state.settings().filter(found -> found.getClass().getRecordComponents().length > 0);
     up = item("up-", "Move up   (Ctrl+Shift+\u2191)", () -> editor.move(stage, -1));
     down = item("down-", "Move down   (Ctrl+Shift+\u2193)", () -> editor.move(stage, 1));
     into = item("into-", "Move into the chain above", this::moveIntoNeighbour);
@@ -74,7 +76,7 @@ final class StageCard extends VBox {
             Styles.SMALL);
     inside =
         stage.filter() instanceof FilterChain ? Optional.of(insideOf(state)) : Optional.empty();
-    expand.setVisible(firstSettings.isPresent() || inside.isPresent());
+    expand.setVisible(inForce.isPresent() || inside.isPresent());
     setUpPower(title);
     setUpCounts();
     HBox head = new HBox(2, expand, name(title), more(title), power);
@@ -91,9 +93,8 @@ final class StageCard extends VBox {
   }
 
   private Label name(String title) {
-    Label name = Controls.label(title, Styles.TEXT_BOLD);
+    Label name = Controls.paragraph(title, Styles.TEXT_BOLD);
     name.setMaxWidth(Double.MAX_VALUE);
-    name.setMinWidth(0);
     Controls.help(name, description());
     HBox.setHgrow(name, Priority.ALWAYS);
     return name;
@@ -124,13 +125,24 @@ final class StageCard extends VBox {
     }
     more.getItems().add(item("remove-", "Remove", () -> editor.remove(stage)));
     if (stage.filter() instanceof FilterChain) {
-      more.getItems().add(new PresetMenu("presets-" + id, editor.inside(stage)));
+      more.getItems().add(presets(editor.inside(stage)));
     }
     more.setId("more-" + id);
     more.setAccessibleText("Move or remove " + title);
     Controls.help(more, "Move or remove");
     more.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL, Tweaks.NO_ARROW);
     return more;
+  }
+
+  /** Keeps the chain inside as a preset, or puts a preset in its place. */
+  private Menu presets(ChainEditor inner) {
+    Menu menu = new Menu("Presets");
+    menu.setId("presets-" + id);
+    Runnable follow = () -> menu.getItems().setAll(inner.presets().apply(menu.getId(), inner));
+    // a menu without items never opens
+    follow.run();
+    menu.setOnShowing(event -> follow.run());
+    return menu;
   }
 
   private void setUpCounts() {
@@ -188,7 +200,10 @@ final class StageCard extends VBox {
   void update() {
     inside.ifPresent(StageList::update);
     if (power.isSelected() != stage.isEnabled()) {
-      followStage();
+      // the player has switched a filter off that failed, or a switch is still under way
+      followingStage = true;
+      power.setSelected(stage.isEnabled());
+      followingStage = false;
     }
     long nanos = System.nanoTime();
     FilterTiming now = stage.timing();
@@ -203,20 +218,13 @@ final class StageCard extends VBox {
       counts.setText(
           String.format(
               Locale.ROOT,
-              "%s \u2192 %s ev/s  \u00b7  %d %%  \u00b7  %s \u00b5s/kev",
+              "%s \u2192 %s ev/s \u00b7 %d %% \u00b7 %s \u00b5s/kev",
               Texts.quantity(since.eventsIn() / seconds),
               Texts.quantity(since.eventsOut() / seconds),
               Math.round(100.0 * since.eventsOut() / since.eventsIn()),
               Texts.digits(since.microsPerThousandEvents())));
     }
     lastNanos = nanos;
-  }
-
-  /** The player has switched a filter off that failed, or a switch is still under way. */
-  private void followStage() {
-    followingStage = true;
-    power.setSelected(stage.isEnabled());
-    followingStage = false;
   }
 
   private void toggleSettings() {
@@ -234,18 +242,14 @@ final class StageCard extends VBox {
   }
 
   private void showSettings(boolean show) {
-    if (settings.isEmpty() && show && firstSettings.isPresent()) {
+    if (settings.isEmpty() && show && inForce.isPresent()) {
       // not before they are asked for: styling some dozen controls takes time
-      SettingsPanel<?> made =
-          SettingsPanel.of(stage, adopted.or(() -> firstSettings).get(), editor);
+      SettingsPanel<?> made = SettingsPanel.of(stage, inForce.get(), editor);
       made.narrow(search);
       getChildren().add(made);
       settings = Optional.of(made);
     }
-    settings.ifPresent(
-        panel -> {
-          Controls.show(show, panel);
-        });
+    settings.ifPresent(panel -> Controls.show(show, panel));
     expand.setRotate(show ? 90 : 0);
   }
 
@@ -253,7 +257,7 @@ final class StageCard extends VBox {
   void adopt(ChainStage of, Record newSettings) {
     inside.ifPresent(list -> list.adopt(of, newSettings));
     if (of == stage) {
-      adopted = Optional.of(newSettings);
+      inForce = Optional.of(newSettings);
       settings.ifPresent(panel -> panel.adopt(newSettings));
     }
   }

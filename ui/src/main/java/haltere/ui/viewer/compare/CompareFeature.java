@@ -25,6 +25,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import javafx.beans.binding.Bindings;
 import javafx.beans.property.BooleanProperty;
 import javafx.geometry.Orientation;
 import javafx.scene.control.Label;
@@ -87,15 +88,20 @@ public final class CompareFeature implements ViewerFeature {
     named.setTop(new VBox(bar, secondName));
     for (Label name : List.of(firstName, secondName)) {
       name.getStyleClass().add("chain-name");
+      name.setMinWidth(0);
     }
     window.panels().addAbovePicture(firstName);
-    firstName.setMinWidth(0);
-    secondName.setMinWidth(0);
     PanelLayout layout = window.panels().panelLayout();
     settingsShown = layout.offer("second-chain", "Second chain", PanelPlace.SIDE, () -> settings);
     shown = layout.offer("compare", "Compare", PanelPlace.BESIDE, () -> named);
     firstName.visibleProperty().bind(shown);
     firstName.managedProperty().bind(shown);
+    // both pictures are as wide as the narrower of their places, so that they have one scale
+    EventView first = window.panels().view();
+    view.maxWidthProperty().bind(((Region) first.getParent()).widthProperty());
+    first
+        .maxWidthProperty()
+        .bind(Bindings.when(shown).then(named.widthProperty()).otherwise(Double.MAX_VALUE));
     window.actions().add("compare", shown);
     window
         .panels()
@@ -137,7 +143,7 @@ public final class CompareFeature implements ViewerFeature {
     running.ifPresent(this::stop);
     running = Optional.empty();
     if (shown.get() && session.isPresent()) {
-      window.editor().read(ChainFile::write, json -> begin(start, session.get(), json));
+      window.read(ChainFile::write, json -> begin(start, session.get(), json));
     }
   }
 
@@ -160,7 +166,7 @@ public final class CompareFeature implements ViewerFeature {
     view.setGeometry(made.chain().geometry(), window.display().options().colours());
     List<StageState> stages = StageState.of(made.chain());
     player.addRawSink(made);
-    window.editor().presets().ifPresent(editor::setPresets);
+    editor.setPresets(window.editor().presets());
     editor.setAccess(ChainAccess.beside(player, made.chain()));
     chainPanel.show(stages);
     // both chains run from as far before this moment as they remember
@@ -195,15 +201,13 @@ public final class CompareFeature implements ViewerFeature {
 
   /** Both chains' numbers are taken from the chains as they are now. */
   private void listen(Running now) {
-    window
-        .editor()
-        .read(
-            first -> {
-              firstMeans = anew(firstMeans, first);
-              secondMeans = anew(secondMeans, now.second().chain());
-              return first;
-            },
-            listening -> {});
+    window.read(
+        first -> {
+          firstMeans = anew(firstMeans, first);
+          secondMeans = anew(secondMeans, now.second().chain());
+          return first;
+        },
+        listening -> {});
   }
 
   private static PublishedMeans anew(PublishedMeans before, FilterChain chain) {
@@ -222,23 +226,20 @@ public final class CompareFeature implements ViewerFeature {
 
   private void showNumbers(Running now) {
     chainPanel.update();
-    window
-        .editor()
-        .read(
-            first ->
-                new Means(
-                    name(first),
-                    name(now.second().chain()),
-                    firstMeans == null ? Map.of() : firstMeans.take(),
-                    secondMeans == null ? Map.of() : secondMeans.take()),
-            means -> {
-              show(firstName, "First chain: " + means.firstName());
-              show(secondName, "Second chain: " + means.secondName());
-              List<ComparisonTable.Line> lines =
-                  ComparisonTable.lines(means.first(), means.second());
-              if (!lines.isEmpty()) {
-                table.show(lines);
-              }
-            });
+    window.read(
+        first ->
+            new Means(
+                name(first),
+                name(now.second().chain()),
+                firstMeans == null ? Map.of() : firstMeans.take(),
+                secondMeans == null ? Map.of() : secondMeans.take()),
+        means -> {
+          show(firstName, "First chain: " + means.firstName());
+          show(secondName, "Second chain: " + means.secondName());
+          List<ComparisonTable.Line> lines = ComparisonTable.lines(means.first(), means.second());
+          if (!lines.isEmpty()) {
+            table.show(lines);
+          }
+        });
   }
 }

@@ -57,7 +57,7 @@ public final class Controls {
     return button;
   }
 
-  /** A button with words, as {@link #button(String, Icons, String, Runnable)}. */
+  /** A button with words, as {@link #button(String, Icons, String, Runnable, String...)}. */
   public static Button button(
       String id, String words, String help, Runnable action, String... styles) {
     Button button = named(new Button(words), id, styles);

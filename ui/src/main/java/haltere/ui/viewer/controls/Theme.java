@@ -4,6 +4,7 @@ import atlantafx.base.theme.PrimerDark;
 import atlantafx.base.theme.PrimerLight;
 import haltere.ui.rendering.ColourMap;
 import javafx.application.Application;
+import javafx.scene.paint.Color;
 
 /**
  * How the window looks.
@@ -30,6 +31,11 @@ public enum Theme {
   /** The colours of events that go with it. */
   public ColourMap colours() {
     return colours;
+  }
+
+  /** An ARGB colour as JavaFX knows it. */
+  public static Color colour(int argb) {
+    return Color.rgb(argb >> 16 & 0xFF, argb >> 8 & 0xFF, argb & 0xFF, (argb >>> 24) / 255.0);
   }
 
   /** Makes it the style of all windows. */

@@ -3,8 +3,8 @@ package haltere.ui.viewer.feature;
 import haltere.core.chain.ChainFile;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
-import haltere.core.playback.Playable;
 import haltere.core.playback.PlayerOptions;
+import haltere.ui.viewer.chain.ChainAccess;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.session.RecordingFacts;
@@ -84,14 +84,6 @@ public final class Sessions {
   }
 
   /**
-   * Opens what is not a file under the name that a person would call it, made on a background
-   * thread.
-   */
-  public void open(Callable<Playable> playable, String name) {
-    open(SessionRequest.made(playable, name));
-  }
-
-  /**
    * Opens something with the chain of its own in place of what is open, whose chain is kept.
    * Returns at once.
    */
@@ -110,17 +102,15 @@ public final class Sessions {
 
   /** Keeps the chain of what is open, and then goes on. */
   private void keepChain(ViewerSession open, Runnable next) {
-    window
-        .editor()
-        .read(
-            chain ->
-                open.request().start().isUnchanged(chain)
-                    ? Optional.<String>empty()
-                    : Optional.of(ChainFile.write(chain)),
-            json -> {
-              memory.keepChain(open.request(), json);
-              next.run();
-            });
+    window.read(
+        chain ->
+            open.request().start().isUnchanged(chain)
+                ? Optional.<String>empty()
+                : Optional.of(ChainFile.write(chain)),
+        json -> {
+          memory.keepChain(open.request(), json);
+          next.run();
+        });
   }
 
   /** Opens a session of a name that is being made and whose player was started in pause. */
@@ -172,7 +162,7 @@ public final class Sessions {
   private void show(ViewerSession made) {
     Optional<ViewerSession> before = session();
     window.playback().setPlayer(made.player());
-    window.editor().setPlayer(made.player());
+    window.editor().setAccess(ChainAccess.of(made.player()));
     window.stage().setTitle(Texts.source(made.player().playable().name()) + " \u2013 Haltere");
     made.display().maker().setOptions(window.display().options());
     window.panels().startAnew(made, window.display().options().colours(), window.steps());

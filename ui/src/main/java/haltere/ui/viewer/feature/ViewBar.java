@@ -7,6 +7,7 @@ import haltere.ui.viewer.controls.Icons;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.Function;
+import javafx.beans.binding.BooleanBinding;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.Property;
@@ -14,6 +15,7 @@ import javafx.beans.value.ObservableBooleanValue;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
@@ -25,13 +27,18 @@ import javafx.scene.layout.Region;
  * <p>Thread rule: JavaFX thread only.
  */
 public final class ViewBar extends HBox {
+  /** Below this width, pixels, there is room for choices and buttons alone. */
+  private static final double WIDE_PX = 460;
+
   private final HBox tools = new HBox(2);
+  private final BooleanBinding isWide = widthProperty().greaterThan(WIDE_PX);
 
   ViewBar(DisplayControl display) {
     super(6);
     getStyleClass().add("view-bar");
     setAlignment(Pos.CENTER_LEFT);
-    Region space = Controls.growing(new Region());
+    Label words = Controls.whole("Fading", Styles.TEXT_MUTED, Styles.TEXT_SMALL);
+    showWhere(isWide, words);
     tools.setAlignment(Pos.CENTER_RIGHT);
     getChildren()
         .addAll(
@@ -41,14 +48,14 @@ public final class ViewBar extends HBox {
                 display.modeProperty(),
                 List.of(DisplayMode.values()),
                 DisplayMode::words),
-            Controls.whole("Fading", Styles.TEXT_MUTED, Styles.TEXT_SMALL),
+            words,
             choice(
                 "fading",
                 "How fast events fade, or that only those of the last slice are shown",
                 display.decayUsProperty(),
                 DisplayControl.DECAYS.keySet(),
                 DisplayControl.DECAYS::get),
-            space,
+            Controls.growing(new Region()),
             tools);
   }
 
@@ -63,11 +70,14 @@ public final class ViewBar extends HBox {
     slider.setMinWidth(40);
     slider.valueProperty().bindBidirectional(opacity);
     slider.disableProperty().bind(on.not());
-    for (Region node : List.of(button, slider)) {
-      node.visibleProperty().bind(seen);
-      node.managedProperty().bind(seen);
-    }
+    showWhere(seen, button);
+    showWhere(isWide.and(seen), slider);
     getChildren().addAll(getChildren().indexOf(tools) - 1, List.of(button, slider));
+  }
+
+  private static void showWhere(ObservableBooleanValue condition, Node node) {
+    node.visibleProperty().bind(condition);
+    node.managedProperty().bind(node.visibleProperty());
   }
 
   /** Adds the button of a tool or a panel. */

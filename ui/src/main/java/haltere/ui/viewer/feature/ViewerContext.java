@@ -1,6 +1,7 @@
 package haltere.ui.viewer.feature;
 
 import haltere.core.chain.ChainFile;
+import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.chain.ChainEditor;
@@ -15,6 +16,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
 import javafx.scene.Node;
@@ -94,6 +96,11 @@ public record ViewerContext(
   /** Does something with files in the background; what goes wrong the bottom line says. */
   public void run(BackgroundWork.Action work) {
     background.file(work, () -> {}, status::showProblem);
+  }
+
+  /** Reads something off the chain between two packets and brings it to the JavaFX thread. */
+  public <T> void read(Function<FilterChain, T> reading, Consumer<T> consumer) {
+    editor.read(reading, consumer);
   }
 
   private void callWhileShown(ViewerSession made, Consumer<ViewerSession> listener) {

@@ -6,7 +6,6 @@ import haltere.core.format.summary.RecordingSummary;
 import haltere.ui.command.terminal.Quantities;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.session.RecordingFacts;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import javafx.geometry.VPos;
@@ -77,7 +76,9 @@ final class FileInfoPanel extends ScrollPane {
       line("Time counts from", facts.clock().describe());
       line("Mean rate", Quantities.rate(summary.meanRateEps()));
       line("Peak rate", Quantities.rate(summary.peakRateEps()) + " over 10 ms");
-      line("Bytes per event", String.format(Locale.ROOT, "%.2f", bytesPerEvent(facts)));
+      line(
+          "Bytes per event",
+          String.format(Locale.ROOT, "%.2f", facts.sizeBytes() / (double) summary.events()));
       line(
           "Clock",
           summary.timestampsMonotonic()
@@ -86,12 +87,8 @@ final class FileInfoPanel extends ScrollPane {
       line("Gaps", summary.gaps().isEmpty() ? "none" : String.valueOf(summary.gaps().size()));
     }
     facts.header().forEach(this::line);
-    List<String> warnings = summary.warnings();
-    line("Warnings", warnings.isEmpty() ? "none" : String.join("\n", warnings));
-  }
-
-  private static double bytesPerEvent(RecordingFacts facts) {
-    return (double) facts.sizeBytes() / facts.summary().events();
+    String warnings = String.join("\n", summary.warnings());
+    line("Warnings", warnings.isEmpty() ? "none" : warnings);
   }
 
   private void line(String name, String value) {
@@ -105,13 +102,10 @@ final class FileInfoPanel extends ScrollPane {
 
   /** The value of a line, for tests. */
   Optional<String> value(String name) {
-    List<Label> labels =
-        grid.getChildren().stream().filter(Label.class::isInstance).map(Label.class::cast).toList();
-    for (int i = 0; i + 1 < labels.size(); i++) {
-      if (labels.get(i).getText().equals(name)) {
-        return Optional.of(labels.get(i + 1).getText());
-      }
-    }
-    return Optional.empty();
+    return grid.getChildren().stream()
+        .map(Label.class::cast)
+        .filter(label -> label.getText().equals(name) && label.getLabelFor() != null)
+        .map(label -> ((Label) label.getLabelFor()).getText())
+        .findFirst();
   }
 }

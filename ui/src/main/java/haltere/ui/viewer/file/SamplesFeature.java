@@ -6,8 +6,10 @@ import haltere.core.playback.PlayerStatus;
 import haltere.core.stream.StreamHandler;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.DisplayControl;
+import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.ViewerPanels;
 import haltere.ui.viewer.session.RecordingFacts;
 import haltere.ui.viewer.session.RecordingFacts.Moment;
 import haltere.ui.viewer.session.SessionRequest;
@@ -45,24 +47,21 @@ public final class SamplesFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     DisplayControl display = window.display();
-    window
-        .panels()
-        .viewBar()
-        .addFrames(display.framesProperty(), display.frameOpacityProperty(), hasFrames);
-    window.settings().keep("frames", display.framesProperty());
-    window
-        .settings()
-        .keep(
-            "frameOpacity",
-            display.frameOpacityProperty(),
-            value -> value.doubleValue(),
-            kept -> Math.max(0.1, Math.min(1, ((Number) kept).doubleValue())));
+    ViewerPanels panels = window.panels();
+    UserSettings settings = window.settings();
+    panels.viewBar().addFrames(display.framesProperty(), display.frameOpacityProperty(), hasFrames);
+    settings.keep("frames", display.framesProperty());
+    settings.keep(
+        "frameOpacity",
+        display.frameOpacityProperty(),
+        value -> value.doubleValue(),
+        kept -> Math.max(0.1, Math.min(1, ((Number) kept).doubleValue())));
     window.actions().add("show-frames", display.framesProperty());
     display.framesProperty().subscribe((was, is) -> follow());
     display.frameOpacityProperty().subscribe((was, is) -> follow());
     trigger.setMouseTransparent(true);
     trigger.setVisible(false);
-    window.panels().addOverPicture(trigger, Pos.TOP_RIGHT);
+    panels.addOverPicture(trigger, Pos.TOP_RIGHT);
     window.sessions().sessionProperty().subscribe((was, is) -> follow());
     window
         .sessions()
@@ -70,8 +69,7 @@ public final class SamplesFeature implements ViewerFeature {
         .subscribe(
             (was, is) -> {
               hasFrames.set(is.filter(found -> !found.frames().isEmpty()).isPresent());
-              window
-                  .panels()
+              panels
                   .seekBar()
                   .setTicks(
                       is.stream()
@@ -79,7 +77,7 @@ public final class SamplesFeature implements ViewerFeature {
                           .mapToLong(Moment::elapsedUs)
                           .toArray());
             });
-    window.panels().onPulse(() -> window.ifOpen(this::pulse));
+    panels.onPulse(() -> window.ifOpen(this::pulse));
   }
 
   private void follow() {
@@ -104,24 +102,15 @@ public final class SamplesFeature implements ViewerFeature {
   }
 
   private void name(List<Moment> triggers, long shownUs, long spanUs) {
-    int last = lastAt(triggers, shownUs);
-    boolean any = last >= 0 && triggers.get(last).elapsedUs() > shownUs - spanUs;
-    trigger.setVisible(any);
-    if (any) {
-      int first = last;
-      while (first > 0 && triggers.get(first - 1).elapsedUs() > shownUs - spanUs) {
-        first--;
-      }
-      String words =
-          triggers.subList(first, last + 1).stream()
-              .map(Moment::words)
-              .distinct()
-              .limit(MAX_NAMES)
-              .collect(Collectors.joining(", "));
-      if (!words.equals(trigger.getText())) {
-        trigger.setText(words);
-      }
-    }
+    int before = lastAt(triggers, shownUs - spanUs + 1);
+    String words =
+        triggers.subList(before + 1, lastAt(triggers, shownUs) + 1).stream()
+            .map(Moment::words)
+            .distinct()
+            .limit(MAX_NAMES)
+            .collect(Collectors.joining(", "));
+    trigger.setText(words);
+    trigger.setVisible(!words.isEmpty());
   }
 
   /** Index of the last moment before a place, -1 if there is none. */

@@ -99,14 +99,9 @@ final class WarningBanner extends VBox {
     Controls.show(opened, all);
     more.setText(opened ? "Less" : "More");
     int count = warnings.size();
-    first.setText(
-        count == 0
-            ? ""
-            : opened || count > 1
-                ? count
-                    + (count == 1 ? " warning" : " warnings")
-                    + (opened ? "" : ": " + warnings.get(0))
-                : warnings.get(0));
+    String counted = count + (count == 1 ? " warning" : " warnings");
+    String single = count == 0 ? "" : warnings.get(0);
+    first.setText(opened ? counted : count > 1 ? counted + ": " + single : single);
   }
 
   private void offer(SensorGeometry guess) {

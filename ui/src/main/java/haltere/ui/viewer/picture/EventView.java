@@ -10,8 +10,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javafx.application.ConditionalFeature;
-import javafx.application.Platform;
 import javafx.scene.AccessibleRole;
 import javafx.scene.Cursor;
 import javafx.scene.control.Label;
@@ -37,8 +35,7 @@ public final class EventView extends Region implements ArrowKeys {
   }
 
   private final Viewpoint viewpoint = new Viewpoint(this::requestLayout);
-  private final SensorPicture picture =
-      new SensorPicture(!Platform.isSupported(ConditionalFeature.SCENE3D));
+  private final SensorPicture picture = new SensorPicture();
   private final Rectangle frame = new Rectangle();
   private final Label readout = Controls.named(new Label(), "cursor-readout", "readout");
   private final ScaleLegend legend = new ScaleLegend();
@@ -68,7 +65,7 @@ public final class EventView extends Region implements ArrowKeys {
     readout.setMouseTransparent(true);
     readout.setManaged(false);
     readout.setVisible(false);
-    getChildren().addAll(picture.nodes());
+    getChildren().add(picture.node());
     getChildren().addAll(frame, readout, legend);
     widthProperty().subscribe(() -> viewpoint.setSize(getWidth(), getHeight()));
     heightProperty().subscribe(() -> viewpoint.setSize(getWidth(), getHeight()));

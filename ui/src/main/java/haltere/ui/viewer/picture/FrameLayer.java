@@ -50,8 +50,7 @@ public final class FrameLayer {
   synchronized boolean give(Frame frame) {
     boolean wanted = sought;
     if (wanted) {
-      latest = frame;
-      sought = false;
+      take(frame);
     }
     return wanted;
   }

@@ -16,16 +16,16 @@ import javafx.scene.layout.Region;
  * <p>Thread rule: JavaFX thread only.
  */
 public final class HiddenEvents extends HBox {
-  /** Time over which the share is measured, real time, and the events that it needs at least. */
-  private static final long BETWEEN_NANOS = 500_000_000;
+  /** Time over which the share is measured, real time. */
+  public static final long BETWEEN_NANOS = 500_000_000;
 
+  /** Events that the share needs at least. */
   private static final long MIN_EVENTS = 200;
 
   private final BooleanProperty shown;
   private final Label share = Controls.named(new Label(), "hidden-share");
   private final Hyperlink change = Controls.named(new Hyperlink(), "show-hidden");
   private PlayerStatus from;
-  private long fromNanos;
   private OptionalInt percent = OptionalInt.empty();
 
   /**
@@ -52,25 +52,17 @@ public final class HiddenEvents extends HBox {
     say();
   }
 
-  /** Measures the share of events that the filters removed, if any is on. */
-  public void update(PlayerStatus now, boolean anyFilter, long nanos) {
+  /** Measures the share of events that the filters removed since the last call, if any is on. */
+  public void update(PlayerStatus now, boolean anyFilter) {
     if (!anyFilter) {
-      if (percent.isPresent() || from != null) {
-        clear();
-      }
-      return;
-    }
-    if (from == null || now.eventsIn() < from.eventsIn()) {
+      clear();
+    } else if (from == null || now.eventsIn() < from.eventsIn()) {
       from = now;
-      fromNanos = nanos;
-      return;
-    }
-    long in = now.eventsIn() - from.eventsIn();
-    if (in >= MIN_EVENTS && nanos - fromNanos >= BETWEEN_NANOS) {
+    } else if (now.eventsIn() - from.eventsIn() >= MIN_EVENTS) {
+      long in = now.eventsIn() - from.eventsIn();
       long hidden = in - (now.eventsOut() - from.eventsOut());
       percent = OptionalInt.of((int) Math.round(100.0 * Math.max(0, hidden) / in));
       from = now;
-      fromNanos = nanos;
       say();
     }
   }

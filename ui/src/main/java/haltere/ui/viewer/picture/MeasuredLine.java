@@ -17,7 +17,7 @@ public record MeasuredLine(double fromX, double fromY, double toX, double toY) {
   private static final double TICK = 2;
 
   /** What was measured, in words. */
-  String words() {
+  public String words() {
     double right = toX - fromX;
     double up = toY - fromY;
     return String.format(

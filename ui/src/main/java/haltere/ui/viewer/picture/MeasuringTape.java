@@ -41,11 +41,6 @@ public final class MeasuringTape implements ViewTool {
     measured.set(Optional.empty());
   }
 
-  /** What was measured, in words; empty if nothing. */
-  public String words() {
-    return measured.get().map(MeasuredLine::words).orElse("");
-  }
-
   @Override
   public void draw(OverlayCanvas canvas) {
     measured.get().ifPresent(line -> line.draw(canvas));

@@ -6,9 +6,9 @@ import haltere.ui.rendering.PictureScaler;
 import haltere.ui.rendering.PixelOverlayCanvas;
 
 /**
- * Draws frames as they are on the screen, pixels and marks, where no graphics card does it.
+ * Draws frames as they are on the screen, pixels and marks.
  *
- * <p>Thread rule: one thread at a time; letters that are not loaded yet are for the JavaFX thread.
+ * <p>Thread rule: one thread at a time.
  */
 final class ScreenPainter {
   private final PictureScaler scaler = new PictureScaler();

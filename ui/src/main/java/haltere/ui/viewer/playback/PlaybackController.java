@@ -14,7 +14,6 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
-import java.util.stream.LongStream;
 import javafx.application.Platform;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanProperty;
@@ -149,11 +148,10 @@ public final class PlaybackController {
 
   /** Sets the speed, brought into range; more than {@link #MAX_SPEED} is unlimited. */
   public void setSpeed(double wanted) {
-    double possible =
+    speed.set(
         wanted > MAX_SPEED * 1.0001
             ? Double.POSITIVE_INFINITY
-            : Math.max(PlaybackClock.MIN_SPEED, wanted);
-    speed.set(possible);
+            : Math.max(PlaybackClock.MIN_SPEED, wanted));
     restartReverse();
     player.ifPresent(open -> report(open.setSpeed(speed.get())));
   }
@@ -250,8 +248,8 @@ public final class PlaybackController {
         .ifPresent(
             now -> {
               long inUs = Math.max(0, now.elapsedUs());
-              LongStream fits = loop.get().outUs().stream().filter(outUs -> outUs > inUs);
-              setLoop(new Loop(true, OptionalLong.of(inUs), fits.findFirst()));
+              OptionalLong out = loop.get().outUs().stream().filter(us -> us > inUs).findFirst();
+              setLoop(new Loop(true, OptionalLong.of(inUs), out));
             });
   }
 
@@ -261,8 +259,8 @@ public final class PlaybackController {
         .ifPresent(
             now -> {
               long outUs = Math.max(1, now.elapsedUs() + now.sliceUs());
-              LongStream fits = loop.get().inUs().stream().filter(inUs -> inUs < outUs);
-              setLoop(new Loop(true, fits.findFirst(), OptionalLong.of(outUs)));
+              OptionalLong in = loop.get().inUs().stream().filter(us -> us < outUs).findFirst();
+              setLoop(new Loop(true, in, OptionalLong.of(outUs)));
             });
   }
 

@@ -40,7 +40,7 @@ final class SlicingField extends HBox {
               + " number of events, or one beat of the wings that are tracked.",
           List.of(Mode.values()),
           each -> each.words);
-  private final TextField size = Controls.named(new TextField(), "slice-size", Styles.SMALL);
+  private final TextField size = Controls.entry("slice-size", "Size of a slice", 6);
   private final Label unit = Controls.label("", Styles.TEXT_MUTED);
 
   SlicingField(PlaybackController playback) {
@@ -48,7 +48,7 @@ final class SlicingField extends HBox {
     setAlignment(Pos.CENTER_LEFT);
     setSpacing(6);
     setUpMode();
-    setUpSize();
+    Controls.onEntered(size, this::commit);
     showSize();
     playback
         .beatsProperty()
@@ -77,12 +77,6 @@ final class SlicingField extends HBox {
                 commit();
               }
             });
-  }
-
-  private void setUpSize() {
-    size.setPrefColumnCount(6);
-    size.setAccessibleText("Size of a slice");
-    Controls.onEntered(size, this::commit);
   }
 
   private void showSize() {

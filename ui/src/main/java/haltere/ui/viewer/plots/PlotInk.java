@@ -2,9 +2,9 @@ package haltere.ui.viewer.plots;
 
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
-import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.plot.Curve;
 import haltere.ui.rendering.MarkColours;
+import haltere.ui.viewer.controls.Theme;
 import java.util.List;
 import java.util.Optional;
 import javafx.scene.paint.Color;
@@ -54,6 +54,6 @@ record PlotInk(Color text, Color grid, Color now, Color cursor, List<Color> curv
   }
 
   private Color side(Role role) {
-    return JavaFxOverlayCanvas.colour(MarkColours.argb(MarkStyle.of(role), this == DARK));
+    return Theme.colour(MarkColours.argb(MarkStyle.of(role), this == DARK));
   }
 }

@@ -68,7 +68,7 @@ public final class VanishingPointFeature implements ViewerFeature {
   }
 
   private void look() {
-    window.editor().read(Tracks::of, this::offer);
+    window.read(Tracks::of, this::offer);
   }
 
   private void offer(Optional<Tracks> tracks) {
@@ -83,7 +83,7 @@ public final class VanishingPointFeature implements ViewerFeature {
   }
 
   private void mark(Point2D at) {
-    window.editor().read(Tracks::of, tracks -> tracks.ifPresent(found -> mark(found, at)));
+    window.read(Tracks::of, tracks -> tracks.ifPresent(found -> mark(found, at)));
   }
 
   private void mark(Tracks tracks, Point2D at) {
@@ -105,10 +105,5 @@ public final class VanishingPointFeature implements ViewerFeature {
 
   private static double rounded(double placePx) {
     return Math.rint(placePx * STEPS_PER_PX) / STEPS_PER_PX;
-  }
-
-  /** What is in the hand while the point is set. */
-  VanishingPointTool tool() {
-    return tool;
   }
 }

@@ -57,9 +57,7 @@ public final class SavingFeature implements ViewerFeature {
 
   /** Saves the chain that is open. */
   public void saveChain(Path file) {
-    window
-        .editor()
-        .read(ChainFile::write, json -> window.run(() -> AtomicFile.write(file, json, true)));
+    window.read(ChainFile::write, json -> window.run(() -> AtomicFile.write(file, json, true)));
   }
 
   /** Saves what is shown as a picture. */
@@ -67,11 +65,9 @@ public final class SavingFeature implements ViewerFeature {
     Overlays overlays = window.display().overlays();
     window.ifOpen(
         open ->
-            window
-                .editor()
-                .read(
-                    chain -> open.display().picture(overlays),
-                    image -> window.run(() -> Pictures.write(file, image))));
+            window.read(
+                chain -> open.display().picture(overlays),
+                image -> window.run(() -> Pictures.write(file, image))));
   }
 
   /** Stops the recording that is under way, or asks where the next one goes. */
@@ -89,10 +85,5 @@ public final class SavingFeature implements ViewerFeature {
   /** Records what comes out of the chain. */
   public void record(Path file) {
     recording.start(open -> RecordedFile.of(file, open));
-  }
-
-  /** Whether a recording is under way. */
-  boolean isRecording() {
-    return recording.runningProperty().get();
   }
 }

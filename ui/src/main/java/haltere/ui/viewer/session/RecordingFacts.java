@@ -17,6 +17,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 
@@ -143,10 +144,6 @@ public record RecordingFacts(
   }
 
   private static String edge(Trigger trigger) {
-    return switch (trigger.edge()) {
-      case RISING -> " rising";
-      case FALLING -> " falling";
-      case PULSE -> " pulse";
-    };
+    return " " + trigger.edge().name().toLowerCase(Locale.ROOT);
   }
 }

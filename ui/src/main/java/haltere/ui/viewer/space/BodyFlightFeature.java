@@ -45,8 +45,7 @@ public final class BodyFlightFeature implements ViewerFeature {
   }
 
   private void show(BodyFlight flight) {
-    BodyFlightPane pane = new BodyFlightPane(flight);
-    pane.setTheme(window.display().themeProperty().get());
+    BodyFlightPane pane = new BodyFlightPane(flight, window.display().themeProperty().get());
     Windows.beside(window.stage(), "Orientation in space", pane, 800, 600).show();
   }
 }

@@ -17,9 +17,10 @@ final class BodyFlightPane extends BorderPane {
   private final Slider slider = Controls.named(new Slider(), "flight-time");
   private final Label words = Controls.named(new Label(), "flight-words");
 
-  BodyFlightPane(BodyFlight flight) {
+  BodyFlightPane(BodyFlight flight, Theme theme) {
     this.flight = flight;
     drawing = new BodyFlightDrawing(flight);
+    canvas.setTheme(theme);
     setCenter(canvas);
     slider.setAccessibleText("Time of the flight");
     slider.setMax(Math.max(0, flight.moments().size() - 1));
@@ -37,10 +38,5 @@ final class BodyFlightPane extends BorderPane {
         index < flight.moments().size()
             ? SpaceCanvas.words(flight.moments().get(index))
             : "no orientation was found");
-  }
-
-  /** Draws as a theme wants it. */
-  void setTheme(Theme theme) {
-    canvas.setTheme(theme);
   }
 }

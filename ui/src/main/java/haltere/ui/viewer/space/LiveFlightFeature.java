@@ -105,7 +105,7 @@ public final class LiveFlightFeature implements ViewerFeature {
         made -> {
           rig.ifPresent(window.background()::close);
           rig = Optional.of(made);
-          window.sessions().open(made::first, name);
+          window.sessions().open(SessionRequest.made(made::first, name));
         });
   }
 

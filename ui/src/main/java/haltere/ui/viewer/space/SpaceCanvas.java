@@ -1,34 +1,31 @@
 package haltere.ui.viewer.space;
 
-import haltere.ui.overlay.JavaFxOverlayCanvas;
-import haltere.ui.rendering.ColourMap;
+import haltere.ui.rendering.FontLetters;
+import haltere.ui.rendering.PixelOverlayCanvas;
 import haltere.ui.space.BodyFlight;
 import haltere.ui.space.BodyFlightDrawing;
 import haltere.ui.space.SpaceView;
+import haltere.ui.viewer.controls.PixelImage;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.controls.TurnPane;
+import java.util.Arrays;
 import java.util.Locale;
-import javafx.scene.canvas.Canvas;
-import javafx.scene.paint.Color;
 
 /** A body in space and the cameras that see it, at one time. */
 final class SpaceCanvas extends TurnPane {
   private static final double ZOOM_PER_NOTCH = 1.2;
 
   private final SpaceView view = new SpaceView();
-  private final Canvas canvas = new Canvas();
-  private final JavaFxOverlayCanvas marks = new JavaFxOverlayCanvas(canvas.getGraphicsContext2D());
-  private Color background = JavaFxOverlayCanvas.colour(ColourMap.DARK.background());
+  private final PixelImage image = new PixelImage();
+  private Theme theme = Theme.DARK;
   private BodyFlightDrawing drawing;
   private int index;
   private boolean fitted;
 
   SpaceCanvas() {
-    getChildren().add(canvas);
-    canvas.widthProperty().bind(widthProperty());
-    canvas.heightProperty().bind(heightProperty());
-    canvas.widthProperty().subscribe((was, is) -> redraw());
-    canvas.heightProperty().subscribe((was, is) -> redraw());
+    getChildren().add(image);
+    widthProperty().subscribe((was, is) -> redraw());
+    heightProperty().subscribe((was, is) -> redraw());
     setAccessibleText("The body and the cameras in space");
     setMinSize(0, 0);
   }
@@ -58,9 +55,8 @@ final class SpaceCanvas extends TurnPane {
   }
 
   /** Draws on the background of a theme. */
-  void setTheme(Theme theme) {
-    background = JavaFxOverlayCanvas.colour(theme.colours().background());
-    marks.setDark(theme == Theme.DARK);
+  void setTheme(Theme newTheme) {
+    theme = newTheme;
     redraw();
   }
 
@@ -77,19 +73,31 @@ final class SpaceCanvas extends TurnPane {
   }
 
   private void redraw() {
-    var graphics = canvas.getGraphicsContext2D();
-    graphics.setFill(background);
-    graphics.fillRect(0, 0, canvas.getWidth(), canvas.getHeight());
-    if (drawing == null) {
+    double density =
+        getScene() == null || getScene().getWindow() == null
+            ? 1
+            : getScene().getWindow().getRenderScaleX();
+    int columns = (int) (getWidth() * density);
+    int rows = (int) (getHeight() * density);
+    if (columns < 1 || rows < 1) {
       return;
     }
-    if (!fitted && canvas.getWidth() > 0 && canvas.getHeight() > 0) {
-      view.fit(drawing.points(), canvas.getWidth(), canvas.getHeight());
-      fitted = canvas.getWidth() > 100 && canvas.getHeight() > 100;
+    image.allocate(columns, rows);
+    image.setFitWidth(columns / density);
+    image.setFitHeight(rows / density);
+    Arrays.fill(image.pixels(), theme.colours().background());
+    if (drawing != null) {
+      if (!fitted) {
+        view.fit(drawing.points(), getWidth(), getHeight());
+        fitted = getWidth() > 100 && getHeight() > 100;
+      }
+      PixelOverlayCanvas marks = new PixelOverlayCanvas(FontLetters.ofView(density));
+      marks.setTarget(image.pixels(), columns, rows);
+      marks.setDark(theme.colours().dark());
+      marks.setView(1, 0, getHeight(), density);
+      drawing.draw(index, view, marks);
     }
-    marks.begin();
-    marks.setView(1, 0, canvas.getHeight());
-    drawing.draw(index, view, marks);
+    image.repaint();
   }
 
   /** A moment in words. */

@@ -175,7 +175,7 @@ record SpaceTimeMarks(
   }
 
   /** Draws marks and traces of a moment. */
-  void draw(SpaceTimeFrame frame) {
+  void draw(SpaceTimeSink.Frame frame) {
     for (MarkTraces.Trace trace : frame.traces) {
       List<MarkTraces.Position> positions = trace.positions();
       double[] x = new double[positions.size()];

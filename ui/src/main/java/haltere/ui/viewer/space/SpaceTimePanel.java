@@ -2,9 +2,9 @@ package haltere.ui.viewer.space;
 
 import atlantafx.base.theme.Styles;
 import haltere.core.event.SensorGeometry;
-import haltere.ui.overlay.FontLetters;
-import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
+import haltere.ui.rendering.FontLetters;
+import haltere.ui.rendering.Letters;
 import haltere.ui.rendering.PixelOverlayCanvas;
 import haltere.ui.rendering.SpaceTimePainter;
 import haltere.ui.rendering.SpaceTimeProjection;
@@ -21,7 +21,6 @@ import javafx.scene.control.Slider;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
-import javafx.scene.text.Font;
 
 /**
  * Events in space and time. A drag turns, the wheel enlarges, a double click goes back to the first
@@ -42,10 +41,7 @@ final class SpaceTimePanel extends BorderPane {
   private final Slider thickness = slider("space-time-thickness", "How thick the slice is", 0, 1);
   private final Label words = Controls.label("", Styles.TEXT_SMALL, Styles.TEXT_MUTED);
   private final ReadOnlyBooleanProperty marksShown;
-  private FontLetters letters;
-  private PixelOverlayCanvas canvas;
-  private double density;
-  private SpaceTimeFrame frame = new SpaceTimeFrame(1);
+  private SpaceTimeSink.Frame frame = new SpaceTimeSink.Frame(1);
   private SensorGeometry sensor = new SensorGeometry(128, 128);
   private ColourMap colours = ColourMap.DARK;
   private boolean dirty = true;
@@ -80,7 +76,7 @@ final class SpaceTimePanel extends BorderPane {
   /** Another sensor. */
   void setSensor(SensorGeometry newSensor) {
     sensor = newSensor;
-    frame = new SpaceTimeFrame(1);
+    frame = new SpaceTimeSink.Frame(1);
     dirty = true;
   }
 
@@ -107,38 +103,32 @@ final class SpaceTimePanel extends BorderPane {
   }
 
   /** Shows newer events, or the same ones from elsewhere; null if there are no newer ones. */
-  void update(SpaceTimeFrame newer) {
+  void update(SpaceTimeSink.Frame newer) {
     if (newer != null) {
       frame = newer;
       dirty = true;
     }
-    double newDensity = getScene() == null ? 1 : getScene().getWindow().getRenderScaleX();
-    int width = (int) (picture.getWidth() * newDensity);
-    int height = (int) (picture.getHeight() * newDensity);
+    double density = getScene() == null ? 1 : getScene().getWindow().getRenderScaleX();
+    int width = (int) (picture.getWidth() * density);
+    int height = (int) (picture.getHeight() * density);
     if (dirty && width >= 2 && height >= 2) {
       dirty = false;
-      setDensity(newDensity);
-      paint(width, height);
+      paint(width, height, density);
     }
   }
 
-  private void setDensity(double newDensity) {
-    if (newDensity != density) {
-      density = newDensity;
-      letters = new FontLetters(Font.font(JavaFxOverlayCanvas.FONT_SIZE), density);
-      canvas = new PixelOverlayCanvas(letters);
-    }
-  }
-
-  private void paint(int width, int height) {
+  private void paint(int width, int height, double density) {
     image.allocate(width, height);
     image.setFitWidth(width / density);
     image.setFitHeight(height / density);
     SpaceTimeView view = view();
     double room = 2 * SpaceTimeMarks.room() * density;
     SpaceTimeProjection projection =
-        SpaceTimeProjection.of(view, sensor, Math.max(1, width - room), Math.max(1, height - room));
+        new SpaceTimeProjection(
+            view, sensor, Math.max(1, width - room), Math.max(1, height - room));
     painter.paint(frame.points, projection, view, colours, width, height, image.pixels());
+    Letters letters = FontLetters.ofView(density);
+    PixelOverlayCanvas canvas = new PixelOverlayCanvas(letters);
     canvas.setTarget(image.pixels(), width, height);
     canvas.setDark(colours.dark());
     canvas.setView(1 / density, (width - 1) / 2.0 / density, (height + 1) / 2.0 / density, density);

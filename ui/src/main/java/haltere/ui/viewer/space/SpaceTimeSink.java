@@ -19,6 +19,24 @@ import java.util.List;
  * thread.
  */
 final class SpaceTimeSink implements SliceSink {
+  /** What the view shows of one moment. */
+  static final class Frame {
+    final SpaceTimeCloud.Points points;
+
+    /** The time that is shown, which has the age 0, microseconds. */
+    long nowUs;
+
+    /** Marks of filters at that time. */
+    List<DisplayFrame.Marks<?>> marks = List.of();
+
+    /** Where marks were before. */
+    List<MarkTraces.Trace> traces = List.of();
+
+    Frame(int capacity) {
+      points = new SpaceTimeCloud.Points(capacity);
+    }
+  }
+
   /** Events that are shown at most. */
   static final int MAX_EVENTS = 150_000;
 
@@ -28,8 +46,7 @@ final class SpaceTimeSink implements SliceSink {
   private final SpaceTimeCloud cloud = new SpaceTimeCloud(MAX_EVENTS);
   private final LayerTaps taps;
   private final MarkTraces traces = new MarkTraces();
-  private final FrameExchange<SpaceTimeFrame> exchange =
-      new FrameExchange<>(() -> new SpaceTimeFrame(MAX_EVENTS));
+  private final FrameExchange<Frame> exchange = new FrameExchange<>(() -> new Frame(MAX_EVENTS));
   private volatile long spanUs = SpaceTimeView.DEFAULT.spanUs();
   private List<DisplayFrame.Marks<?>> marks = List.of();
   private long nowUs;
@@ -45,7 +62,7 @@ final class SpaceTimeSink implements SliceSink {
     spanUs = newSpanUs;
   }
 
-  FrameExchange<SpaceTimeFrame> exchange() {
+  FrameExchange<Frame> exchange() {
     return exchange;
   }
 
@@ -101,7 +118,7 @@ final class SpaceTimeSink implements SliceSink {
 
   @Override
   public void sliceHeld() {
-    SpaceTimeFrame frame = exchange.back();
+    Frame frame = exchange.back();
     cloud.copyTo(spanUs, frame.points);
     frame.nowUs = nowUs;
     frame.marks = marks;

@@ -55,26 +55,24 @@ final class FilterTables extends VBox {
   private final List<Consumer<WingFilterState>> numbers = new ArrayList<>();
 
   private final int fixedNumbers;
-  private final ChoiceBox<String> column =
-      Controls.named(new ChoiceBox<String>(), "covariance-column");
+  private final ChoiceBox<String> column;
   private final Label summary =
       Controls.named(new Label(), "filter-summary", Styles.TEXT_SMALL, Styles.TEXT_MUTED);
   private WingFilterState shown;
 
-  /**
-   * Tables of a filter.
-   *
-   * @param first as it is now
-   * @param edited takes what a person changes
-   */
+  /** Tables of a filter as it is now; hands over what a person changes. */
   FilterTables(WingFilterState first, Consumer<WingFilterEdit> edited) {
     this.edited = edited;
     setSpacing(6);
     getStyleClass().add("filter-tables");
     setAccessibleText("State and noise of the filter");
     shown = first;
-    column.setAccessibleText("State whose column of the covariance is shown");
-    column.getItems().setAll(first.names());
+    column =
+        Controls.choice(
+            "covariance-column",
+            "State whose column of the covariance is shown",
+            first.names(),
+            name -> name);
     column.getSelectionModel().select(0);
     column.setOnAction(event -> showColumn());
     FlowPane title = new FlowPane(6, 0, heading("Covariance P with"), column);
@@ -190,13 +188,8 @@ final class FilterTables extends VBox {
   }
 
   private TextField cell(Table table, int row, int column) {
-    TextField entry =
-        Controls.named(
-            new TextField(),
-            table.name().toLowerCase(Locale.ROOT).replace('_', '-') + "-" + row + "-" + column,
-            Styles.SMALL);
-    entry.setPrefColumnCount(6);
-    entry.setAccessibleText(name(table, row, column));
+    String id = table.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    TextField entry = Controls.entry(id + "-" + row + "-" + column, name(table, row, column), 6);
     entry.setOnAction(event -> take(entry, table, row, column));
     entry.setOnKeyPressed(
         event -> {

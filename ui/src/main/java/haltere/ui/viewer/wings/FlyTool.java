@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import javafx.geometry.Point2D;
 
 /**
  * Says where the fly is: a click sets the body, a drag of the head turns the heading, a drag of the
@@ -37,10 +38,8 @@ final class FlyTool implements ViewTool {
   private double atY;
 
   /**
-   * A tool.
-   *
-   * @param seen the tracker as it was last seen
-   * @param consumer takes what makes new settings of the tracker, on the processing thread
+   * A tool that looks at the tracker as it was last seen, and hands over what makes new settings of
+   * it on the processing thread.
    */
   FlyTool(
       Supplier<Optional<WingsView>> seen,
@@ -65,12 +64,17 @@ final class FlyTool implements ViewTool {
     grip = geometry().map(fly -> gripAt(fly, x, y)).orElse(Grip.NONE);
   }
 
+  /** The handle of the heading. */
+  private static Point2D head(FlyGeometry fly) {
+    double away = HEAD_SHARE * fly.sizePx();
+    double x = fly.centreX() + away * Math.cos(fly.headingRad());
+    return new Point2D(x, fly.centreY() + away * Math.sin(fly.headingRad()));
+  }
+
   private Grip gripAt(FlyGeometry fly, double x, double y) {
     double reach = GRIP_SHARE * fly.sizePx();
     double away = Math.hypot(x - fly.centreX(), y - fly.centreY());
-    double headX = fly.centreX() + HEAD_SHARE * fly.sizePx() * Math.cos(fly.headingRad());
-    double headY = fly.centreY() + HEAD_SHARE * fly.sizePx() * Math.sin(fly.headingRad());
-    if (Math.hypot(x - headX, y - headY) <= reach) {
+    if (head(fly).distance(x, y) <= reach) {
       return Grip.HEADING;
     }
     double region = seen.get().map(WingsView::regionPx).orElse(0.0);
@@ -112,13 +116,12 @@ final class FlyTool implements ViewTool {
     MarkStyle style = MarkStyle.of(Role.LABEL);
     double x = fly.centreX();
     double y = fly.centreY();
-    double headX = x + HEAD_SHARE * fly.sizePx() * Math.cos(fly.headingRad());
-    double headY = y + HEAD_SHARE * fly.sizePx() * Math.sin(fly.headingRad());
+    Point2D head = head(fly);
     switch (grip) {
       case HEADING -> canvas.line(x, y, atX, atY, style);
       case REGION -> canvas.circle(x, y, Math.hypot(atX - x, atY - y), style);
       case BODY -> canvas.circle(atX, atY, GRIP_SHARE * fly.sizePx(), style);
-      case NONE -> canvas.circle(headX, headY, GRIP_SHARE * fly.sizePx() / 2, style);
+      case NONE -> canvas.circle(head.getX(), head.getY(), GRIP_SHARE * fly.sizePx() / 2, style);
     }
   }
 }

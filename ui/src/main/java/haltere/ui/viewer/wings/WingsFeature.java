@@ -135,17 +135,15 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
       return;
     }
     looking = true;
-    window
-        .editor()
-        .read(
-            WingsView::of,
-            view -> {
-              looking = false;
-              seen = view;
-              if (panel != null) {
-                panel.show(view);
-              }
-            });
+    window.read(
+        WingsView::of,
+        view -> {
+          looking = false;
+          seen = view;
+          if (panel != null) {
+            panel.show(view);
+          }
+        });
   }
 
   private void settle(Function<WingTracker, WingTrackerSettings> change) {

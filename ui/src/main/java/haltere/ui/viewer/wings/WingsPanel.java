@@ -49,12 +49,7 @@ final class WingsPanel extends ScrollPane {
   private final VBox body = new VBox(8);
   private Optional<FilterTables> tables = Optional.empty();
 
-  /**
-   * A panel that shows nothing yet.
-   *
-   * @param buttons stand above it
-   * @param actions what a person asks for
-   */
+  /** A panel that shows nothing yet, below some buttons; hands over what a person asks for. */
   WingsPanel(List<Button> buttons, Actions actions) {
     this.actions = actions;
     setId("wings-panel");

@@ -27,7 +27,7 @@ class LiveStatusTest {
 
   private LiveStatus status(boolean shown, Camera... open) {
     PrintStream err = new PrintStream(terminal, true, StandardCharsets.UTF_8);
-    return new LiveStatus(new TerminalLine(err, shown, time), time, List.of(open));
+    return new LiveStatus(err, shown, List.of(open), time);
   }
 
   private Camera fly() throws IOException {

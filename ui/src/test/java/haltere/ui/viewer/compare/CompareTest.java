@@ -21,6 +21,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import javafx.geometry.Dimension2D;
 import javafx.scene.Parent;
 import javafx.scene.control.Label;
 import javafx.scene.control.Menu;
@@ -82,12 +83,11 @@ class CompareTest {
     viewer.run(() -> viewer.window.context().actions().run("compare"));
     viewer.waitFor("the second chain", () -> compare().secondChain().isPresent());
     viewer.waitFor(
-        "pictures of the same height",
+        "pictures of the same size",
         () ->
             viewer.isThere("event-view")
                 && viewer.isThere("second-event-view")
-                && viewer.node("event-view", Region.class).getHeight()
-                    == viewer.node("second-event-view", Region.class).getHeight());
+                && size("event-view").equals(size("second-event-view")));
     for (int i = 0; i < 3; i++) {
       Set<String> before = tableTexts();
       viewer.waitFor(
@@ -95,6 +95,11 @@ class CompareTest {
       Set<String> texts = tableTexts();
       assertTrue(texts.stream().noneMatch(text -> text.endsWith("%")), texts.toString());
     }
+  }
+
+  private Dimension2D size(String view) {
+    Region region = viewer.node(view, Region.class);
+    return new Dimension2D(region.getWidth(), region.getHeight());
   }
 
   private Set<String> tableTexts() {

@@ -85,7 +85,9 @@ class VanishingPointTest {
     viewer.waitFor("tracks on a road", () -> road().mapToRoad() && point().marked());
     assertEquals(40, point().xPx(), 1);
     assertEquals(100, point().yPx(), 1);
-    VanishingPointTool tool = viewer.window.feature(VanishingPointFeature.class).tool();
+    VanishingPointTool tool =
+        (VanishingPointTool)
+            viewer.onFx(() -> viewer.window.context().panels().view().tool().orElseThrow());
     viewer.waitFor("the mark", () -> tool.mark().orElseThrow().getX() == point().xPx());
     TextField entry =
         viewer.node("entry-" + TRACKS + "-road-view-vanishingPoint-xPx", TextField.class);

@@ -15,6 +15,7 @@ import haltere.core.playback.Loop;
 import haltere.filters.frequency.PixelRegion;
 import haltere.ui.export.Mp4Writer;
 import haltere.ui.rendering.DisplayMode;
+import haltere.ui.rendering.FontLetters;
 import haltere.ui.rendering.Gradient;
 import haltere.ui.viewer.SeeingFeature;
 import haltere.ui.viewer.ViewerHarness;
@@ -301,7 +302,8 @@ class ExportTest {
 
   /** The last colour of the strip in the lower right corner, before the word "now". */
   private static int lastOfScale(BufferedImage image) {
-    return image.getRGB(image.getWidth() - 1 - 6 - 6 - 34 - 6, image.getHeight() - 6 - 6 - 7);
+    int word = (int) FontLetters.OF_PICTURES.width("now");
+    return image.getRGB(image.getWidth() - 1 - 6 - 6 - word - 6, image.getHeight() - 6 - 6 - 7);
   }
 
   @Test

@@ -30,7 +30,8 @@ class RecordedFileTest {
   }
 
   private boolean recording() {
-    return viewer.onFx(() -> viewer.window.feature(SavingFeature.class).isRecording());
+    var actions = viewer.window.context().actions();
+    return viewer.onFx(() -> actions.find("record").orElseThrow().on().orElseThrow().get());
   }
 
   private String said() {

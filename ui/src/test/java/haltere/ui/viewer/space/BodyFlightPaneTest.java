@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.ui.space.BodyFlight;
 import haltere.ui.space.SimulatedFlight;
 import haltere.ui.viewer.ViewerHarness;
+import haltere.ui.viewer.controls.Theme;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashSet;
@@ -25,7 +26,7 @@ class BodyFlightPaneTest {
   void theSliderChoosesTheTimeThatIsShown() throws IOException {
     BodyFlight flight = SimulatedFlight.in(folder).load();
     try (ViewerHarness viewer = new ViewerHarness()) {
-      BodyFlightPane pane = viewer.onFx(() -> new BodyFlightPane(flight));
+      BodyFlightPane pane = viewer.onFx(() -> new BodyFlightPane(flight, Theme.DARK));
       Stage stage =
           viewer.onFx(
               () -> {

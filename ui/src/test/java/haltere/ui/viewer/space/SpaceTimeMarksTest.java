@@ -61,20 +61,20 @@ class SpaceTimeMarksTest {
     }
   }
 
-  private static Notes notes(double turnDegrees, long spanUs, SpaceTimeFrame frame) {
+  private static Notes notes(double turnDegrees, long spanUs, SpaceTimeSink.Frame frame) {
     SpaceTimeView view =
         new SpaceTimeView(Math.toRadians(turnDegrees), Math.toRadians(20), 1, spanUs, 0, 1);
     Notes notes = new Notes();
     SpaceTimeMarks marks =
         new SpaceTimeMarks(
-            SpaceTimeProjection.of(view, SENSOR, 500, 500), SENSOR, spanUs, LETTERS, 1, notes);
+            new SpaceTimeProjection(view, SENSOR, 500, 500), SENSOR, spanUs, LETTERS, 1, notes);
     marks.drawAxes();
     marks.draw(frame);
     return notes;
   }
 
   private static Notes notes(double turnDegrees, long spanUs) {
-    return notes(turnDegrees, spanUs, new SpaceTimeFrame(1));
+    return notes(turnDegrees, spanUs, new SpaceTimeSink.Frame(1));
   }
 
   @Test
@@ -97,7 +97,7 @@ class SpaceTimeMarksTest {
     SpaceTimeView along = new SpaceTimeView(0, 0, 1, 100_000, 0, 1);
     Notes notes = new Notes();
     new SpaceTimeMarks(
-            SpaceTimeProjection.of(along, SENSOR, 500, 500), SENSOR, 100_000, LETTERS, 1, notes)
+            new SpaceTimeProjection(along, SENSOR, 500, 500), SENSOR, 100_000, LETTERS, 1, notes)
         .drawAxes();
     assertEquals(false, notes.texts.containsKey("time, ms"));
     assertTrue(notes.texts.containsKey("x, px"));
@@ -105,7 +105,7 @@ class SpaceTimeMarksTest {
 
   @Test
   void marksLieInThePlaneOfTheNewestEventsAndTracesReachIntoThePast() {
-    SpaceTimeFrame frame = new SpaceTimeFrame(1);
+    SpaceTimeSink.Frame frame = new SpaceTimeSink.Frame(1);
     frame.nowUs = 500_000;
     frame.marks =
         List.of(

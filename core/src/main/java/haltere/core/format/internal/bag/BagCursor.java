@@ -13,6 +13,7 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.Optional;
 
 /**
  * Decodes the events of one topic of a bag, message by message.
@@ -27,6 +28,7 @@ final class BagCursor implements EventCursor {
 
   private final MessageWalk walk;
   private final Encoding encoding;
+  private final Optional<String> compression;
   private final StreamDecoder decoder;
   private final ViolationCounts violations;
   private final MessageBody body = new MessageBody();
@@ -44,6 +46,7 @@ final class BagCursor implements EventCursor {
    * @param geometry the sensor
    * @param encoding of the events; messages in another are counted and passed over
    * @param cdr whether messages are serialised as in ROS 2
+   * @param compression of the first message; empty where there is none
    * @param violations where everything is counted
    */
   BagCursor(
@@ -51,11 +54,18 @@ final class BagCursor implements EventCursor {
       SensorGeometry geometry,
       Encoding encoding,
       boolean cdr,
+      Optional<String> compression,
       ViolationCounts violations) {
     this.walk = walk;
+    this.compression = compression;
     this.encoding = encoding;
     this.violations = violations;
     decoder = encoding.decoder(geometry, cdr, violations);
+  }
+
+  @Override
+  public Optional<String> compression() {
+    return compression;
   }
 
   @Override

@@ -31,7 +31,8 @@ final class BagOpening {
   }
 
   /** The first message with events. */
-  private record First(BagTopic topic, EventMessage message, Encoding encoding) {}
+  private record First(
+      BagTopic topic, EventMessage message, Encoding encoding, Optional<String> compression) {}
 
   private final String formatName;
   private final RecordingFile file;
@@ -78,7 +79,8 @@ final class BagOpening {
                 new First(
                     topics.ofEvents().stream().filter(this::isAskedFor).findFirst().orElseThrow(),
                     new EventMessage(0, 0, 0, -1, 0, EventMessage.ARRAY, false, 0, false),
-                    Encoding.ARRAY));
+                    Encoding.ARRAY,
+                    Optional.empty()));
     SensorGeometry geometry = geometry(first, found.isPresent());
     remarkOnTopics(first.topic());
     found.ifPresent(this::remarkOnTime);
@@ -99,6 +101,7 @@ final class BagOpening {
         geometry,
         first.encoding(),
         first.topic().cdr(),
+        first.compression(),
         violations);
   }
 
@@ -126,7 +129,8 @@ final class BagOpening {
           EventMessage message = EventMessage.read(walk.topic(), body);
           Optional<Encoding> encoding = Encoding.of(message);
           if (encoding.isPresent() && encoding.get().hasEvents() && message.events() > 0) {
-            return Optional.of(new First(walk.topic(), message, encoding.get()));
+            return Optional.of(
+                new First(walk.topic(), message, encoding.get(), Optional.of(walk.compression())));
           }
           walk.pass(walk.size() - body.used());
         } catch (DamagedPacketException e) {

@@ -130,6 +130,11 @@ abstract class ChunkWalk implements MessageWalk {
     return inChunk;
   }
 
+  @Override
+  public final String compression() {
+    return payload == bzip2 ? "bzip2" : payload == lz4 ? "lz4" : payload == zstd ? "zstd" : "none";
+  }
+
   private Payload unpacking(String packing) throws DamagedPacketException {
     switch (packing) {
       case "none", "" -> {

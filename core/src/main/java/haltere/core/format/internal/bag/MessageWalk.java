@@ -43,6 +43,9 @@ interface MessageWalk extends Closeable {
   /** Bytes of the message that was found. */
   long size();
 
+  /** How the message that was found is compressed: name of the method, or "none". */
+  String compression();
+
   /** When it was recorded, nanoseconds since 1970. */
   long recordedNs();
 

@@ -94,6 +94,11 @@ final class SqliteWalk implements MessageWalk {
   }
 
   @Override
+  public String compression() {
+    return "none";
+  }
+
+  @Override
   public long recordedNs() {
     return recordedNs;
   }

@@ -81,6 +81,11 @@ final class UnpackingWalk implements MessageWalk {
   }
 
   @Override
+  public String compression() {
+    return unpacking ? "zstd" : walk.compression();
+  }
+
+  @Override
   public long recordedNs() {
     return walk.recordedNs();
   }

@@ -11,6 +11,7 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * Where the events of a file are, whoever laid them out.
@@ -67,6 +68,17 @@ record EventTable(
     Set<Dataset> datasets = new LinkedHashSet<>();
     columns.values().forEach(column -> datasets.add(column.dataset()));
     return datasets;
+  }
+
+  /** How the columns are compressed: names of the methods, or "none". */
+  String compression() {
+    String methods =
+        datasets().stream()
+            .flatMap(dataset -> dataset.filters().stream())
+            .flatMap(step -> step.compression().stream())
+            .distinct()
+            .collect(Collectors.joining(", "));
+    return methods.isEmpty() ? "none" : methods;
   }
 
   /** Refuses what cannot be read, or not within bounded memory. */

@@ -22,6 +22,8 @@ record FilterStep(int number, String name, int[] values) {
 
   private static final int BLOSC_METHOD = 6;
   private static final int BLOSC_SNAPPY = 3;
+  private static final List<String> BLOSC_METHODS =
+      List.of("blosclz", "lz4", "lz4hc", "snappy", "zlib", "zstd");
   private static final int MAX_STEPS = 32;
 
   static List<FilterStep> read(Metadata body) throws haltere.core.format.RecordingProblem {
@@ -51,6 +53,25 @@ record FilterStep(int number, String name, int[] values) {
       steps.add(new FilterStep(number, name, read));
     }
     return steps;
+  }
+
+  /** Name of the method of a step that compresses, such as "lzf"; empty for the other steps. */
+  Optional<String> compression() {
+    return switch (number) {
+      case DEFLATE -> Optional.of("deflate");
+      case LZF -> Optional.of("lzf");
+      case BLOSC -> Optional.of("blosc" + bloscMethod());
+      case LZ4 -> Optional.of("lz4");
+      case ZSTD -> Optional.of("zstd");
+      default -> Optional.empty();
+    };
+  }
+
+  private String bloscMethod() {
+    int method = value(BLOSC_METHOD, 0);
+    return method < 0 || method >= BLOSC_METHODS.size()
+        ? ""
+        : " (" + BLOSC_METHODS.get(method) + ")";
   }
 
   int value(int index, int otherwise) {

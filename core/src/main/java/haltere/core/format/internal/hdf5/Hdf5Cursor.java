@@ -73,6 +73,11 @@ final class Hdf5Cursor implements EventCursor {
   }
 
   @Override
+  public Optional<String> compression() {
+    return Optional.of(table.compression());
+  }
+
+  @Override
   public Optional<RecordingOutline> outline() throws IOException {
     long rows = table.rows();
     if (rows == 0) {

@@ -40,6 +40,10 @@ final class ArrayBytes {
     this.inflater = inflater;
   }
 
+  boolean isDeflated() {
+    return inflater != null;
+  }
+
   /** Reads from a place on; returns how many bytes there were. */
   int read(long offset, byte[] target, int length) throws IOException {
     if (inflater != null) {

@@ -104,6 +104,11 @@ final class NpzCursor implements EventCursor {
         layout.columns().containsKey(EventColumn.POLARITY) ? part(EventColumn.POLARITY) : null;
   }
 
+  @Override
+  public Optional<String> compression() {
+    return Optional.of(time.bytes.isDeflated() ? "deflate" : "none");
+  }
+
   private Part part(EventColumn column) {
     Part part = new Part(layout.columns().get(column), file, pieceRows);
     parts.add(part);

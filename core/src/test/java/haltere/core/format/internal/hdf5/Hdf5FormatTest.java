@@ -154,6 +154,22 @@ class Hdf5FormatTest extends RecordingFormatContract {
 
   @ParameterizedTest
   @CsvSource({
+    "old-deflate-shuffle-fletcher32, deflate",
+    "new-array-lzf, lzf",
+    "blosc-blosclz-bits, blosc (blosclz)",
+    "blosc-zstd, blosc (zstd)",
+    "lz4, lz4",
+    "zstd, zstd",
+    "new-run, none"
+  })
+  void theReaderNamesTheCompression(String name, String method) throws IOException {
+    try (RecordingReader reader = Recordings.open(theirs(name))) {
+      assertEquals(method, reader.compression().orElseThrow());
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({
     "filter-ecf, ECF",
     "filter-unknown, filter 54321",
     "large-chunks, h5repack -l CHUNK=65536",

@@ -169,6 +169,7 @@ class NpzFormatTest extends RecordingFormatContract {
       Files.write(file, zipped(columns(events, seconds)));
       try (RecordingReader reader = Recordings.open(file)) {
         assertEquals(new SensorGeometry(346, 260, Origin.TOP), reader.geometry());
+        assertEquals("deflate", reader.compression().orElseThrow());
         assertEquals(events, read(reader).events());
         assertEquals(List.of(), reader.violations().describe());
         for (int from : new int[] {25_000, 10, 29_999}) {

@@ -2,11 +2,7 @@ package haltere.filters.wing.internal.search;
 
 import haltere.filters.wing.WingSearchSettings;
 
-/**
- * Searches for the fly in the newest events.
- *
- * <p>Thread rule: one thread at a time.
- */
+/** Searches for the fly in the newest events. */
 public interface FlySearch {
   /**
    * Begins with the first event.

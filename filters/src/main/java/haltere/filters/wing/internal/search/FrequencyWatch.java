@@ -8,8 +8,6 @@ import haltere.filters.wing.WingSearchSettings;
  * frequency contradicts the running spectrum of the events' mean position if another one explains
  * more than twice as much of how that swings. Two frequencies within the half-power width of a peak
  * of the spectrum do not contradict each other.
- *
- * <p>Thread rule: one thread at a time.
  */
 public final class FrequencyWatch {
   private static final int WINDOW_US = 30_000;

@@ -5,8 +5,6 @@ import haltere.core.event.EventAddress;
 /**
  * The events of the last few beats, thinned evenly where they come faster than one in {@link
  * #MIN_GAP_US}, so that a fixed store always reaches back far enough.
- *
- * <p>Thread rule: one thread at a time.
  */
 public final class RecentEvents {
   /** Events that follow another one sooner are not kept. */

@@ -8,8 +8,6 @@ import java.util.function.Consumer;
 /**
  * Searches for the fly by its strokes ({@link FlyFinder}), at growing intervals while there is
  * none. The first search waits for a whole window of events.
- *
- * <p>Thread rule: one thread at a time.
  */
 public final class StrokeSearch implements FlySearch {
   private static final int FIRST_WAIT_US = 10_000;

@@ -4,8 +4,6 @@ package haltere.filters.wing.internal.search;
  * Divides points into two classes, each nearest to the mean of its own (Lloyd 1982), from several
  * starts. The division with the least scatter is kept. A class never ends empty: it gets the point
  * that is furthest from the other's mean.
- *
- * <p>Thread rule: one thread at a time.
  */
 public final class TwoMeans {
   private static final int MAX_ROUNDS = 20;

@@ -112,10 +112,11 @@ final class CameraLatency {
   }
 
   /**
-   * Standard deviation of {@link #seconds}, where the constant delay is known or does not matter.
-   * The held lag is one that is not told by events of both edges, else 0.
+   * Variance of {@link #seconds}, seconds squared, where the constant delay is known or does not
+   * matter. The held lag is one that is not told by events of both edges, else 0.
    */
-  static double sdSeconds(double heldLagS) {
-    return Math.hypot(LEFT_S, HELD_SHARE * heldLagS);
+  static double variance(double heldLagS) {
+    double held = HELD_SHARE * heldLagS;
+    return LEFT_S * LEFT_S + held * held;
   }
 }

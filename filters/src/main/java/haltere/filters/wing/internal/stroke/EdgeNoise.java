@@ -7,8 +7,6 @@ import haltere.filters.wing.WingNoiseSettings;
  * How unsure the filter of an edge is at its launch and how its process noise gathers: as a density
  * per second, unless an implementation says otherwise. Entries of the state: centre, amplitude,
  * phase, angular frequency.
- *
- * <p>Thread rule: one thread at a time.
  */
 public interface EdgeNoise {
   /** Process noise as a density. */

@@ -14,8 +14,6 @@ import java.util.stream.Stream;
 /**
  * An estimator for each edge of a wing. The wing is the mean of the edges that have events: one
  * that is switched off, or has been silent for long, does not count.
- *
- * <p>Thread rule: one thread at a time.
  */
 public final class EdgesEstimator implements SideEstimator {
   private static final double US = 1e-6;

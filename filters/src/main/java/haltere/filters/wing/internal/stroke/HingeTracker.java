@@ -11,8 +11,6 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
  * normal equations of the shift beside the filter's own centre, amplitude and phase, which are
  * eliminated (Schur complement); the shift is a random walk that is estimated every few
  * milliseconds.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class HingeTracker {
   /** Number of the first entry of the shift, after centre, amplitude and phase. */

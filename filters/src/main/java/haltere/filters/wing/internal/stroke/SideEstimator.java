@@ -9,8 +9,6 @@ import java.util.List;
 /**
  * Estimates the stroke of one wing from its events. Times never go back. Angles in radians: stroke
  * angles are measured in the wing's {@link StrokeFrame}.
- *
- * <p>Thread rule: one thread at a time.
  */
 public interface SideEstimator {
   /** Number of the leading edge (OFF events). */

@@ -1,6 +1,7 @@
 package haltere.filters.wing.internal.stroke;
 
 import haltere.filters.estimation.GaussianState;
+import java.util.Arrays;
 
 /**
  * The extended Kalman filter of a wing's stroke. Its state is the centre a, the amplitude M, the
@@ -100,6 +101,14 @@ final class StrokeEkf {
     sin = nextSin * off;
     double phase = x[PHASE] + angle;
     x[PHASE] = phase >= 2 * Math.PI ? phase - 2 * Math.PI : phase < 0 ? phase + 2 * Math.PI : phase;
+  }
+
+  /** Whether another state of as many numbers has the same stroke at each phase. */
+  boolean hasSeries(double[] other) {
+    return other.length == size
+        && other[CENTRE] == x[CENTRE]
+        && other[AMPLITUDE] == x[AMPLITUDE]
+        && Arrays.equals(x, SERIES, size, other, SERIES, size);
   }
 
   /** Derivative of the stroke angle with respect to the phase. */

@@ -2,11 +2,7 @@ package haltere.filters.wing.internal.stroke;
 
 import haltere.filters.wing.WingPart;
 
-/**
- * Where a wing is hinged and from where its stroke angle is measured; turns pixels into angles.
- *
- * <p>Thread rule: one thread at a time.
- */
+/** Where a wing is hinged and from where its stroke angle is measured; turns pixels into angles. */
 public final class StrokeFrame {
   private static final double MIN_RADIUS_PX = 1;
 

@@ -1,10 +1,6 @@
 package haltere.filters.wing.internal.stroke;
 
-/**
- * The extremes of a stroke and the phase at which it passes its centre towards the tail.
- *
- * <p>Thread rule: one thread at a time.
- */
+/** The extremes of a stroke and the phase at which it passes its centre towards the tail. */
 final class StrokeShape {
   private static final int STEPS = 32;
   private static final double[] COS = new double[STEPS];
@@ -19,6 +15,9 @@ final class StrokeShape {
 
   private final double[] value = new double[STEPS];
 
+  /** State of the filter that was looked at last. */
+  private double[] seen = new double[0];
+
   /** Least and largest stroke angle. */
   double least;
 
@@ -32,8 +31,12 @@ final class StrokeShape {
     return (most - least) / 2;
   }
 
-  /** Looks at the stroke of a filter. */
+  /** Looks at the stroke of a filter, unless it has the same centre, amplitude and harmonics. */
   void of(StrokeEkf filter) {
+    if (filter.hasSeries(seen)) {
+      return;
+    }
+    seen = filter.x.clone();
     int low = 0;
     int high = 0;
     for (int i = 0; i < STEPS; i++) {

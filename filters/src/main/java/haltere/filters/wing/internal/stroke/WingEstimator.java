@@ -18,8 +18,6 @@ import java.util.List;
  * a few tens of microseconds into one update for each edge, learns what events are worth ({@link
  * WingEventNoise}), follows the hinge ({@link HingeTracker}), lets the frequency run in manoeuvres,
  * and takes the latency out of what it says.
- *
- * <p>Thread rule: one thread at a time.
  */
 public final class WingEstimator implements SideEstimator {
   private static final int SLOW_US = 1000;
@@ -478,12 +476,9 @@ public final class WingEstimator implements SideEstimator {
     double variance = filter.angleVariance(at);
     double speed = filter.slope(filter.cos, filter.sin) * filter.x[StrokeEkf.OMEGA];
     double lagS = lagS();
-    double late =
-        Math.hypot(
-                CameraLatency.sdSeconds(hasBothEdges() ? 0 : lagS),
-                Math.sqrt(passageVariance(lagS)))
-            * speed;
-    return Math.sqrt(Math.max(0, variance) + SYSTEMATIC_RAD * SYSTEMATIC_RAD + late * late);
+    double late = CameraLatency.variance(hasBothEdges() ? 0 : lagS) + passageVariance(lagS);
+    return Math.sqrt(
+        Math.max(0, variance) + SYSTEMATIC_RAD * SYSTEMATIC_RAD + late * speed * speed);
   }
 
   private double sdFrequencyHz() {

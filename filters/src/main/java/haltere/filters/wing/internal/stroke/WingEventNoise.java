@@ -7,8 +7,6 @@ package haltere.filters.wing.internal.stroke;
  *
  * <p>Tells as well when a filter no longer is where its wing is: more events near the wing are
  * refused than outliers explain. Those that are taken in then say that all is well.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class WingEventNoise {
   /** Residuals below this, radians, lie near the wing. */

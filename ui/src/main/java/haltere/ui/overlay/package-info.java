@@ -1,2 +1,0 @@
-/** Marks drawn with JavaFX. */
-package haltere.ui.overlay;
