@@ -36,6 +36,7 @@ class CommandTablesTest {
     ProcessBuilder builder = new ProcessBuilder(command).redirectError(errors.toFile());
     builder.redirectOutput(ProcessBuilder.Redirect.DISCARD);
     builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
+    builder.environment().put("JAVA_OPTS", "-XX:TieredStopAtLevel=1");
     Process process = builder.start();
     assertTrue(process.waitFor(2, TimeUnit.MINUTES), command::toString);
     String text = Files.readString(errors);
@@ -46,8 +47,8 @@ class CommandTablesTest {
   @BeforeAll
   static void simulate() throws Exception {
     Files.createDirectories(folder.resolve("in"));
-    haltere("simulate", "dots", folder.resolve("in/dots.aedat"), "--duration", "0.4");
-    haltere("simulate", "fly", folder.resolve("in/fly.aedat"), "--duration", "0.4");
+    haltere("simulate", "dots", folder.resolve("in/dots.aedat"), "--duration", "0.25");
+    haltere("simulate", "fly", folder.resolve("in/fly.aedat"), "--duration", "0.25");
   }
 
   /** The same rows: numbers within the digits of the text, texts the same. */
@@ -151,7 +152,7 @@ class CommandTablesTest {
           "flight",
           folder.resolve("flight" + ending.replace('.', '-') + ".aedat"),
           "--duration",
-          "1",
+          "0.3",
           "--truth",
           folder.resolve("truth" + ending),
           "--observations",

@@ -226,14 +226,14 @@ final class PartsReader implements RecordingReader {
   @Override
   public void seek(int segment, long timeUs) throws IOException {
     List<List<Piece>> all = pieces();
-    Piece place = START;
+    Piece position = START;
     long fromUs = timeUs;
     if (!all.isEmpty()) {
       boolean behind = span(all.get(segment)).lastUs() < timeUs && segment < all.size() - 1;
-      place = behind ? all.get(segment + 1).get(0) : place(all.get(segment), timeUs);
+      position = behind ? all.get(segment + 1).get(0) : position(all.get(segment), timeUs);
       fromUs = behind ? Long.MIN_VALUE : timeUs;
     }
-    current = place.part;
+    current = position.part;
     entering = false;
     heldPacket = null;
     heldSample = null;
@@ -242,16 +242,16 @@ final class PartsReader implements RecordingReader {
       started = false;
       lastUs = StreamNotification.NO_TIME_US;
     }
-    parts.get(current).seek(place.segment, fromUs);
+    parts.get(current).seek(position.segment, fromUs);
     if (started && states[current] != State.RUNNING) {
       parts.get(current).next(PASSED_OVER);
-      parts.get(current).seek(place.segment, fromUs);
+      parts.get(current).seek(position.segment, fromUs);
       states[current] = State.RUNNING;
     }
   }
 
   /** The piece that reaches a time, or the last one. */
-  private static Piece place(List<Piece> pieces, long timeUs) {
+  private static Piece position(List<Piece> pieces, long timeUs) {
     for (Piece piece : pieces) {
       if (piece.times.lastUs() >= timeUs) {
         return piece;

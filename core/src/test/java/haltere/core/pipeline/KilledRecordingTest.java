@@ -32,7 +32,7 @@ import org.junit.jupiter.api.io.TempDir;
  */
 @Timeout(120)
 class KilledRecordingTest {
-  private static final int KILLS = 50;
+  private static final int KILLS = Integer.getInteger("haltere.kills", 12);
   private static final int MAX_REPORTS = 150;
 
   /** Packets in the queue, the one that is not full, and the one that is being written. */

@@ -13,8 +13,8 @@ import haltere.device.usb.UsbTransport;
  * <p>Thread rule: one thread at a time; {@link #buffers} may be asked by any.
  */
 final class CameraLink {
-  private static final long USUAL_WAITING_BYTES = 8 << 20;
-  private static final int USUAL_WAITING_MOST = 2048;
+  private static final long USUAL_MAX_WAITING_BYTES = 8 << 20;
+  private static final int USUAL_MAX_WAITING_BUFFERS = 2048;
 
   private final CameraDriver driver;
   private final UsbTransport transport;
@@ -40,7 +40,8 @@ final class CameraLink {
     int bytes = options.bufferBytes() == 0 ? from.usualBufferBytes() : options.bufferBytes();
     int waiting =
         options.waitingBuffers() == 0
-            ? (int) Math.min(USUAL_WAITING_MOST, Math.max(8, USUAL_WAITING_BYTES / bytes))
+            ? (int)
+                Math.min(USUAL_MAX_WAITING_BUFFERS, Math.max(8, USUAL_MAX_WAITING_BYTES / bytes))
             : options.waitingBuffers();
     try {
       driver.connect(transport);

@@ -18,7 +18,7 @@ final class TreuzellLine {
   private static final int COMMANDS = 0x02;
   private static final int ANSWERS = 0x82;
   private static final int HEAD_BYTES = 8;
-  private static final int MOST = 1024;
+  private static final int MAX_ANSWER_BYTES = 1024;
   private static final int WRITE = 1 << 30;
   private static final int FAILED = 1 << 31;
   private static final int SERIAL = 0x72;
@@ -62,7 +62,7 @@ final class TreuzellLine {
     }
     transport.write(COMMANDS, command.array());
     ByteBuffer answer =
-        ByteBuffer.wrap(transport.read(ANSWERS, MOST)).order(ByteOrder.LITTLE_ENDIAN);
+        ByteBuffer.wrap(transport.read(ANSWERS, MAX_ANSWER_BYTES)).order(ByteOrder.LITTLE_ENDIAN);
     if (answer.remaining() < HEAD_BYTES) {
       throw new CameraProblem(
           Kind.BROKEN, String.format("no whole answer to command 0x%x", property));

@@ -22,11 +22,11 @@ public record DavisLayout(
     int inertialFlips,
     boolean doubleSamples,
     boolean wideThermometer) {
-  private static final int MOST = 2048;
+  private static final int MAX_SIDE_PX = 2048;
 
   /** Checks the sizes. */
   public DavisLayout {
-    if (columns < 1 || rows < 1 || columns > MOST || rows > MOST) {
+    if (columns < 1 || rows < 1 || columns > MAX_SIDE_PX || rows > MAX_SIDE_PX) {
       throw new IllegalArgumentException("no sensor has " + columns + "x" + rows + " pixels");
     }
   }

@@ -30,8 +30,8 @@ final class SeenObjects {
   }
 
   private static int around(double fromCentre, Random random) {
-    double place = SIZE / 2.0 + fromCentre + SPREAD_PX * random.nextGaussian();
-    return (int) Math.max(0, Math.min(SIZE - 1, Math.round(place)));
+    double position = SIZE / 2.0 + fromCentre + SPREAD_PX * random.nextGaussian();
+    return (int) Math.max(0, Math.min(SIZE - 1, Math.round(position)));
   }
 
   int x(long timeUs) {

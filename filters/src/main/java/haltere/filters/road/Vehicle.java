@@ -163,14 +163,14 @@ final class Vehicle {
    */
   private double correct(int at, int behind, int height, double seen, double variance) {
     double s = scale(height);
-    double place = state.mean(at) + (behind == NONE ? 0 : state.mean(behind));
+    double position = state.mean(at) + (behind == NONE ? 0 : state.mean(behind));
     Arrays.fill(row, 0);
     row[at] = s;
     if (behind != NONE) {
       row[behind] = s;
     }
-    row[height] = place * s * s / mapping.heightM();
-    double innovation = seen - s * place;
+    row[height] = position * s * s / mapping.heightM();
+    double innovation = seen - s * position;
     double expected = state.project(row) + variance;
     state.correct(innovation, variance);
     return innovation * innovation / expected;

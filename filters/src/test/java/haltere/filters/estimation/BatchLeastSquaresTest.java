@@ -33,15 +33,15 @@ class BatchLeastSquaresTest {
     DMatrixRMaj x = Matrices.column(1, 2, 3);
     DMatrixRMaj p = Matrices.diagonal(4, 25, 100);
     AxisMotion motion = AxisMotion.constantAcceleration(1, 0);
-    LinearMeasurement place = LinearMeasurement.ofEntries(3, 0.5, 0);
+    LinearMeasurement position = LinearMeasurement.ofEntries(3, 0.5, 0);
     KalmanFilter filter = new KalmanFilter(motion, x, p);
-    BatchLeastSquares batch = new BatchLeastSquares(motion, place, x, p);
+    BatchLeastSquares batch = new BatchLeastSquares(motion, position, x, p);
     Draws draws = new Draws(3);
     for (int k = 0; k < 50; k++) {
       double dtS = draws.uniform(0, 0.2);
       double z = draws.normal(3);
       filter.predict(dtS);
-      filter.update(place, z);
+      filter.update(position, z);
       batch.add(dtS, z);
     }
     Estimate last = batch.fit(Matrices.column(-50, 0, 7)).orElseThrow().last();

@@ -16,7 +16,7 @@ class EstimationAllocationTest {
   @Test
   void aFilterThatNobodyObservesAllocatesNothing() {
     AxisMotion plane = AxisMotion.constantVelocity(2, 10);
-    LinearMeasurement place = LinearMeasurement.ofEntries(4, 1, 0, 2);
+    LinearMeasurement position = LinearMeasurement.ofEntries(4, 1, 0, 2);
     DMatrixRMaj x = column(0, 0, 0, 0);
     DMatrixRMaj p = diagonal(1, 1, 1, 1);
     KalmanFilter filter = new KalmanFilter(plane, x, p);
@@ -27,7 +27,7 @@ class EstimationAllocationTest {
             () -> {
               for (int k = 0; k < STEPS; k++) {
                 filter.predict(0.01);
-                filter.update(place, z);
+                filter.update(position, z);
               }
             }));
   }

@@ -66,7 +66,7 @@ class EstimatorConsistencyTest {
     DMatrixRMaj p4 = Matrices.diagonal(2, 1e4, 2, 1e4);
     LinearMeasurement position2 = LinearMeasurement.ofEntries(2, 0.3, 0);
     LinearMeasurement position3 = LinearMeasurement.ofEntries(3, 0.3, 0);
-    LinearMeasurement place = LinearMeasurement.ofEntries(4, 2, 0, 2);
+    LinearMeasurement position = LinearMeasurement.ofEntries(4, 2, 0, 2);
     AxisMotion line = AxisMotion.constantVelocity(1, 2);
     AxisMotion plane = AxisMotion.constantVelocity(2, 5e3);
     AxisMotion jerk = AxisMotion.whiteJerk(1, 40);
@@ -90,9 +90,9 @@ class EstimatorConsistencyTest {
             0.1),
         new World(
             "constant velocity in a plane",
-            Subject.of(new KalmanFilter(plane, x4, p4), place),
+            Subject.of(new KalmanFilter(plane, x4, p4), position),
             plane,
-            place,
+            position,
             x4,
             p4,
             0.01),

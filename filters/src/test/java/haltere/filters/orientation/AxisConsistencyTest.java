@@ -130,7 +130,7 @@ class AxisConsistencyTest {
   private static double[] noise(SplittableRandom random, double size, double dtS) {
     int pieces = 200;
     double[] sum = new double[4];
-    double place = 0;
+    double position = 0;
     double both = 0;
     double rate = 0;
     for (int i = 0; i < pieces; i++) {
@@ -138,11 +138,11 @@ class AxisConsistencyTest {
       double left = Math.exp(-ago / TAU_S);
       double way = TAU_S * (1 - left);
       double density = 2 * size * size / TAU_S * dtS / pieces;
-      place += density * way * way;
+      position += density * way * way;
       both += density * way * left;
       rate += density * left * left;
     }
-    double l00 = Math.sqrt(place);
+    double l00 = Math.sqrt(position);
     double l10 = both / l00;
     double l11 = Math.sqrt(rate - l10 * l10);
     for (int k = 0; k < 4; k += 2) {

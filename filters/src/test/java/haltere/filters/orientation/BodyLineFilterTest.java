@@ -41,7 +41,7 @@ class BodyLineFilterTest extends EventFilterContract {
   @Test
   void theLineOfABodyIsFoundInItsEvents() {
     List<Double> angles = new ArrayList<>();
-    List<Double> places = new ArrayList<>();
+    List<Double> positions = new ArrayList<>();
     List<Double> ratios = new ArrayList<>();
     for (long seed = 1; seed <= 3; seed++) {
       FlightScene scene = Flights.scene(2, seed, "run.durationS=2", "body.saccadesPerS=0.5");
@@ -60,14 +60,15 @@ class BodyLineFilterTest extends EventFilterContract {
                 if (line.eccentricity() > 1.5) {
                   angles.add(Math.toDegrees(Math.abs(Angles.wrapHalfPi(line.angleRad() - angle))));
                 }
-                places.add(Math.hypot(line.xPx() - pixel[0], line.yPx() - pixel[1]));
+                positions.add(Math.hypot(line.xPx() - pixel[0], line.yPx() - pixel[1]));
                 ratios.add(line.eccentricity());
               });
       filter.process(SceneEvents.of(scene));
     }
-    assertTrue(places.size() > 600, places.size() + " lines");
+    assertTrue(positions.size() > 600, positions.size() + " lines");
     assertTrue(
-        FlightScores.quantile(places, 0.5) < 1, "place " + FlightScores.quantile(places, 0.5));
+        FlightScores.quantile(positions, 0.5) < 1,
+        "place " + FlightScores.quantile(positions, 0.5));
     assertTrue(
         FlightScores.quantile(angles, 0.5) < 4, "angle " + FlightScores.quantile(angles, 0.5));
     assertTrue(FlightScores.quantile(ratios, 0.9) > 1.8);

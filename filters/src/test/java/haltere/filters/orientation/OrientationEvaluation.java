@@ -82,7 +82,7 @@ public final class OrientationEvaluation {
   private static void print(int cameras, List<FlightScores> all) {
     List<Double> line = new ArrayList<>();
     List<Double> axis = new ArrayList<>();
-    List<Double> place = new ArrayList<>();
+    List<Double> position = new ArrayList<>();
     List<Double> nees = new ArrayList<>();
     List<Double> once = new ArrayList<>();
     List<Double> nis = new ArrayList<>();
@@ -90,7 +90,7 @@ public final class OrientationEvaluation {
     for (FlightScores each : all) {
       line.addAll(each.lineDeg);
       axis.addAll(each.axisDeg);
-      place.addAll(each.placeMm);
+      position.addAll(each.placeMm);
       nees.addAll(each.nees);
       once.add(each.neesAtOneTime);
       nis.add(each.meanNis);
@@ -114,7 +114,7 @@ public final class OrientationEvaluation {
         FlightScores.quantile(axis, 0.9),
         FlightScores.quantile(axis, 0.99),
         FlightScores.quantile(line, 0.5),
-        FlightScores.quantile(place, 0.5),
+        FlightScores.quantile(position, 0.5),
         (double) sums[1] / sums[0],
         sums[3],
         sums[2],

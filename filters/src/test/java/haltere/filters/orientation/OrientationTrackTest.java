@@ -33,7 +33,7 @@ class OrientationTrackTest {
   void lookingBackMakesAxesAndPlacesBetterAndChoosesEverySignRight() {
     List<Double> online = new ArrayList<>();
     List<Double> smoothed = new ArrayList<>();
-    List<Double> places = new ArrayList<>();
+    List<Double> positions = new ArrayList<>();
     List<Double> placesSmoothed = new ArrayList<>();
     for (long seed = 1; seed <= 5; seed++) {
       FlightScores[] both = scores(Flights.scene(3, seed), OrientationSettings.defaults());
@@ -42,14 +42,14 @@ class OrientationTrackTest {
       assertTrue(both[1].worstLength < 1e-12);
       online.addAll(both[0].lineDeg);
       smoothed.addAll(both[1].lineDeg);
-      places.addAll(both[0].placeMm);
+      positions.addAll(both[0].placeMm);
       placesSmoothed.addAll(both[1].placeMm);
     }
     double before = FlightScores.quantile(online, 0.5);
     double after = FlightScores.quantile(smoothed, 0.5);
     assertTrue(after < 0.85 * before, before + " to " + after + " deg");
     assertTrue(
-        FlightScores.quantile(placesSmoothed, 0.5) < 0.8 * FlightScores.quantile(places, 0.5));
+        FlightScores.quantile(placesSmoothed, 0.5) < 0.8 * FlightScores.quantile(positions, 0.5));
   }
 
   @Test

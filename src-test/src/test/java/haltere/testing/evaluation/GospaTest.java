@@ -17,10 +17,10 @@ class GospaTest {
     assertEquals(gospa.mean(), gospa.rms(), 1e-12);
   }
 
-  private static Rows at(double... places) {
+  private static Rows at(double... positions) {
     Rows rows = new Rows();
-    for (int i = 0; i < places.length; i++) {
-      rows.add(i, 0, 0, places[i]);
+    for (int i = 0; i < positions.length; i++) {
+      rows.add(i, 0, 0, positions[i]);
     }
     return rows;
   }

@@ -56,10 +56,10 @@ public final class TimeWindow {
    * Shows more or less (factor below 1) around a place, 0 at the start of the window to 1 at its
    * end, within the limits. While following, the end stays.
    */
-  public void zoom(double factor, double place) {
+  public void zoom(double factor, double position) {
     long wanted = Math.max(MIN_SPAN_US, Math.min(MAX_SPAN_US, Math.round(spanUs * factor)));
     if (!following) {
-      endUs += Math.round((wanted - spanUs) * (1 - place));
+      endUs += Math.round((wanted - spanUs) * (1 - position));
     }
     spanUs = wanted;
   }
@@ -71,8 +71,8 @@ public final class TimeWindow {
   }
 
   /** The time at a place, 0 at the start of the window to 1 at its end. */
-  public long timeAt(double place) {
-    return fromUs() + Math.round(place * spanUs);
+  public long timeAt(double position) {
+    return fromUs() + Math.round(position * spanUs);
   }
 
   /** The place of a time, 0 at the start of the window to 1 at its end, beyond outside of it. */

@@ -199,8 +199,8 @@ final class EventSums implements Gathered {
   private static void indices(
       float[] sums, int from, int width, float gain, float middle, int[] indices) {
     for (int x = 0; x < width; x++) {
-      float place = sums[from + x] * gain + middle;
-      indices[x] = (int) Math.max(0, Math.min(ENTRIES - 1, place));
+      float position = sums[from + x] * gain + middle;
+      indices[x] = (int) Math.max(0, Math.min(ENTRIES - 1, position));
     }
   }
 
@@ -214,9 +214,9 @@ final class EventSums implements Gathered {
     }
     double now = 1;
     if (found > 0) {
-      int place = Math.min(found - 1, (int) (SHARE_BELOW_FULL * found));
+      int position = Math.min(found - 1, (int) (SHARE_BELOW_FULL * found));
       Arrays.sort(samples, 0, found);
-      now = Math.max(1, samples[place] * present);
+      now = Math.max(1, samples[position] * present);
     }
     fullCount = fullCount == 0 || style.sharp() ? now : fullCount + SMOOTHING * (now - fullCount);
   }

@@ -49,8 +49,8 @@ public record Gradient(String name, List<Integer> anchors) {
 
   /** The opaque ARGB of a share of 0 to 1; beyond that of the ends. */
   public int colour(double share) {
-    double place = Math.max(0, Math.min(1, share)) * (anchors.size() - 1);
-    int below = Math.min(anchors.size() - 2, (int) place);
-    return ColourMap.mix(anchors.get(below), anchors.get(below + 1), place - below);
+    double position = Math.max(0, Math.min(1, share)) * (anchors.size() - 1);
+    int below = Math.min(anchors.size() - 2, (int) position);
+    return ColourMap.mix(anchors.get(below), anchors.get(below + 1), position - below);
   }
 }

@@ -32,7 +32,7 @@ public final class PictureScaler {
   private int[] combined = new int[0];
 
   /** Where in {@link #combined} each column of the target is found, if none takes more than two. */
-  private int[] places = {};
+  private int[] positions = {};
 
   /**
    * Says which part is shown, by its left and top edges in pixels of the source, and how large:
@@ -50,11 +50,11 @@ public final class PictureScaler {
     columns = edges(fromX, scale, width, newSourceWidth);
     rows = edges(fromY, scale, height, sourceHeight);
     lastColumns = new int[width];
-    places = new int[width];
+    positions = new int[width];
     widest = 0;
     for (int x = 0; x < width; x++) {
       lastColumns[x] = Math.max(columns[x], columns[x + 1] - 1);
-      places[x] = columns[x] + (lastColumns[x] > columns[x] ? newSourceWidth : 0);
+      positions[x] = columns[x] + (lastColumns[x] > columns[x] ? newSourceWidth : 0);
       widest = Math.max(widest, columns[x + 1] - columns[x]);
     }
     combined = new int[2 * newSourceWidth];
@@ -64,8 +64,8 @@ public final class PictureScaler {
     int[] edges = new int[count + 1];
     for (int i = 0; i <= count; i++) {
       // the middle of a target's pixel decides when enlarging, its edge when reducing
-      double place = from + (scale >= 1 ? i + 0.5 : i) / scale;
-      edges[i] = (int) Math.max(0, Math.min(limit - (i < count ? 1 : 0), Math.floor(place)));
+      double position = from + (scale >= 1 ? i + 0.5 : i) / scale;
+      edges[i] = (int) Math.max(0, Math.min(limit - (i < count ? 1 : 0), Math.floor(position)));
     }
     return edges;
   }
@@ -107,7 +107,7 @@ public final class PictureScaler {
     if (widest <= 2) {
       combineColumns();
       for (int x = 0; x < width; x++) {
-        target[to + x] = combined[places[x]] | OPAQUE;
+        target[to + x] = combined[positions[x]] | OPAQUE;
       }
       return;
     }

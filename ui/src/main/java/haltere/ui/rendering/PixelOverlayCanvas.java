@@ -22,7 +22,7 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
   private static final double MARGIN = 3;
 
   private final LinePainter painter = new LinePainter();
-  private final TextPlaces places = new TextPlaces();
+  private final TextPlaces positions = new TextPlaces();
   private final Letters letters;
   private double density = 1;
   private double scale = 1;
@@ -38,7 +38,7 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
   /** Says where to draw, opaque pixels row by row from the top; words may go anywhere again. */
   public void setTarget(int[] pixels, int newWidth, int newHeight) {
     painter.setTarget(pixels, newWidth, newHeight);
-    places.begin(newWidth, newHeight);
+    positions.begin(newWidth, newHeight);
   }
 
   /**
@@ -127,11 +127,11 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
     double textWidth = letters.width(text);
     double ascent = letters.ascent();
     double descent = letters.descent();
-    if (!places.find(pixelX(x), pixelY(y), textWidth, ascent, descent, margin, style)) {
+    if (!positions.find(pixelX(x), pixelY(y), textWidth, ascent, descent, margin, style)) {
       return;
     }
-    int from = (int) Math.rint(places.left());
-    int base = (int) Math.rint(places.base());
+    int from = (int) Math.rint(positions.left());
+    int base = (int) Math.rint(positions.base());
     painter.fill(
         (int) Math.rint(from - margin),
         (int) Math.rint(base - ascent),

@@ -7,7 +7,7 @@ import java.util.Arrays;
  * differ from it, at most 127. Of two of them the greater number is the one that matters more.
  */
 final class Ranks {
-  private static final int MOST = 127;
+  private static final int MAX_RANK = 127;
   private static final int FARTHEST = 3 * 255;
 
   private Ranks() {}
@@ -18,7 +18,7 @@ final class Ranks {
         Math.abs((rgb >> 16 & 0xFF) - (background >> 16 & 0xFF))
             + Math.abs((rgb >> 8 & 0xFF) - (background >> 8 & 0xFF))
             + Math.abs((rgb & 0xFF) - (background & 0xFF));
-    return difference * MOST / FARTHEST << 24 | rgb & 0xFFFFFF;
+    return difference * MAX_RANK / FARTHEST << 24 | rgb & 0xFFFFFF;
   }
 
   /** Gives each colour of a table its rank. */

@@ -46,9 +46,9 @@ public final class SpaceTimeCloud implements StreamHandler {
     long[] newTimes = packet.timesUs();
     int[] newAddresses = packet.addresses();
     for (int i = Math.max(0, size - times.length); i < size; i++) {
-      int place = (int) (taken++ % times.length);
-      times[place] = newTimes[i];
-      addresses[place] = newAddresses[i];
+      int position = (int) (taken++ % times.length);
+      times[position] = newTimes[i];
+      addresses[position] = newAddresses[i];
     }
     if (size > 0) {
       nowUs = newTimes[size - 1];
@@ -76,10 +76,10 @@ public final class SpaceTimeCloud implements StreamHandler {
     int first = Math.max(0, kept - points.addresses.length);
     int count = 0;
     for (int i = first; i < kept; i++) {
-      int place = (int) ((taken - kept + i) % times.length);
-      long ageUs = nowUs - times[place];
+      int position = (int) ((taken - kept + i) % times.length);
+      long ageUs = nowUs - times[position];
       if (ageUs <= spanUs) {
-        points.addresses[count] = addresses[place];
+        points.addresses[count] = addresses[position];
         points.agesUs[count++] = (int) ageUs;
       }
     }

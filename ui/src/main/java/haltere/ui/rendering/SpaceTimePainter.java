@@ -54,19 +54,19 @@ public final class SpaceTimePainter {
           (EventAddress.isOn(address) ? SHADES : 0)
               + (inside ? 0 : 2 * SHADES)
               + (int) Math.min(SHADES - 1, ageUs * shadePerUs);
-      int place = row * width + column;
+      int position = row * width + column;
       int colour = shades[shade];
-      dot(place, near, colour, argb);
-      dot(place + 1, near, colour, argb);
-      dot(place + width, near, colour, argb);
-      dot(place + width + 1, near, colour, argb);
+      dot(position, near, colour, argb);
+      dot(position + 1, near, colour, argb);
+      dot(position + width, near, colour, argb);
+      dot(position + width + 1, near, colour, argb);
     }
   }
 
-  private void dot(int place, float near, int colour, int[] argb) {
-    if (near >= depths[place]) {
-      depths[place] = near;
-      argb[place] = colour;
+  private void dot(int position, float near, int colour, int[] argb) {
+    if (near >= depths[position]) {
+      depths[position] = near;
+      argb[position] = colour;
     }
   }
 

@@ -11,7 +11,7 @@ import java.util.List;
 final class RecentFilesFeature implements ViewerFeature {
   private static final String NAME = "recentFiles";
   private static final String MENU = "File/Open recent";
-  private static final int MOST = 10;
+  private static final int MAX_FILES = 10;
 
   private final List<Path> files = new ArrayList<>();
   private ViewerContext window;
@@ -47,8 +47,8 @@ final class RecentFilesFeature implements ViewerFeature {
     }
     files.remove(whole);
     files.add(0, whole);
-    if (files.size() > MOST) {
-      files.remove(MOST);
+    if (files.size() > MAX_FILES) {
+      files.remove(MAX_FILES);
     }
     window.settings().put(NAME, files.stream().map(Path::toString).toList());
     offer();

@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 class BatchCommandTest {
-  private static final int KILLS = 50;
+  private static final int KILLS = Integer.getInteger("haltere.kills", 12);
 
   @TempDir Path folder;
 

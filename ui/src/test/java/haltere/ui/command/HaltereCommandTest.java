@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -12,50 +13,51 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class HaltereCommandTest {
+  @TempDir static Path demonstrated;
+  private static CommandRun demonstration;
+
   @TempDir Path folder;
+
+  private final Path table = demonstrated.resolve("build/demo/wings.csv");
+  private final Path picture = demonstrated.resolve("build/demo/fly.png");
+
+  @BeforeAll
+  static void demonstrate() {
+    demonstration = CommandRun.on(CommandRun.Machine.BARE.in(demonstrated));
+  }
 
   @Test
   void withoutADisplayTheDemonstrationLeavesAPictureAndATableAndSaysWhere() throws IOException {
-    CommandRun run = CommandRun.on(CommandRun.Machine.BARE.in(folder));
-    assertEquals(0, run.status(), run.err());
-    assertEquals("", run.err());
-    Path picture = folder.resolve("build/demo/fly.png");
-    Path table = folder.resolve("build/demo/wings.csv");
-    assertTrue(run.out().contains(picture.toString()), run.out());
-    assertTrue(run.out().contains(table.toString()), run.out());
-    assertTrue(run.out().contains("both wings tracked"), run.out());
+    assertEquals(0, demonstration.status(), demonstration.err());
+    assertEquals("", demonstration.err());
+    assertTrue(demonstration.out().contains(picture.toString()), demonstration.out());
+    assertTrue(demonstration.out().contains(table.toString()), demonstration.out());
+    assertTrue(demonstration.out().contains("both wings tracked"), demonstration.out());
     assertTrue(Files.readAllLines(table).size() > 10);
     BufferedImage image = ImageIO.read(picture.toFile());
     assertTrue(colours(image) > 10, "a picture with " + colours(image) + " colours");
   }
 
   @Test
-  void theDemonstrationIsTheSameEveryTimeAndReplacesItsOwnFiles() throws IOException {
-    assertEquals(0, CommandRun.on(CommandRun.Machine.BARE.in(folder)).status());
-    Path table = folder.resolve("build/demo/wings.csv");
-    Path picture = folder.resolve("build/demo/fly.png");
+  void theDemonstrationReplacesItsOwnFilesByTheSameAndShowsABarOnATerminal() throws IOException {
     String rows = Files.readString(table);
     byte[] pixels = Files.readAllBytes(picture);
     Files.writeString(table, "another");
-    CommandRun again = CommandRun.on(CommandRun.Machine.BARE.in(folder), "--headless");
+    CommandRun again =
+        CommandRun.on(CommandRun.Machine.BARE.in(demonstrated).withTerminal(), "--headless");
     assertEquals(0, again.status(), again.err());
     assertEquals(rows, Files.readString(table));
-    org.junit.jupiter.api.Assertions.assertArrayEquals(pixels, Files.readAllBytes(picture));
-    try (Stream<Path> files = Files.list(folder.resolve("build/demo"))) {
+    assertArrayEquals(pixels, Files.readAllBytes(picture));
+    try (Stream<Path> files = Files.list(demonstrated.resolve("build/demo"))) {
       assertEquals(2, files.count());
     }
-  }
-
-  @Test
-  void theDemonstrationShowsABarOnATerminal() {
-    CommandRun run = CommandRun.on(CommandRun.Machine.BARE.in(folder).withTerminal());
-    assertEquals(0, run.status());
-    assertTrue(run.err().contains("fly scene ["), run.err());
-    assertTrue(run.err().contains("Mev/s"), run.err());
+    assertTrue(again.err().contains("fly scene ["), again.err());
+    assertTrue(again.err().contains("Mev/s"), again.err());
   }
 
   @Test

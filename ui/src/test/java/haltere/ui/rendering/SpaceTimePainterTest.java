@@ -52,9 +52,9 @@ class SpaceTimePainterTest {
   void alongTimeThePictureIsTheSensor() {
     event(1000, 75, 75, true);
     paint(view(0, 0, 1));
-    double[] place = middle(ColourMap.DARK.on());
-    assertEquals(SIDE * 0.72, place[0], 2, "right of the middle");
-    assertEquals(SIDE * 0.28, place[1], 2, "above the middle");
+    double[] position = middle(ColourMap.DARK.on());
+    assertEquals(SIDE * 0.72, position[0], 2, "right of the middle");
+    assertEquals(SIDE * 0.28, position[1], 2, "above the middle");
   }
 
   @Test

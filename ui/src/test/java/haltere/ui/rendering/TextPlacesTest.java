@@ -17,27 +17,27 @@ class TextPlacesTest {
   private static final MarkStyle LABEL = MarkStyle.of(Role.LABEL, 7);
   private static final MarkStyle LINE = MarkStyle.of(Role.REGION);
 
-  private final TextPlaces places = new TextPlaces();
+  private final TextPlaces positions = new TextPlaces();
 
   @BeforeEach
   void begin() {
-    places.begin(400, 300);
+    positions.begin(400, 300);
   }
 
   private boolean find(double left, double base, MarkStyle style) {
-    return places.find(left, base, 100, 10, 4, 3, style);
+    return positions.find(left, base, 100, 10, 4, 3, style);
   }
 
   @Test
   void whatComesFirstHasItsPlaceAndWhatComesLaterGoesBesideIt() {
     assertTrue(find(200, 150, LABEL));
-    assertEquals(List.of(200.0, 150.0), List.of(places.left(), places.base()));
+    assertEquals(List.of(200.0, 150.0), List.of(positions.left(), positions.base()));
     assertTrue(find(210, 150, LABEL));
-    assertEquals(List.of(210.0, 136.0), List.of(places.left(), places.base()), "above");
+    assertEquals(List.of(210.0, 136.0), List.of(positions.left(), positions.base()), "above");
     assertTrue(find(205, 150, LABEL));
-    assertEquals(List.of(205.0, 164.0), List.of(places.left(), places.base()), "below");
+    assertEquals(List.of(205.0, 164.0), List.of(positions.left(), positions.base()), "below");
     assertTrue(find(205, 150, LABEL));
-    assertEquals(List.of(93.0, 150.0), List.of(places.left(), places.base()), "to the left");
+    assertEquals(List.of(93.0, 150.0), List.of(positions.left(), positions.base()), "to the left");
   }
 
   @Test
@@ -48,9 +48,9 @@ class TextPlacesTest {
     }
     assertTrue(found >= 6 && found <= 10, found + " labels");
     assertTrue(find(200, 150, LINE));
-    assertEquals(List.of(200.0, 150.0), List.of(places.left(), places.base()));
+    assertEquals(List.of(200.0, 150.0), List.of(positions.left(), positions.base()));
     assertTrue(find(200, 150, MarkStyle.of(Role.LABEL)), "of nothing that has an identity");
-    places.begin(400, 300);
+    positions.begin(400, 300);
     assertTrue(find(200, 150, LABEL), "in the next picture there is room again");
   }
 
@@ -61,7 +61,8 @@ class TextPlacesTest {
     Rectangle2D picture = new Rectangle2D.Double(0, 0, 400, 300);
     for (int i = 0; i < 300; i++) {
       if (find(random.nextDouble(-50, 450), random.nextDouble(-50, 350), LABEL)) {
-        Rectangle2D plate = new Rectangle2D.Double(places.left() - 3, places.base() - 10, 106, 14);
+        Rectangle2D plate =
+            new Rectangle2D.Double(positions.left() - 3, positions.base() - 10, 106, 14);
         assertTrue(picture.contains(plate), plate.toString());
         assertFalse(drawn.stream().anyMatch(other -> other.intersects(plate)), plate.toString());
         drawn.add(plate);

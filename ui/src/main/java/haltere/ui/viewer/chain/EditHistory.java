@@ -15,7 +15,7 @@ public final class EditHistory {
   private record Step(String words, Object subject, Runnable undo, Runnable redo, long nanos) {}
 
   private static final long TOGETHER_NANOS = 1_000_000_000;
-  private static final int MOST = 200;
+  private static final int MAX_CHANGES = 200;
 
   private final Deque<Step> done = new ArrayDeque<>();
   private final Deque<Step> undone = new ArrayDeque<>();
@@ -39,7 +39,7 @@ public final class EditHistory {
       done.pop();
     }
     done.push(new Step(words, subject, together ? last.undo() : undo, redo, nanos));
-    if (done.size() > MOST) {
+    if (done.size() > MAX_CHANGES) {
       done.removeLast();
     }
     listener.run();

@@ -38,15 +38,15 @@ final class SpaceTimeSink implements SliceSink {
   }
 
   /** Events that are shown at most. */
-  static final int MOST = 150_000;
+  static final int MAX_EVENTS = 150_000;
 
   /** Moments of traces in the time that is shown: ten for each of 40 wing beats. */
   private static final int MOMENTS = 400;
 
-  private final SpaceTimeCloud cloud = new SpaceTimeCloud(MOST);
+  private final SpaceTimeCloud cloud = new SpaceTimeCloud(MAX_EVENTS);
   private final LayerTaps taps;
   private final MarkTraces traces = new MarkTraces();
-  private final FrameExchange<Frame> exchange = new FrameExchange<>(() -> new Frame(MOST));
+  private final FrameExchange<Frame> exchange = new FrameExchange<>(() -> new Frame(MAX_EVENTS));
   private volatile long spanUs = SpaceTimeView.DEFAULT.spanUs();
   private List<DisplayFrame.Marks<?>> marks = List.of();
   private long nowUs;

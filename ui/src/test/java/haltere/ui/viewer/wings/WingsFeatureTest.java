@@ -237,6 +237,7 @@ class WingsFeatureTest {
   @Test
   void aLogIsWrittenUntilItIsStopped() throws IOException {
     Path file = folder.resolve("wings.txt");
+    viewer.run(() -> viewer.window.context().playback().setSpeed(0.2));
     viewer.run(() -> wings.log(file));
     long from = viewer.status().elapsedUs();
     viewer.waitFor("a while", () -> viewer.status().elapsedUs() > from + 200_000);

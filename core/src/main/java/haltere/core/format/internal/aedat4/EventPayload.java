@@ -106,15 +106,15 @@ final class EventPayload {
         putSingly(packet, at, run);
       }
       if (events > before) {
-        lastUs = LittleEndian.getLong(bytes, place(events - 1));
-        firstUs = before == 0 ? LittleEndian.getLong(bytes, place(0)) : firstUs;
+        lastUs = LittleEndian.getLong(bytes, position(events - 1));
+        firstUs = before == 0 ? LittleEndian.getLong(bytes, position(0)) : firstUs;
       }
       at += run;
     }
     return at;
   }
 
-  private int place(int event) {
+  private int position(int event) {
     return HEADER_BYTES + event * Aedat4Cursor.EVENT_BYTES;
   }
 
@@ -142,7 +142,7 @@ final class EventPayload {
     VarHandle longs = LittleEndian.LONG;
     byte[] target = bytes;
     int[] turned = pixels;
-    int at = place(events);
+    int at = position(events);
     for (int i = 0; i < run; i++) {
       longs.set(target, at + i * Aedat4Cursor.EVENT_BYTES, times[from + i]);
       long word = turned[i] | (long) (addresses[from + i] & EventAddress.ON_BIT) << 32;
@@ -160,9 +160,9 @@ final class EventPayload {
         continue;
       }
       long row = geometry.height() - 1L - y;
-      LittleEndian.putLong(bytes, place(events), packet.timeUs(i));
+      LittleEndian.putLong(bytes, position(events), packet.timeUs(i));
       LittleEndian.putLong(
-          bytes, place(events) + 8, (packet.isOn(i) ? 1L << 32 : 0) | row << 16 | x);
+          bytes, position(events) + 8, (packet.isOn(i) ? 1L << 32 : 0) | row << 16 | x);
       events++;
     }
   }

@@ -94,7 +94,7 @@ final class FlatTable {
   }
 
   /** Where a field of a number of bytes lies in the array, or -1 if the table has none. */
-  int place(int index, int length) throws DamagedPacketException {
+  int position(int index, int length) throws DamagedPacketException {
     return field(index, length);
   }
 

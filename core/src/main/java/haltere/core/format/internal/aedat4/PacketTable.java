@@ -107,7 +107,7 @@ final class PacketTable {
   /** Returns where the packet ends that an entry is about. */
   private long read(byte[] bytes, FlatTable entry, long start)
       throws IOException, DamagedPacketException {
-    int packet = entry.place(1, 8);
+    int packet = entry.position(1, 8);
     long size = packet < 0 ? -1 : LittleEndian.getInt(bytes, packet + 4);
     if (size < 0 || entry.getLong(0, -1) != start + PacketWalk.HEADER_BYTES) {
       throw new DamagedPacketException("a table with gaps");

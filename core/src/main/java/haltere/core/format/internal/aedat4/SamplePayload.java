@@ -102,13 +102,13 @@ record SamplePayload(int sensorHeight, boolean rowsFromBottom) {
   }
 
   private static int byteOf(FlatTable table, int index, byte[] data) throws DamagedPacketException {
-    int at = table.place(index, 1);
+    int at = table.position(index, 1);
     return at < 0 ? 0 : data[at];
   }
 
   private static int shortOf(FlatTable table, int index, byte[] data)
       throws DamagedPacketException {
-    int at = table.place(index, 2);
+    int at = table.position(index, 2);
     return at < 0 ? 0 : (short) LittleEndian.getUnsignedShort(data, at);
   }
 

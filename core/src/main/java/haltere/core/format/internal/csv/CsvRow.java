@@ -171,7 +171,7 @@ final class CsvRow {
     int end = piece[at];
     if (scale == 0
         && at > first
-        && at - first <= Digits.MOST
+        && at - first <= Digits.MAX_DIGITS
         && (end == ',' || end <= ' ' || end == ';')) {
       cursor = at;
       return negative ? -value : value;
@@ -190,10 +190,10 @@ final class CsvRow {
     int digits = point - first + fraction;
     int power = scale - fraction;
     if (digits > 0
-        && digits <= Digits.MOST
+        && digits <= Digits.MAX_DIGITS
         && (end == ',' || end <= ' ' || end == ';')
         && power <= 0
-        && power >= -Digits.MOST) {
+        && power >= -Digits.MAX_DIGITS) {
       cursor = at;
       long unit = Digits.power(-power);
       long whole = (value + unit / 2) / unit;
@@ -201,8 +201,8 @@ final class CsvRow {
     }
     if (digits > 0
         && power > 0
-        && power < Digits.MOST
-        && digits + power <= Digits.MOST
+        && power < Digits.MAX_DIGITS
+        && digits + power <= Digits.MAX_DIGITS
         && (end == ',' || end <= ' ' || end == ';')) {
       cursor = at;
       return negative ? -value * Digits.power(power) : value * Digits.power(power);

@@ -15,13 +15,13 @@ final class Digits {
   private static final long ABOVE_NINE = 0x7676767676767676L;
 
   /** Most digits of numbers that are read without help. */
-  static final int MOST = 18;
+  static final int MAX_DIGITS = 18;
 
-  private static final long[] POWERS = new long[MOST + 1];
+  private static final long[] POWERS = new long[MAX_DIGITS + 1];
 
   static {
     POWERS[0] = 1;
-    for (int i = 1; i <= MOST; i++) {
+    for (int i = 1; i <= MAX_DIGITS; i++) {
       POWERS[i] = POWERS[i - 1] * 10;
     }
   }

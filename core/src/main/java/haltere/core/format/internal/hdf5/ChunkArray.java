@@ -20,13 +20,13 @@ final class ChunkArray extends ChunkIndex {
   }
 
   private void open() throws IOException {
-    Metadata head = file.at(dataset.place(), 8 + file.lengthBytes() + file.offsetBytes());
+    Metadata head = file.at(dataset.position(), 8 + file.lengthBytes() + file.offsetBytes());
     head.expect("FAHD");
     head.skip(2);
     elementBytes = head.u1();
     pageBits = head.u1();
     elements = head.length();
-    block = head.place();
+    block = head.position();
     if (elementBytes < file.offsetBytes() || pageBits > 31) {
       throw head.problem("an array of chunks that cannot be");
     }
@@ -35,7 +35,7 @@ final class ChunkArray extends ChunkIndex {
 
   @Override
   boolean find(long chunk) throws IOException {
-    if (dataset.place() == ContainerFile.NOWHERE) {
+    if (dataset.position() == ContainerFile.NOWHERE) {
       return false;
     }
     if (!opened) {

@@ -49,7 +49,7 @@ abstract class ChunkIndex {
 
   /** Takes an element of an array of chunks; false if it says that there is no chunk. */
   boolean element(ContainerFile file, Dataset dataset, Metadata at, int size) throws IOException {
-    long place = at.place();
+    long position = at.position();
     bytes = dataset.chunkBytes();
     skippedFilters = 0;
     int packedSize = size - file.offsetBytes() - 4;
@@ -57,8 +57,8 @@ abstract class ChunkIndex {
       bytes = at.number(Math.min(8, packedSize));
       skippedFilters = at.u4();
     }
-    offset = file.offsetOf(place);
-    return place != ContainerFile.NOWHERE;
+    offset = file.offsetOf(position);
+    return position != ContainerFile.NOWHERE;
   }
 
   /** A single chunk, or chunks that follow each other. */
@@ -74,7 +74,7 @@ abstract class ChunkIndex {
     @Override
     boolean find(long chunk) {
       boolean single = dataset.kind() == Dataset.Kind.SINGLE_CHUNK;
-      if (dataset.place() == ContainerFile.NOWHERE
+      if (dataset.position() == ContainerFile.NOWHERE
           || single && chunk > 0
           || chunk > file.bytes().size() / Math.max(1, dataset.chunkBytes())) {
         return false;
@@ -82,7 +82,7 @@ abstract class ChunkIndex {
       boolean sized = single && dataset.index().size() > 0;
       bytes = sized ? dataset.index().size() : dataset.chunkBytes();
       skippedFilters = dataset.index().skipped();
-      offset = file.offsetOf(dataset.place()) + chunk * dataset.chunkBytes();
+      offset = file.offsetOf(dataset.position()) + chunk * dataset.chunkBytes();
       return true;
     }
   }

@@ -27,10 +27,10 @@ final class ChunkTree extends ChunkIndex {
     if (inLeaf(row)) {
       return true;
     }
-    long place = dataset.place();
+    long position = dataset.position();
     int above = MAX_DEPTH;
-    while (place != ContainerFile.NOWHERE) {
-      Metadata head = file.at(place, 8 + 2L * file.offsetBytes());
+    while (position != ContainerFile.NOWHERE) {
+      Metadata head = file.at(position, 8 + 2L * file.offsetBytes());
       head.expect("TREE");
       int kind = head.u1();
       int level = head.u1();
@@ -42,12 +42,13 @@ final class ChunkTree extends ChunkIndex {
       int keyBytes = 8 + 8 * (otherDimensions + 1);
       Metadata entries =
           file.at(
-              place + 8 + 2L * file.offsetBytes(), (long) used * (keyBytes + file.offsetBytes()));
+              position + 8 + 2L * file.offsetBytes(),
+              (long) used * (keyBytes + file.offsetBytes()));
       if (level == 0) {
         readLeaf(entries, used);
         return inLeaf(row);
       }
-      place = child(entries, used, row);
+      position = child(entries, used, row);
     }
     return false;
   }
@@ -59,11 +60,11 @@ final class ChunkTree extends ChunkIndex {
       entries.skip(8);
       long first = entries.number(8);
       entries.skip(8L * otherDimensions);
-      long place = entries.place();
+      long position = entries.position();
       if (first > row) {
         break;
       }
-      found = place;
+      found = position;
     }
     return found;
   }
@@ -77,7 +78,7 @@ final class ChunkTree extends ChunkIndex {
       long row = entries.number(8);
       entries.skip(8L * otherDimensions);
       leaf[4 * i] = row;
-      leaf[4 * i + 1] = entries.place();
+      leaf[4 * i + 1] = entries.position();
       leaf[4 * i + 2] = size;
       leaf[4 * i + 3] = skipped;
     }

@@ -77,13 +77,13 @@ final class ContainerFile {
     // Places count from the signature, whatever was put before it.
     base = start;
     block.skip(offsetBytes);
-    block.place();
-    end = block.place();
+    block.position();
+    end = block.position();
     if (version < 2) {
-      block.place();
+      block.position();
       block.skip(offsetBytes);
     }
-    root = block.place();
+    root = block.position();
   }
 
   private static int size(Metadata block) throws RecordingProblem {
@@ -117,23 +117,23 @@ final class ContainerFile {
   }
 
   /** Places of which all bits are set are none. */
-  long place(long raw) {
+  long position(long raw) {
     boolean none = offsetBytes == 8 ? raw == -1 : raw == (1L << 8 * offsetBytes) - 1;
     return none || raw < 0 ? NOWHERE : raw;
   }
 
   /** Where in the file a place is. */
-  long offsetOf(long place) {
-    return place > Long.MAX_VALUE - base ? Long.MAX_VALUE : place + base;
+  long offsetOf(long position) {
+    return position > Long.MAX_VALUE - base ? Long.MAX_VALUE : position + base;
   }
 
   /** Metadata of a known size; damage if the file ends before them. */
-  Metadata at(long place, long size) throws IOException {
-    long offset = offsetOf(place);
-    if (place == NOWHERE || size > MAX_PIECE_BYTES || size > bytes.size() - offset) {
+  Metadata at(long position, long size) throws IOException {
+    long offset = offsetOf(position);
+    if (position == NOWHERE || size > MAX_PIECE_BYTES || size > bytes.size() - offset) {
       throw new RecordingProblem(
           bytes.path(),
-          Math.min(bytes.size(), Math.max(0, place == NOWHERE ? 0 : offset)),
+          Math.min(bytes.size(), Math.max(0, position == NOWHERE ? 0 : offset)),
           size > MAX_PIECE_BYTES
               ? "damaged: a piece of the file's structure claims " + size + " bytes"
               : "damaged: the file ends before a piece of its structure; it was cut off, or its"
@@ -144,9 +144,9 @@ final class ContainerFile {
   }
 
   /** As much metadata as there is, up to a size. */
-  Metadata upTo(long place, int size) throws IOException {
-    long there = place == NOWHERE ? 0 : bytes.size() - offsetOf(place);
-    return at(place, Math.max(1, Math.min(size, there)));
+  Metadata upTo(long position, int size) throws IOException {
+    long there = position == NOWHERE ? 0 : bytes.size() - offsetOf(position);
+    return at(position, Math.max(1, Math.min(size, there)));
   }
 
   RecordingProblem unknown(long offset, String what) {

@@ -14,7 +14,7 @@ import java.util.Optional;
  * @param type of an element
  * @param dimensions lengths as claimed; none for a single value
  * @param kind how the bytes lie
- * @param place of the bytes, or of the index of the chunks
+ * @param position of the bytes, or of the index of the chunks
  * @param bytes in one run that were claimed
  * @param inHeader bytes that lie in the header itself
  * @param rowBytes size of a row of a chunk; that of an element, but for tables
@@ -27,7 +27,7 @@ record Dataset(
     ElementType type,
     long[] dimensions,
     Kind kind,
-    long place,
+    long position,
     long bytes,
     byte[] inHeader,
     int rowBytes,
@@ -93,8 +93,8 @@ record Dataset(
     return switch (kind) {
       case 0 -> dataset.inHeader(layout);
       case 1 -> {
-        long place = layout.place();
-        yield dataset.with(Kind.RUN, place, layout.length(), NONE, dataset.elementsBytes(), 0);
+        long position = layout.position();
+        yield dataset.with(Kind.RUN, position, layout.length(), NONE, dataset.elementsBytes(), 0);
       }
       case 2 -> version == 3 ? dataset.tree(layout) : dataset.chunks(layout, file);
       default -> throw layout.unknown("a dataset that is put together from others (" + name + ")");
@@ -142,12 +142,12 @@ record Dataset(
 
   private Dataset tree(Metadata layout) throws IOException {
     int rank = layout.u1();
-    long place = layout.place();
+    long position = layout.position();
     long[] lengths = new long[Math.max(1, rank)];
     for (int i = 0; i < rank; i++) {
       lengths[i] = layout.u4();
     }
-    return chunked(layout, Kind.TREE_OF_CHUNKS, place, lengths, rank);
+    return chunked(layout, Kind.TREE_OF_CHUNKS, position, lengths, rank);
   }
 
   private Dataset chunked(Metadata layout, Kind newKind, long newPlace, long[] lengths, int rank)
@@ -200,13 +200,13 @@ record Dataset(
       }
       default -> throw layout.unknown("a table that can grow both ways (" + name + ")");
     }
-    Dataset found = chunked(layout, newKind, layout.place(), lengths, rank);
+    Dataset found = chunked(layout, newKind, layout.position(), lengths, rank);
     return new Dataset(
         name,
         type,
         dimensions,
         newKind,
-        found.place,
+        found.position,
         0,
         NONE,
         found.rowBytes,

@@ -63,8 +63,8 @@ final class DatasetRows {
         end = data.length / rowBytes;
       }
       case RUN -> {
-        if (dataset.place() != ContainerFile.NOWHERE) {
-          piece(row, container.offsetOf(dataset.place()) + row * rowBytes, Long.MAX_VALUE);
+        if (dataset.position() != ContainerFile.NOWHERE) {
+          piece(row, container.offsetOf(dataset.position()) + row * rowBytes, Long.MAX_VALUE);
         }
       }
       default -> loadChunk(row);
@@ -147,8 +147,8 @@ final class DatasetRows {
   long offset(long row) {
     long offset =
         switch (dataset.kind()) {
-          case IN_HEADER -> dataset.place() + row * rowBytes;
-          case RUN -> container.offsetOf(Math.max(0, dataset.place())) + row * rowBytes;
+          case IN_HEADER -> dataset.position() + row * rowBytes;
+          case RUN -> container.offsetOf(Math.max(0, dataset.position())) + row * rowBytes;
           default ->
               dataset.filters().isEmpty()
                   ? index.offset() + row % dataset.chunkRows() * rowBytes

@@ -32,11 +32,11 @@ final class FileContents {
     return contents;
   }
 
-  private void collect(String path, long place, int depth) throws IOException {
-    if (!seen.add(place) || seen.size() > MAX_DATASETS) {
+  private void collect(String path, long position, int depth) throws IOException {
+    if (!seen.add(position) || seen.size() > MAX_DATASETS) {
       return;
     }
-    ObjectHeader header = ObjectHeader.read(file, place);
+    ObjectHeader header = ObjectHeader.read(file, position);
     if (!Group.isGroup(header)) {
       if (header.has(ObjectHeader.LAYOUT)) {
         datasets.add(Dataset.read(file, path, header));

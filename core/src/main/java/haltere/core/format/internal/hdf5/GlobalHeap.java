@@ -45,28 +45,28 @@ final class GlobalHeap {
 
   /** The bytes that a reference behind its length means; null if it means none. */
   private Metadata object(Metadata reference) throws IOException {
-    long place = reference.place();
+    long position = reference.position();
     long index = reference.u4();
     if (index == 0) {
       return null;
     }
-    if (place != loaded) {
-      load(place);
+    if (position != loaded) {
+      load(position);
     }
     byte[] bytes = objects.get((int) index);
     if (bytes == null) {
       throw reference.problem("an object that is not in its heap");
     }
-    return new Metadata(file, bytes, 0, bytes.length, file.offsetOf(place));
+    return new Metadata(file, bytes, 0, bytes.length, file.offsetOf(position));
   }
 
-  private void load(long place) throws IOException {
+  private void load(long position) throws IOException {
     objects.clear();
     int frame = 8 + file.lengthBytes();
-    Metadata head = file.at(place, frame);
+    Metadata head = file.at(position, frame);
     head.expect("GCOL");
     head.skip(4);
-    Metadata heap = file.at(place, head.length());
+    Metadata heap = file.at(position, head.length());
     heap.skip(frame);
     while (heap.remaining() >= frame) {
       int index = heap.u2();
@@ -81,6 +81,6 @@ final class GlobalHeap {
       objects.put(index, heap.bytes((int) size));
       heap.skip(Math.min(heap.remaining(), (8 - size % 8) % 8));
     }
-    loaded = place;
+    loaded = position;
   }
 }

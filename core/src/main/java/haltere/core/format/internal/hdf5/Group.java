@@ -30,8 +30,8 @@ final class Group {
   static Group of(ContainerFile file, ObjectHeader header) throws IOException {
     Group group = new Group(file);
     for (ObjectHeader.Message message : header.all(ObjectHeader.SYMBOL_TABLE)) {
-      long tree = message.body().place();
-      group.symbolTable(tree, message.body().place());
+      long tree = message.body().position();
+      group.symbolTable(tree, message.body().position());
     }
     for (ObjectHeader.Message message : header.all(ObjectHeader.LINK)) {
       group.link(message.body());
@@ -42,7 +42,7 @@ final class Group {
       if ((body.u1() & 1) != 0) {
         body.skip(8);
       }
-      group.hidden = body.place() != ContainerFile.NOWHERE;
+      group.hidden = body.position() != ContainerFile.NOWHERE;
     }
     return group;
   }
@@ -56,9 +56,9 @@ final class Group {
     return hidden;
   }
 
-  private void add(String name, long place) {
-    if (members.size() < MAX_MEMBERS && place != ContainerFile.NOWHERE) {
-      members.putIfAbsent(name, place);
+  private void add(String name, long position) {
+    if (members.size() < MAX_MEMBERS && position != ContainerFile.NOWHERE) {
+      members.putIfAbsent(name, position);
     }
   }
 
@@ -68,7 +68,7 @@ final class Group {
     heap.skip(4);
     long size = heap.length();
     heap.length();
-    walk(tree, heap.place(), size, MAX_DEPTH);
+    walk(tree, heap.position(), size, MAX_DEPTH);
   }
 
   private void walk(long tree, long names, long namesSize, int depth) throws IOException {
@@ -84,7 +84,7 @@ final class Group {
     Metadata entries = file.at(tree + 8 + 2L * file.offsetBytes(), (long) used * entry);
     for (int i = 0; i < used; i++) {
       entries.skip(file.lengthBytes());
-      long child = entries.place();
+      long child = entries.position();
       if (level > 0) {
         walk(child, names, namesSize, level);
       } else {
@@ -93,8 +93,8 @@ final class Group {
     }
   }
 
-  private void symbols(long place, long names, long namesSize) throws IOException {
-    Metadata head = file.at(place, 8);
+  private void symbols(long position, long names, long namesSize) throws IOException {
+    Metadata head = file.at(position, 8);
     head.expect("SNOD");
     head.skip(2);
     int count = head.u2();
@@ -102,10 +102,10 @@ final class Group {
       throw head.problem("a list of names that does not end");
     }
     int size = 2 * file.offsetBytes() + 24;
-    Metadata entries = file.at(place + 8, (long) count * size);
+    Metadata entries = file.at(position + 8, (long) count * size);
     for (int i = 0; i < count; i++) {
       long name = entries.number(file.offsetBytes());
-      long header = entries.place();
+      long header = entries.position();
       entries.skip(24);
       if (name < 0 || name >= namesSize) {
         throw entries.problem("a name outside of the list of names");
@@ -114,8 +114,8 @@ final class Group {
     }
   }
 
-  private String name(long place, long most) throws IOException {
-    return file.upTo(place, (int) Math.min(MAX_NAME, most)).textToZero();
+  private String name(long position, long most) throws IOException {
+    return file.upTo(position, (int) Math.min(MAX_NAME, most)).textToZero();
   }
 
   private void link(Metadata body) throws IOException {
@@ -125,7 +125,7 @@ final class Group {
     body.skip(((flags & 4) != 0 ? 8 : 0) + ((flags & 16) != 0 ? 1 : 0));
     String name = body.text((int) Math.min(MAX_NAME, body.number(1 << (flags & 3))));
     if (kind == 0) {
-      add(name, body.place());
+      add(name, body.position());
     }
   }
 }

@@ -27,7 +27,7 @@ final class GrowingChunkArray extends ChunkIndex {
   }
 
   private void open() throws IOException {
-    Metadata head = file.at(dataset.place(), 12 + 6L * file.lengthBytes() + file.offsetBytes());
+    Metadata head = file.at(dataset.position(), 12 + 6L * file.lengthBytes() + file.offsetBytes());
     head.expect("EAHD");
     head.skip(2);
     elementBytes = head.u1();
@@ -37,7 +37,7 @@ final class GrowingChunkArray extends ChunkIndex {
     fewestBlocks = head.u1();
     pageBits = head.u1();
     head.skip(6L * file.lengthBytes());
-    indexBlock = head.place();
+    indexBlock = head.position();
     offsetBytes = (bits + 7) / 8;
     if (elementBytes < file.offsetBytes()
         || Integer.bitCount(smallestBlock) != 1
@@ -50,7 +50,7 @@ final class GrowingChunkArray extends ChunkIndex {
 
   @Override
   boolean find(long chunk) throws IOException {
-    if (dataset.place() == ContainerFile.NOWHERE) {
+    if (dataset.position() == ContainerFile.NOWHERE) {
       return false;
     }
     if (!opened) {
@@ -88,8 +88,8 @@ final class GrowingChunkArray extends ChunkIndex {
       listing = listed + (before + blockInGroup) * file.offsetBytes();
     } else {
       long blocksListed = 2L * (fewestBlocks - 1);
-      long places = listed + (blocksListed + group - groupsListed) * file.offsetBytes();
-      long groupBlock = file.at(places, file.offsetBytes()).place();
+      long positions = listed + (blocksListed + group - groupsListed) * file.offsetBytes();
+      long groupBlock = file.at(positions, file.offsetBytes()).position();
       if (groupBlock == ContainerFile.NOWHERE) {
         return false;
       }
@@ -102,7 +102,7 @@ final class GrowingChunkArray extends ChunkIndex {
               + bits
               + blockInGroup * file.offsetBytes();
     }
-    long block = file.at(listing, file.offsetBytes()).place();
+    long block = file.at(listing, file.offsetBytes()).position();
     if (block == ContainerFile.NOWHERE) {
       return false;
     }

@@ -78,8 +78,8 @@ final class Metadata {
   }
 
   /** A place in the file, or {@link ContainerFile#NOWHERE}. */
-  long place() throws RecordingProblem {
-    return file.place(number(file.offsetBytes()));
+  long position() throws RecordingProblem {
+    return file.position(number(file.offsetBytes()));
   }
 
   /** A length or count that fits 63 bits. */

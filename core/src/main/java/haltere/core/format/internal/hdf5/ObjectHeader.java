@@ -42,24 +42,24 @@ final class ObjectHeader {
     this.file = file;
   }
 
-  static ObjectHeader read(ContainerFile file, long place) throws IOException {
+  static ObjectHeader read(ContainerFile file, long position) throws IOException {
     ObjectHeader header = new ObjectHeader(file);
-    Metadata prefix = file.upTo(place, 64);
+    Metadata prefix = file.upTo(position, 64);
     if (prefix.remaining() >= 4 && prefix.part(4).text(4).equals("OHDR")) {
-      header.readNew(place, prefix);
+      header.readNew(position, prefix);
     } else {
-      header.readOld(place);
+      header.readOld(position);
     }
     return header;
   }
 
-  private void readOld(long place) throws IOException {
-    Metadata prefix = file.at(place, V1_PREFIX);
+  private void readOld(long position) throws IOException {
+    Metadata prefix = file.at(position, V1_PREFIX);
     if (prefix.u1() != 1) {
       throw prefix.problem("no header of a group or dataset");
     }
     prefix.skip(1 + 2 + 4);
-    blocks.add(file.at(place + V1_PREFIX, prefix.u4()));
+    blocks.add(file.at(position + V1_PREFIX, prefix.u4()));
     while (!blocks.isEmpty()) {
       Metadata block = blocks.remove();
       while (block.remaining() >= 8) {
@@ -72,7 +72,7 @@ final class ObjectHeader {
     }
   }
 
-  private void readNew(long place, Metadata prefix) throws IOException {
+  private void readNew(long position, Metadata prefix) throws IOException {
     int version = prefix.u1();
     if (version != 2) {
       throw prefix.unknown("version " + version + " of an object's header");
@@ -82,7 +82,7 @@ final class ObjectHeader {
     int before = 6 + ((flags & 0x20) != 0 ? 16 : 0) + ((flags & 0x10) != 0 ? 4 : 0);
     prefix.skip(before - 6);
     long size = prefix.number(sizeBytes);
-    blocks.add(file.at(place + before + sizeBytes, size));
+    blocks.add(file.at(position + before + sizeBytes, size));
     boolean ordered = (flags & 4) != 0;
     while (!blocks.isEmpty()) {
       Metadata block = blocks.remove();
@@ -99,12 +99,12 @@ final class ObjectHeader {
   /** Takes a message; the blocks that go on elsewhere have a frame of so many bytes around them. */
   private void add(int type, int flags, Metadata body, int frame) throws IOException {
     if (type == CONTINUATION) {
-      long place = body.place();
+      long position = body.position();
       long length = body.length();
       if (++blocksSeen > MAX_BLOCKS || length < frame) {
         throw body.problem("a header that does not end");
       }
-      Metadata block = file.at(place, length);
+      Metadata block = file.at(position, length);
       if (frame > 0) {
         block.expect("OCHK");
         block = block.part(length - frame);
@@ -147,7 +147,7 @@ final class ObjectHeader {
     } else if (kind != 2 && version == 3) {
       throw body.unknown("a message in the heap of shared messages");
     }
-    ObjectHeader other = read(file, body.place());
+    ObjectHeader other = read(file, body.position());
     for (Message there : other.messages) {
       if (there.type() == message.type() && !there.shared()) {
         return there.body();

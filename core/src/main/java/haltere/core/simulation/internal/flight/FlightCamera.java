@@ -78,7 +78,7 @@ public record FlightCamera(String id, List<List<Double>> matrix, int widthPx, in
    * The outline of an ellipsoid of revolution: an ellipse, from the dual quadric C (S − A Aᵀ ...)
    * Cᵀ (Hartley and Zisserman 2004, section 8.3).
    *
-   * @param place its centre, metres
+   * @param position its centre, metres
    * @param axis unit vector
    * @param halfLength half its length, metres
    * @param halfWidth half its width, metres
@@ -86,17 +86,17 @@ public record FlightCamera(String id, List<List<Double>> matrix, int widthPx, in
    *     matrix⁻¹ p = 1 about it
    */
   void outline(
-      double[] place, double[] axis, double halfLength, double halfWidth, double[] ellipse) {
+      double[] position, double[] axis, double halfLength, double halfWidth, double[] ellipse) {
     double[] c = new double[9];
     double[][] shape = new double[4][4];
     double round = halfWidth * halfWidth;
     double longer = halfLength * halfLength - round;
     for (int i = 0; i < 3; i++) {
       for (int j = 0; j < 3; j++) {
-        shape[i][j] = (i == j ? round : 0) + longer * axis[i] * axis[j] - place[i] * place[j];
+        shape[i][j] = (i == j ? round : 0) + longer * axis[i] * axis[j] - position[i] * position[j];
       }
-      shape[i][3] = -place[i];
-      shape[3][i] = -place[i];
+      shape[i][3] = -position[i];
+      shape[3][i] = -position[i];
     }
     shape[3][3] = -1;
     for (int i = 0; i < 3; i++) {

@@ -37,7 +37,7 @@ final class FlightPath {
   }
 
   /** Place in metres. */
-  void place(double seconds, double[] out) {
+  void position(double seconds, double[] out) {
     double r = radius + radial.at(seconds);
     double angle = startRad + turnsRadS * seconds + around.at(seconds);
     out[0] = r * StrictMath.cos(angle);
@@ -48,8 +48,8 @@ final class FlightPath {
   /** Velocity in metres a second. */
   void velocity(double seconds, double[] out) {
     double[] before = new double[3];
-    place(seconds - STEP_S, before);
-    place(seconds + STEP_S, out);
+    position(seconds - STEP_S, before);
+    position(seconds + STEP_S, out);
     for (int k = 0; k < 3; k++) {
       out[k] = (out[k] - before[k]) / (2 * STEP_S);
     }

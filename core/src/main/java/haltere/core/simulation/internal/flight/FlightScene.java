@@ -108,17 +108,17 @@ public final class FlightScene implements Scene<FlightTruth> {
    */
   public FlightTruth truthAt(long timeUs) {
     double seconds = (timeUs - startUs()) * 1e-6;
-    double[] place = new double[3];
+    double[] position = new double[3];
     double[] velocity = new double[3];
     double[] axis = new double[3];
-    path.place(seconds, place);
+    path.position(seconds, position);
     path.velocity(seconds, velocity);
     path.axis(seconds, axis);
     return new FlightTruth(
         timeUs,
-        place[0],
-        place[1],
-        place[2],
+        position[0],
+        position[1],
+        position[2],
         velocity[0],
         velocity[1],
         velocity[2],
@@ -232,11 +232,12 @@ public final class FlightScene implements Scene<FlightTruth> {
   }
 
   private void outline(FlightCamera from, long elapsedUs, double[] ellipse) {
-    double[] place = new double[3];
+    double[] position = new double[3];
     double[] axis = new double[3];
-    path.place(elapsedUs * 1e-6, place);
+    path.position(elapsedUs * 1e-6, position);
     path.axis(elapsedUs * 1e-6, axis);
-    from.outline(place, axis, settings.body().lengthM() / 2, settings.body().widthM() / 2, ellipse);
+    from.outline(
+        position, axis, settings.body().lengthM() / 2, settings.body().widthM() / 2, ellipse);
   }
 
   private long makeInterval(EventPacket out) {

@@ -43,10 +43,10 @@ final class ApparentStroke {
 
   /** Stroke angle of the long axis from its mean over the cycle, straight between grid points. */
   private double fromCentre(double amplitude, double phase) {
-    double place = FlyTruth.wrapped(phase) / (2 * Math.PI) * GRID;
-    int low = (int) place % GRID;
+    double position = FlyTruth.wrapped(phase) / (2 * Math.PI) * GRID;
+    int low = (int) position % GRID;
     int high = (low + 1) % GRID;
-    double share = place - (int) place;
+    double share = position - (int) position;
     return amplitude * (stroke[low] + share * (stroke[high] - stroke[low]))
         + behind[low]
         + share * (behind[high] - behind[low])

@@ -17,7 +17,7 @@ record Steering(double laneM, double excursionM, double outS, double backS, doub
     return new Steering(laneM, 0, 0, 0, 1);
   }
 
-  double place(double seconds) {
+  double position(double seconds) {
     if (excursionM == 0) {
       return laneM;
     }

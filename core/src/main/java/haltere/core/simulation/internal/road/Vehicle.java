@@ -81,7 +81,7 @@ final class Vehicle {
 
   /** Its middle, metres to the right. */
   double x(double seconds) {
-    return steering.place(seconds - enterS);
+    return steering.position(seconds - enterS);
   }
 
   /** The end that is nearer to the camera, metres ahead. */
