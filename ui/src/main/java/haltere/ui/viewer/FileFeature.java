@@ -9,19 +9,39 @@ import haltere.ui.viewer.feature.Sessions;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.session.SessionRequest;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
-/** Opens recordings and the built-in scene. */
+/** Opens recordings, those that were open last among them, and the built-in scenes. */
 final class FileFeature implements ViewerFeature {
+  private static final String NAME = "recentFiles";
+  private static final String RECENT = "File/Open recent";
   private static final String SCENES = "File/Open scene";
+  private static final int MAX_FILES = 10;
+
+  /** The one that was open last comes first. */
+  private final List<Path> files = new ArrayList<>();
+
+  private ViewerContext window;
 
   @Override
-  public void install(ViewerContext window) {
-    ViewerActions actions = window.actions();
-    Sessions sessions = window.sessions();
-    actions.add("open", () -> window.dialogs().recording().ifPresent(sessions::open));
+  public void install(ViewerContext installed) {
+    window = installed;
+    if (window.settings().get(NAME).orElse(null) instanceof List<?> kept) {
+      kept.forEach(file -> files.add(Path.of(file.toString())));
+    }
+    window
+        .actions()
+        .add("open", () -> window.dialogs().recording().ifPresent(window.sessions()::open));
+    addScenes(window.actions(), window.sessions());
+    window.onSession(made -> made.request().file().ifPresent(this::opened));
+    window.actions().add("open-last", this::openLast);
+    offer();
+  }
+
+  private static void addScenes(ViewerActions actions, Sessions sessions) {
     actions.add("open-scene", () -> sessions.open(SessionRequest.scene()));
     List<SceneProvider<?>> scenes = new ArrayList<>(Scenes.all().values());
     // the one to begin with stands first
@@ -36,5 +56,39 @@ final class FileFeature implements ViewerFeature {
                   () -> sessions.open(SessionRequest.scene(scene.name(), title)))
               .withHelp(scene.description()));
     }
+  }
+
+  private void openLast() {
+    if (files.isEmpty()) {
+      window.status().setActivity("No recording has been opened yet.");
+    } else {
+      window.sessions().open(files.get(0));
+    }
+  }
+
+  private void opened(Path file) {
+    Path whole = file.toAbsolutePath().normalize();
+    if (!files.isEmpty() && files.get(0).equals(whole)) {
+      return;
+    }
+    files.remove(whole);
+    files.add(0, whole);
+    if (files.size() > MAX_FILES) {
+      files.remove(MAX_FILES);
+    }
+    window.settings().put(NAME, files.stream().map(Path::toString).toList());
+    offer();
+  }
+
+  private void offer() {
+    List<ViewerAction> offered = new ArrayList<>();
+    for (Path file : files) {
+      String id = "recent-" + (offered.size() + 1);
+      Runnable open = () -> window.sessions().open(file);
+      offered.add(
+          ViewerAction.of(id, file.getFileName().toString(), RECENT, open)
+              .withHelp(file.toString()));
+    }
+    window.actions().offer(NAME, offered);
   }
 }

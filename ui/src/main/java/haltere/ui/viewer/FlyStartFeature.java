@@ -26,7 +26,7 @@ final class FlyStartFeature implements ViewerFeature {
   private final Button caption = Controls.named(new Button(), "fly-caption", "readout", "caption");
   private ViewerContext window;
   private boolean searching;
-  private boolean slowed;
+  private boolean isFly;
   private double speedBefore = 1;
 
   @Override
@@ -46,13 +46,13 @@ final class FlyStartFeature implements ViewerFeature {
   private void begin(ViewerSession made) {
     boolean fly = made.request().start() == FirstView.FLY;
     double speed = window.playback().speedProperty().get();
-    if (fly && !slowed) {
+    if (fly && !isFly) {
       speedBefore = speed;
     }
-    if (fly || slowed && speed == SLOW_MOTION) {
+    if (fly || isFly && speed == SLOW_MOTION) {
       window.playback().setSpeed(fly ? 1 : speedBefore);
     }
-    slowed = fly;
+    isFly = fly;
     searching = fly;
     showCaption();
   }
@@ -65,13 +65,7 @@ final class FlyStartFeature implements ViewerFeature {
   }
 
   private void showCaption() {
-    boolean fly =
-        window
-            .sessions()
-            .session()
-            .filter(open -> open.request().start() == FirstView.FLY)
-            .isPresent();
-    caption.setVisible(fly && captionWanted.get());
+    caption.setVisible(isFly && captionWanted.get());
     ColourMap colours = window.display().coloursProperty().get();
     caption.setText(
         "Simulated tethered fly, seen from above"

@@ -1,14 +1,23 @@
 package haltere.ui.viewer;
 
 import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
+import haltere.ui.viewer.controls.FocusOrder;
 import haltere.ui.viewer.controls.Windows;
+import haltere.ui.viewer.feature.PanelLayout;
+import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
+import javafx.scene.Node;
 
-/** Keeps under a name which panels are shown and how large they are, and shows them so again. */
+/**
+ * Goes from panel to panel and sizes them by keys; keeps under a name which panels are shown and
+ * how large they are, and shows them so again.
+ */
 final class LayoutFeature implements ViewerFeature {
   private static final String NAME = "layouts";
   private static final String MENU = "View/Layouts";
@@ -21,9 +30,35 @@ final class LayoutFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     layouts.putAll(window.settings().map(NAME));
+    addKeys(window.actions(), window.panels().panelLayout());
     window.actions().add("keep-layout", this::ask);
     window.actions().add("layout-picture", this::hidePanels);
     offer();
+  }
+
+  private void addKeys(ViewerActions actions, PanelLayout layout) {
+    actions.add("panel-next", () -> go(1));
+    actions.add("panel-before", () -> go(-1));
+    actions.add("side-wider", () -> layout.enlarge(PanelPlace.SIDE, 1));
+    actions.add("side-narrower", () -> layout.enlarge(PanelPlace.SIDE, -1));
+    actions.add("below-higher", () -> layout.enlarge(PanelPlace.BELOW, 1));
+    actions.add("below-lower", () -> layout.enlarge(PanelPlace.BELOW, -1));
+    actions.add("beside-wider", () -> layout.enlarge(PanelPlace.BESIDE, 1));
+    actions.add("beside-narrower", () -> layout.enlarge(PanelPlace.BESIDE, -1));
+  }
+
+  /** Puts the focus on the first control of another panel. */
+  private void go(int panels) {
+    List<Node> areas = window.panels().areas();
+    Node focus = window.stage().getScene().getFocusOwner();
+    int here = -1;
+    for (int i = 0; i < areas.size(); i++) {
+      if (FocusOrder.isWithin(focus, areas.get(i))) {
+        here = i;
+      }
+    }
+    int next = here < 0 ? 0 : Math.floorMod(here + panels, areas.size());
+    FocusOrder.of(areas.get(next)).stream().findFirst().ifPresent(Node::requestFocus);
   }
 
   private void ask() {

@@ -67,7 +67,8 @@ final class UsualFiltersFeature implements ViewerFeature {
           hidden.clear();
           follow(made.firstStages());
         });
-    window.panels().onPulse(this::pulse);
+    // a card switches its filter without another word
+    window.panels().onPulse(this::showSwitches);
     window.panels().every(HiddenEvents.BETWEEN_NANOS, () -> window.ifOpen(this::measure));
   }
 
@@ -95,6 +96,10 @@ final class UsualFiltersFeature implements ViewerFeature {
 
   private void follow(List<StageState> newStages) {
     stages = newStages;
+    showSwitches();
+  }
+
+  private void showSwitches() {
     on.forEach((filter, property) -> property.set(filter.isOn(stages)));
   }
 
@@ -106,11 +111,6 @@ final class UsualFiltersFeature implements ViewerFeature {
     window.ifOpen(
         open ->
             window.editor().replaceAll(open.request().start().usualChain(open.chain().geometry())));
-  }
-
-  private void pulse() {
-    // a card switches its filter without another word
-    on.forEach((filter, property) -> property.set(filter.isOn(stages)));
   }
 
   private void measure(ViewerSession open) {

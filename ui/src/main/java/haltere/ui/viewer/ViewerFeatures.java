@@ -1,6 +1,8 @@
 package haltere.ui.viewer;
 
+import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.cameras.CameraFeature;
+import haltere.ui.viewer.chain.EditHistory;
 import haltere.ui.viewer.compare.CompareFeature;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
@@ -28,10 +30,9 @@ final class ViewerFeatures {
         new UsualFiltersFeature(),
         new FileInfoFeature(),
         new SamplesFeature(),
-        new RecentFilesFeature(),
         new SavingFeature(),
         new ExportFeature(),
-        new EditFeature(),
+        ViewerFeatures::undoAndRedo,
         new BodyFlightFeature(),
         new LiveFlightFeature(),
         new DisplayFeature(),
@@ -39,7 +40,6 @@ final class ViewerFeatures {
         new VanishingPointFeature(),
         new SpaceTimeFeature(),
         new PlotFeature(),
-        new PanelFeature(),
         new LayoutFeature(),
         new WingsFeature(),
         new FlyStartFeature(),
@@ -56,5 +56,23 @@ final class ViewerFeatures {
 
   private static void quit(ViewerContext window) {
     window.actions().add("quit", window.stage()::close);
+  }
+
+  /** Takes changes of the chain and of settings back, and makes them once more. */
+  private static void undoAndRedo(ViewerContext window) {
+    ViewerActions actions = window.actions();
+    EditHistory history = window.editor().history();
+    actions.add(
+        "undo",
+        () -> say(window, "Undone: ", history.undo()),
+        () -> history.canUndo() ? "" : "nothing was changed");
+    actions.add(
+        "redo",
+        () -> say(window, "Redone: ", history.redo()),
+        () -> history.canRedo() ? "" : "nothing was undone");
+  }
+
+  private static void say(ViewerContext window, String what, String words) {
+    window.status().setActivity(words.isEmpty() ? "Nothing to change." : what + words);
   }
 }

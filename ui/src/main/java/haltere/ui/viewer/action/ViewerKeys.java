@@ -32,19 +32,14 @@ public final class ViewerKeys {
   private static final Map<KeyCode, KeyCode> SAME =
       Map.of(KeyCode.GREATER, KeyCode.PERIOD, KeyCode.LESS, KeyCode.COMMA);
 
-  private final ViewerActions actions;
-
-  private ViewerKeys(ViewerActions actions) {
-    this.actions = actions;
-  }
+  private ViewerKeys() {}
 
   /** Listens to the keys of a window. */
   public static void install(Scene scene, ViewerActions actions) {
-    ViewerKeys keys = new ViewerKeys(actions);
     scene.addEventFilter(
         KeyEvent.KEY_PRESSED,
         event -> {
-          if (keys.handle(event, scene.getFocusOwner())) {
+          if (handle(event, scene.getFocusOwner(), actions)) {
             event.consume();
           }
         });
@@ -64,11 +59,11 @@ public final class ViewerKeys {
     return key.isEmpty() ? "" : KeyCombination.keyCombination(key).getDisplayText();
   }
 
-  private boolean handle(KeyEvent event, Node focus) {
-    if (event.isControlDown() || event.isAltDown() || event.isMetaDown()) {
-      return false;
-    }
-    if (focus instanceof TextInputControl) {
+  private static boolean handle(KeyEvent event, Node focus, ViewerActions actions) {
+    if (event.isControlDown()
+        || event.isAltDown()
+        || event.isMetaDown()
+        || focus instanceof TextInputControl) {
       return false;
     }
     if (event.getCode() == KeyCode.ENTER && press(focus)) {
@@ -77,7 +72,7 @@ public final class ViewerKeys {
     if (event.getCode().isNavigationKey() && ownsMoves(focus)) {
       return false;
     }
-    Optional<ViewerAction> wanted = action(event);
+    Optional<ViewerAction> wanted = action(event, actions);
     wanted.ifPresent(action -> action.work().run());
     return wanted.isPresent();
   }
@@ -104,7 +99,7 @@ public final class ViewerKeys {
     return true;
   }
 
-  private Optional<ViewerAction> action(KeyEvent event) {
+  private static Optional<ViewerAction> action(KeyEvent event, ViewerActions actions) {
     KeyCode code = SAME.getOrDefault(event.getCode(), event.getCode());
     String key = (event.isShiftDown() ? "Shift+" : "") + code.getName();
     return actions.all().stream()

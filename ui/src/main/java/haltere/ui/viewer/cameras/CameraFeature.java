@@ -47,7 +47,7 @@ public final class CameraFeature implements ViewerFeature {
   private static final String ID = "open-camera-";
   private static final long NUMBERS_NANOS = 250_000_000;
 
-  private final Cameras cameras;
+  private final Cameras cameras = Cameras.installed();
   private final BooleanProperty drawing = new SimpleBooleanProperty();
   private ViewerContext window;
   private CameraPanel panel;
@@ -59,15 +59,6 @@ public final class CameraFeature implements ViewerFeature {
 
   /** One that has just come may not be ours to open yet, and several may come at once. */
   private final PauseTransition comingSoon = new PauseTransition(Duration.seconds(1));
-
-  /** Cameras of all providers that are installed. */
-  public CameraFeature() {
-    this(Cameras.installed());
-  }
-
-  private CameraFeature(Cameras cameras) {
-    this.cameras = cameras;
-  }
 
   @Override
   public void install(ViewerContext installed) {

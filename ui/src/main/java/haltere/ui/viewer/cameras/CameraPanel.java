@@ -34,19 +34,6 @@ final class CameraPanel extends ScrollPane {
   /** Latency from which on a camera's events count as shown late. */
   private static final long BEHIND_US = 100_000;
 
-  private static final Map<BiasSliders.Slider, String> WORDS =
-      Map.of(
-          BiasSliders.Slider.BANDWIDTH, "Bandwidth",
-          BiasSliders.Slider.THRESHOLD, "Threshold",
-          BiasSliders.Slider.REFRACTORY_PERIOD, "Refractory period",
-          BiasSliders.Slider.BALANCE, "Balance of ON and OFF");
-  private static final Map<BiasSliders.Slider, String> HELP =
-      Map.of(
-          BiasSliders.Slider.BANDWIDTH, "Right: pixels follow faster light, with more noise",
-          BiasSliders.Slider.THRESHOLD, "Right: the light must change more for an event",
-          BiasSliders.Slider.REFRACTORY_PERIOD, "Right: a pixel rests longer after an event",
-          BiasSliders.Slider.BALANCE, "Right: ON events come more easily, left: OFF events");
-
   private final BackgroundWork background;
   private final VBox content = new VBox(10);
   private final Label statistics =
@@ -80,12 +67,10 @@ final class CameraPanel extends ScrollPane {
     problem.setText("");
     if (shown.isEmpty()) {
       Label none =
-          new Label(
+          Controls.paragraph(
               "No camera is open. Camera > Open lists those that are plugged in; then their biases"
                   + " and losses stand here.");
-      none.setId("camera-none");
-      none.setWrapText(true);
-      content.getChildren().add(none);
+      content.getChildren().add(Controls.named(none, "camera-none"));
       return;
     }
     Label name =
@@ -102,14 +87,12 @@ final class CameraPanel extends ScrollPane {
 
   private void addSliders(BiasSliders facet) {
     for (BiasSliders.Slider which : BiasSliders.Slider.values()) {
-      Slider slider =
-          Controls.slider(
-              "camera-slider-" + which.name().toLowerCase(Locale.ROOT).replace('_', '-'),
-              HELP.get(which),
-              -1,
-              1);
+      String name = which.name().toLowerCase(Locale.ROOT).replace('_', '-');
+      String words =
+          which == BiasSliders.Slider.BALANCE ? "Balance of ON and OFF" : Texts.title(name);
+      Slider slider = Controls.slider("camera-slider-" + name, help(which), -1, 1);
       slider.setValue(0);
-      slider.setAccessibleText(WORDS.get(which));
+      slider.setAccessibleText(words);
       slider.setBlockIncrement(0.05);
       slider
           .valueProperty()
@@ -121,8 +104,17 @@ final class CameraPanel extends ScrollPane {
                 }
               });
       sliders.put(which, slider);
-      content.getChildren().add(new VBox(2, new Label(WORDS.get(which)), slider));
+      content.getChildren().add(new VBox(2, new Label(words), slider));
     }
+  }
+
+  private static String help(BiasSliders.Slider slider) {
+    return switch (slider) {
+      case BANDWIDTH -> "Right: pixels follow faster light, with more noise";
+      case THRESHOLD -> "Right: the light must change more for an event";
+      case REFRACTORY_PERIOD -> "Right: a pixel rests longer after an event";
+      case BALANCE -> "Right: ON events come more easily, left: OFF events";
+    };
   }
 
   private void addBiases(Biases facet) {

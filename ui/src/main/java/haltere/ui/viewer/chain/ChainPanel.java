@@ -67,19 +67,9 @@ public final class ChainPanel extends VBox {
     Controls.show(!cards.narrow(search) && search.isActive(), nothing);
   }
 
-  /** Lets stages that come together be shown one after the other, each in a step. */
-  public void setSteps(Executor steps) {
-    cards.setSteps(steps);
-  }
-
-  /** Shows another chain in place of the one before. */
-  public void startAnew(List<StageState> stages) {
-    cards.startAnew(stages);
-  }
-
-  /** Shows a chain, keeping the cards of stages that were there. */
-  public void show(List<StageState> stages) {
-    cards.show(stages);
+  /** Shows another chain in place of the one before; stages that come together take a step each. */
+  public void startAnew(List<StageState> stages, Executor steps) {
+    cards.startAnew(stages, steps);
   }
 
   /** Shows what the stages do now; called a few times a second. */

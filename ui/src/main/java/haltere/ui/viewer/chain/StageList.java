@@ -50,15 +50,11 @@ final class StageList extends VBox {
   }
 
   /**
-   * Says what lets cards come one after the other, because making and styling one takes
-   * milliseconds; without it they come all together.
+   * Shows another chain in place of the one before. Here and in later changes each new card takes a
+   * step, because making and styling one takes milliseconds.
    */
-  void setSteps(Executor newSteps) {
+  void startAnew(List<StageState> stages, Executor newSteps) {
     steps = newSteps;
-  }
-
-  /** Shows another chain in place of the one before. */
-  void startAnew(List<StageState> stages) {
     wanted = stages;
     cards.clear();
     getChildren().clear();

@@ -76,7 +76,6 @@ public final class CompareFeature implements ViewerFeature {
     editor = new ChainEditor(window.status()::showError);
     chainPanel = new ChainPanel(editor);
     chainPanel.setId("second-chain-panel");
-    chainPanel.setSteps(window.steps());
     view.setAccessibleText("Events behind the second chain");
     SplitPane settings = new SplitPane(chainPanel, table);
     settings.setOrientation(Orientation.VERTICAL);
@@ -168,7 +167,7 @@ public final class CompareFeature implements ViewerFeature {
     player.addRawSink(made);
     editor.setPresets(window.editor().presets());
     editor.setAccess(ChainAccess.beside(player, made.chain()));
-    chainPanel.show(stages);
+    chainPanel.startAnew(stages, window.steps());
     // both chains run from as far before this moment as they remember
     window.playback().jump(0);
   }

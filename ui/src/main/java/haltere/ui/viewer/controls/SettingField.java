@@ -202,14 +202,11 @@ public final class SettingField extends VBox {
     Controls.show(!line.isEmpty(), problem);
   }
 
-  private static boolean isPlain(double size) {
-    return size >= 1e-6 && size < 1e15;
-  }
-
   /** A value as it stands in an entry: numbers without a needless fraction or exponent. */
   static String text(Object value) {
-    if (value instanceof Double number && (number == 0 || isPlain(Math.abs(number)))) {
-      return new BigDecimal(number.toString()).stripTrailingZeros().toPlainString();
+    double size = value instanceof Double number ? Math.abs(number) : Double.NaN;
+    if (size == 0 || size >= 1e-6 && size < 1e15) {
+      return new BigDecimal(value.toString()).stripTrailingZeros().toPlainString();
     }
     if (value instanceof Enum<?> constant) {
       return constant.name().toLowerCase(java.util.Locale.ROOT).replace('_', '-');

@@ -156,8 +156,7 @@ public final class ViewerPanels extends BorderPane {
     SensorGeometry geometry = made.player().playable().geometry();
     statusLine.setSource(name + "   " + geometry.width() + " \u00d7 " + geometry.height());
     view.setGeometry(geometry, colours);
-    chainPanel.setSteps(steps);
-    chainPanel.startAnew(made.firstStages());
+    chainPanel.startAnew(made.firstStages(), steps);
     plots.startAnew(made.inertial());
     seekBar.clear();
     repaintAsked = false;

@@ -12,33 +12,27 @@ import java.util.function.Function;
 /** The filters, plots and speed that something begins with where a person has chosen none. */
 public enum FirstView {
   /** Events as they come, for a recording or a camera. */
-  RAW(FilterChain::new, DefaultChain::create, List.of()),
+  RAW(DefaultChain::create, List.of()),
   /** Objects are tracked, for scenes of moving objects. */
-  OBJECTS(DefaultChain::create, DefaultChain::create, List.of()),
+  OBJECTS(DefaultChain::create, List.of()),
   /** Wings are tracked and plotted, for a tethered fly. */
   FLY(
-      DefaultChain::forFly,
       DefaultChain::forFly,
       List.of(
           new PlotField("wing-tracker", "wings", "angle_rad"),
           new PlotField("wing-tracker", "wings", "frequency_hz")));
 
-  private final Function<SensorGeometry, FilterChain> first;
   private final Function<SensorGeometry, FilterChain> usual;
   private final List<PlotField> plots;
 
-  FirstView(
-      Function<SensorGeometry, FilterChain> first,
-      Function<SensorGeometry, FilterChain> usual,
-      List<PlotField> plots) {
-    this.first = first;
+  FirstView(Function<SensorGeometry, FilterChain> usual, List<PlotField> plots) {
     this.usual = usual;
     this.plots = plots;
   }
 
   /** A new chain to begin with. */
   FilterChain chain(SensorGeometry geometry) {
-    return first.apply(geometry);
+    return this == RAW ? new FilterChain(geometry) : usualChain(geometry);
   }
 
   /** A new chain that suits most of what is opened in this way. */

@@ -106,7 +106,7 @@ public record SessionRequest(
               .flatMap(json -> ownChain(opened.geometry(), json))
               .filter(start::isCoveredBy)
               .orElseGet(() -> start.chain(opened.geometry()));
-      return new ViewerSession(opened, this, chain, playerOptions, displayOptions);
+      return ViewerSession.of(opened, this, chain, playerOptions, displayOptions);
     } catch (RuntimeException problem) {
       opened.close();
       throw problem;
@@ -127,10 +127,7 @@ public record SessionRequest(
    * so that there are events to show as soon as there is a window. Background thread.
    */
   public ViewerSession firstSession(Optional<String> chainJson) throws Exception {
-    ViewerSession made =
-        session(
-            chainJson, PlaybackController.firstOptions().withPaused(true), DisplayOptions.DEFAULT);
-    made.prepare();
-    return made;
+    PlayerOptions paused = PlaybackController.firstOptions().withPaused(true);
+    return session(chainJson, paused, DisplayOptions.DEFAULT).prepared();
   }
 }

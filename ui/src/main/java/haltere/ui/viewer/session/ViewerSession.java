@@ -19,45 +19,46 @@ import java.util.Optional;
  * What is open: a playable, the chain it goes through, the player and the sink that makes pictures.
  *
  * <p>Thread rule: made, prepared and closed on any thread but JavaFX's, because that may wait.
+ *
+ * @param request what was asked for: where it is, what the user said of it, and how it begins
+ * @param remarks what a user should know about how the recording is read, as it was opened
+ * @param chain belongs to the thread that plays
+ * @param firstStages the stages before the player starts
+ * @param display where its pictures are made
+ * @param player plays it
+ * @param inertial the inertial samples that it plays
+ * @param isPrepared whether the player has been started in pause
  */
-public final class ViewerSession implements AutoCloseable {
-  private final SessionRequest request;
-  private final FilterChain chain;
-  private final List<StageState> firstStages;
-  private final DisplaySink display;
-  private final Player player;
-  private final List<String> remarks;
-  private final InertialFeed inertial = new InertialFeed();
-  private volatile boolean prepared;
+public record ViewerSession(
+    SessionRequest request,
+    List<String> remarks,
+    FilterChain chain,
+    List<StageState> firstStages,
+    DisplaySink display,
+    Player player,
+    InertialFeed inertial,
+    boolean isPrepared)
+    implements AutoCloseable {
 
-  ViewerSession(
+  /** A session whose player has not started. */
+  static ViewerSession of(
       Playable playable,
       SessionRequest request,
       FilterChain chain,
       PlayerOptions playerOptions,
       DisplayOptions displayOptions) {
-    this.request = request;
-    this.remarks =
+    List<String> remarks =
         playable instanceof RecordingPlayable recording
             ? List.copyOf(recording.reader().remarks())
             : List.of();
-    this.chain = chain;
-    this.firstStages = StageState.of(chain);
-    this.display = DisplaySink.apart(playable.geometry(), chain, displayOptions);
-    this.player = new Player(playable, chain, playerOptions);
+    List<StageState> stages = StageState.of(chain);
+    DisplaySink display = DisplaySink.apart(playable.geometry(), chain, displayOptions);
+    Player player = new Player(playable, chain, playerOptions);
+    InertialFeed inertial = new InertialFeed();
     player.addRawSink(display::beforeChain);
     player.addSink(display);
     player.addSink(StreamHandler.ofSamples(inertial::take));
-  }
-
-  /** What a user should know about how the recording is read, as it was opened. */
-  public List<String> remarks() {
-    return remarks;
-  }
-
-  /** What was asked for: where it is, what the user said of it, and how it begins. */
-  public SessionRequest request() {
-    return request;
+    return new ViewerSession(request, remarks, chain, stages, display, player, inertial, false);
   }
 
   /** What was opened, whether its newest events are kept or not. */
@@ -71,40 +72,15 @@ public final class ViewerSession implements AutoCloseable {
     return source() instanceof CameraPlayable live ? Optional.of(live) : Optional.empty();
   }
 
-  /** The chain, which belongs to the thread that plays. */
-  public FilterChain chain() {
-    return chain;
-  }
-
-  /** The stages before the player starts. */
-  public List<StageState> firstStages() {
-    return firstStages;
-  }
-
-  /** Where its pictures are made. */
-  public DisplaySink display() {
-    return display;
-  }
-
-  /** The inertial samples that it plays. */
-  public InertialFeed inertial() {
-    return inertial;
-  }
-
-  /** Plays it. */
-  public Player player() {
-    return player;
-  }
-
-  /** Starts a player whose options say that it begins in pause: it paints its first slice. */
-  void prepare() {
-    prepared = true;
+  /** The session with its player started, which begins in pause: it paints its first slice. */
+  ViewerSession prepared() {
     player.start();
+    return new ViewerSession(request, remarks, chain, firstStages, display, player, inertial, true);
   }
 
-  /** Starts the player, or lets it go on once it was {@link #prepare prepared}. */
+  /** Starts the player, or lets it go on where it was started in pause. */
   public void play() {
-    if (prepared) {
+    if (isPrepared) {
       player.play();
     } else {
       player.start();

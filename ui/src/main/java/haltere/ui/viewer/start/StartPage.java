@@ -32,7 +32,8 @@ final class StartPage extends ScrollPane {
   private static final double SENTENCE_HEIGHT = 84;
   private static final int MAX_RECENT = 6;
 
-  private final Label problem = Controls.named(new Label(), "start-problem", "start-problem");
+  private final Label problem =
+      Controls.named(Controls.paragraph(""), "start-problem", "start-problem");
   private final Button back = Controls.named(new Button(), "start-back");
   private final VBox recent = new VBox(2);
   private final FlowPane scenes = new FlowPane(12, 12);
@@ -44,8 +45,6 @@ final class StartPage extends ScrollPane {
     Label title = Controls.label("Haltere", Styles.TITLE_2);
     Label purpose =
         Controls.label("Plays, filters and tracks the events of event cameras.", Styles.TEXT_MUTED);
-    problem.setWrapText(true);
-    problem.setMinHeight(Region.USE_PREF_SIZE);
     problem.setMaxWidth(Double.MAX_VALUE);
     setProblem("");
     Button opening =
@@ -120,9 +119,7 @@ final class StartPage extends ScrollPane {
 
   private static Node tile(ViewerAction action) {
     Label name = Controls.label(action.words(), Styles.TEXT_BOLD);
-    Label sentence = Controls.label(action.help(), Styles.TEXT_MUTED);
-    sentence.setWrapText(true);
-    sentence.getStyleClass().add(Styles.TEXT_SMALL);
+    Label sentence = Controls.paragraph(action.help(), Styles.TEXT_MUTED, Styles.TEXT_SMALL);
     sentence.setPrefSize(PICTURE_WIDTH, SENTENCE_HEIGHT);
     sentence.setAlignment(Pos.TOP_LEFT);
     VBox content = new VBox(4, picture(action.id()), name, sentence);

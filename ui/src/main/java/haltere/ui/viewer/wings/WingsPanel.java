@@ -44,7 +44,7 @@ final class WingsPanel extends ScrollPane {
   private final ChoiceBox<WingPart> choice =
       Controls.named(new ChoiceBox<WingPart>(), "wings-filter");
   private final List<CheckBox> edges = EDGES.stream().map(this::edge).toList();
-  private final Label empty = Controls.label("", Styles.TEXT_MUTED);
+  private final Label empty = Controls.paragraph("", Styles.TEXT_MUTED);
   private final Label search = Controls.named(new Label(), "wings-search", Styles.TEXT_SMALL);
   private final VBox body = new VBox(8);
   private Optional<FilterTables> tables = Optional.empty();
@@ -69,7 +69,6 @@ final class WingsPanel extends ScrollPane {
     FlowPane taken = new FlowPane(10, 4);
     taken.getChildren().addAll(edges);
     FlowPane chosen = new FlowPane(6, 6, choice, restart);
-    empty.setWrapText(true);
     body.getStyleClass().add("settings");
     search.setWrapText(true);
     body.getChildren().addAll(head, search, taken, chosen, empty);
