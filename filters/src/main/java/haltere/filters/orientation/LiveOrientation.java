@@ -2,6 +2,7 @@ package haltere.filters.orientation;
 
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
+import haltere.filters.orientation.line.BodyLine;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

@@ -8,6 +8,7 @@
  *   <li>{@link haltere.filters.orientation.camera.CameraModel} is a camera: a matrix and a {@link
  *       haltere.filters.orientation.camera.Lens}; {@link
  *       haltere.filters.orientation.camera.LineObservation} is what it saw.
+ *   <li>{@link haltere.filters.orientation.line.BodyLineTracker} finds such a line in events.
  * </ul>
  *
  * <p>World units are metres, image units pixels in the camera's own coordinates (whatever its

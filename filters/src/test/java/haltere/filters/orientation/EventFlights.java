@@ -4,6 +4,8 @@ import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.core.simulation.internal.flight.FlightTruth;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.Vectors;
+import haltere.filters.orientation.line.BodyLineSettings;
+import haltere.filters.orientation.line.BodyLineTracker;
 import haltere.testing.SceneEvents;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,24 +13,23 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /** From the events of several cameras to the orientation of the body that they see. */
-final class EventFlights {
+public final class EventFlights {
   private EventFlights() {}
 
   /** Errors of the axis from 0.3 s on, degrees. */
-  static List<Double> errorsDeg(int cameras, long seed, double seconds) {
+  public static List<Double> errorsDeg(int cameras, long seed, double seconds) {
     Map<Long, List<LineObservation>> seen = new TreeMap<>();
     FlightScene scene = null;
     for (int index = 0; index < cameras; index++) {
       scene = Flights.scene(cameras, seed, "run.durationS=" + seconds, "view.camera=" + index);
-      BodyLineFilter filter = new BodyLineFilter(scene.geometry(), BodyLineSettings.defaults());
       int camera = index;
-      filter
-          .lines()
-          .subscribe(
+      new BodyLineTracker(
+              scene.geometry(),
+              BodyLineSettings.defaults(),
               line ->
                   seen.computeIfAbsent(line.timeUs(), t -> new ArrayList<>())
-                      .add(line.observation(camera)));
-      filter.process(SceneEvents.of(scene));
+                      .add(line.observation(camera)))
+          .track(SceneEvents.of(scene));
     }
     BodyOrientationEstimator body =
         new BodyOrientationEstimator(Flights.cameras(scene), OrientationSettings.defaults());

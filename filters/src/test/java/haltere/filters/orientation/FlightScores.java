@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** How well a flight was followed. Errors are counted from 0.2 s on, as the targets say. */
-final class FlightScores {
+public final class FlightScores {
   private static final double START_S = 0.2;
 
   final List<Double> axisDeg = new ArrayList<>();
@@ -126,7 +126,7 @@ final class FlightScores {
     return scale * scale * (p[10] * a * a - 2 * p[2] * a * b + p[0] * b * b) / determinant;
   }
 
-  static double quantile(List<Double> values, double share) {
+  public static double quantile(List<Double> values, double share) {
     double[] sorted = values.stream().mapToDouble(Double::doubleValue).toArray();
     Arrays.sort(sorted);
     return sorted.length == 0

@@ -10,17 +10,17 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Simulated flights as the estimator takes them. */
-final class Flights {
+public final class Flights {
   private Flights() {}
 
-  static FlightScene scene(int cameras, long seed, String... assignments) {
+  public static FlightScene scene(int cameras, long seed, String... assignments) {
     return new FlightScene(
         FlightSettings.defaults()
             .with("view.cameras=" + cameras, "run.seed=" + seed)
             .with(assignments));
   }
 
-  static List<CameraModel> cameras(FlightScene scene) {
+  public static List<CameraModel> cameras(FlightScene scene) {
     return scene.cameras().stream().map(Flights::camera).toList();
   }
 

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.Vectors;
+import haltere.filters.orientation.line.BodyLine;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;

@@ -7,9 +7,9 @@ import haltere.core.playback.Playable;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
-import haltere.filters.orientation.BodyLineSettings;
-import haltere.filters.orientation.BodyLineTracker;
 import haltere.filters.orientation.LiveOrientation;
+import haltere.filters.orientation.line.BodyLineSettings;
+import haltere.filters.orientation.line.BodyLineTracker;
 import java.io.IOException;
 import java.util.Optional;
 

@@ -1,4 +1,4 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.line;
 
 import haltere.core.chain.NamedProvider;
 import haltere.core.chain.Outlet;
@@ -8,7 +8,8 @@ import haltere.core.event.SensorGeometry;
 
 /**
  * {@link BodyLineTracker} as a stage of a chain. Lets all events through; publishes a {@link
- * BodyLine} at each report, which {@link BodyOrientationEstimator} takes from two cameras and more.
+ * BodyLine} at each report, which {@link haltere.filters.orientation.BodyOrientationEstimator}
+ * takes from two cameras and more.
  */
 final class BodyLineFilter extends PublishingFilter<BodyLineSettings> {
   private final Outlet<BodyLine> lines =

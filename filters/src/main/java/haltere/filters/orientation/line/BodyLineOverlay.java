@@ -1,4 +1,4 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.line;
 
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;

@@ -1,4 +1,4 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.line;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;

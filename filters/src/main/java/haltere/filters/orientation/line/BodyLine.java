@@ -1,4 +1,4 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.line;
 
 import haltere.core.sink.Column;
 import haltere.filters.orientation.camera.LineObservation;
@@ -27,7 +27,7 @@ public record BodyLine(
     @Column(decimals = 2) double vyPxS,
     int events) {
   /**
-   * What {@link BodyOrientationEstimator} takes.
+   * What {@link haltere.filters.orientation.BodyOrientationEstimator} takes.
    *
    * @param camera index of the camera whose events these are
    * @return the same without the time

@@ -1,4 +1,4 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.line;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -10,6 +10,9 @@ import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.core.simulation.internal.flight.FlightSettings;
 import haltere.core.simulation.internal.flight.FlightTruth;
 import haltere.filters.estimation.Angles;
+import haltere.filters.orientation.EventFlights;
+import haltere.filters.orientation.FlightScores;
+import haltere.filters.orientation.Flights;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.testing.EventFilterContract;
 import haltere.testing.SceneEvents;
