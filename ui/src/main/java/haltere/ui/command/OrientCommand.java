@@ -20,7 +20,6 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
@@ -245,7 +244,6 @@ final class OrientCommand extends Subcommand {
     options.put("gate.angleDeg", gateAngleDeg);
     options.put("gate.minAreaPx", minAreaPx);
     options.put("gate.minEccentricity", minEccentricity);
-    options.values().removeIf(Objects::isNull);
     return assigned(OrientationSettings.class, start, options, assignments);
   }
 }

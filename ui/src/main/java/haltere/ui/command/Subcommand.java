@@ -24,13 +24,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /**
- * What all commands share: where results and messages go, and how wrong arguments are reported.
+ * What all commands share: their last options, where results and messages go, and how wrong
+ * arguments are reported.
  *
  * <p>Thread rule: made, run and thrown away on one thread.
  */
@@ -45,7 +46,31 @@ abstract class Subcommand implements Callable<Integer> {
   static final int WRONG_ARGUMENTS = 2;
 
   @Spec CommandSpec spec;
-  @Mixin MessageOptions messages;
+
+  @Option(
+      names = ExtensionFolder.OPTION,
+      order = 999,
+      paramLabel = "FOLDER",
+      description =
+          "Where jars with more filters, formats and scenes are; if not given: $HALTERE_EXTENSIONS,"
+              + " or the folder extensions beside the settings.")
+  Path extensions;
+
+  @Option(
+      names = "--quiet",
+      order = 1000,
+      description = "No progress bar and no messages; warnings and errors remain.")
+  boolean quiet;
+
+  @Option(names = "--debug", order = 1001, description = "Print the stack trace of an error.")
+  boolean debug;
+
+  @Option(
+      names = {"-h", "--help"},
+      order = 1002,
+      usageHelp = true,
+      description = "Print this help.")
+  boolean help;
 
   private Surroundings surroundings;
   private volatile boolean failedBeside;
@@ -58,11 +83,11 @@ abstract class Subcommand implements Callable<Integer> {
 
   /** Whether the user wants stack traces, said before or after the command's name. */
   boolean isDebug() {
-    return messages.debug || (parent() != null && parent().messages.debug);
+    return debug || (parent() != null && parent().debug);
   }
 
   private boolean isQuiet() {
-    return messages.quiet || (parent() != null && parent().messages.quiet);
+    return quiet || (parent() != null && parent().quiet);
   }
 
   private Subcommand parent() {
@@ -227,11 +252,16 @@ abstract class Subcommand implements Callable<Integer> {
     return found;
   }
 
-  /** Settings with those that options, by the settings' names, and assignments say. */
+  /** Settings with what is given of options, by the settings' names, and assignments. */
   <S extends Record> S assigned(
       Class<S> type, S settings, Map<String, Object> options, List<String> assignments) {
     List<String> all = new ArrayList<>();
-    options.forEach((name, value) -> all.add(name + "=" + value));
+    options.forEach(
+        (name, value) -> {
+          if (value != null) {
+            all.add(name + "=" + value);
+          }
+        });
     all.addAll(assignments);
     try {
       return SettingsSchema.of(type).withAssignments(settings, all);

@@ -25,7 +25,6 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -214,7 +213,6 @@ final class WingsCommand extends Subcommand {
     options.put("output.rateHz", rateHz);
     options.put("search.startFrequencyHz", initialHz);
     options.put("place.flipHeading", flipHeading ? true : null);
-    options.values().removeIf(Objects::isNull);
     return assigned(WingTrackerSettings.class, start, options, assignments);
   }
 

@@ -1,6 +1,5 @@
 package haltere.ui.wing;
 
-import haltere.core.chain.EventFilter;
 import haltere.core.chain.Outlet;
 import haltere.core.format.AtomicFile;
 import haltere.core.settings.Parameter;
@@ -63,6 +62,7 @@ public final class WingLog implements Closeable {
       SettingsSchema.of(WingTrackerSettings.class);
 
   private final AtomicFile file;
+  private final WingTrackerFilter filter;
   private final OutputStream out;
   private final Writer text;
   private final List<Outlet.Subscription> subscriptions = new ArrayList<>();
@@ -71,8 +71,10 @@ public final class WingLog implements Closeable {
   private LongSupplier rows = () -> 0;
   private Consumer<String> comments = words -> {};
 
-  private WingLog(AtomicFile file) {
+  private WingLog(AtomicFile file, WingTrackerFilter filter) {
     this.file = file;
+    this.filter = filter;
+    settings = filter.settings();
     out = new BufferedOutputStream(file.stream(), 1 << 16);
     text = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
   }
@@ -84,9 +86,9 @@ public final class WingLog implements Closeable {
   public static WingLog open(
       Path path, String source, WingTrackerFilter filter, WingLogFormat format, boolean overwrite)
       throws IOException {
-    WingLog log = new WingLog(AtomicFile.create(path, overwrite));
+    WingLog log = new WingLog(AtomicFile.create(path, overwrite), filter);
     try {
-      log.begin(source, filter, format);
+      log.begin(source, format);
       return log;
     } catch (IOException | RuntimeException problem) {
       log.close();
@@ -94,11 +96,9 @@ public final class WingLog implements Closeable {
     }
   }
 
-  private void begin(String source, WingTrackerFilter filter, WingLogFormat format)
-      throws IOException {
+  private void begin(String source, WingLogFormat format) throws IOException {
     String version = WingLog.class.getPackage().getImplementationVersion();
     comment("haltere " + (version == null ? "(not from a jar)" : version) + ", wings of " + source);
-    settings = filter.settings();
     List<String> changed = SCHEMA.changed(settings);
     for (Parameter parameter : SCHEMA.parameters()) {
       String name = parameter.name();
@@ -111,33 +111,32 @@ public final class WingLog implements Closeable {
               + (changed.contains(name) ? "" : " (default)"));
     }
     if (format.layout() == WingLogFormat.Layout.ORIGINAL) {
-      original(filter, format.rows());
+      original(format.rows());
       return;
     }
     switch (format.rows()) {
-      case EVENT -> table(filter, "measurements", WingMeasurement.class);
-      case TICK -> table(filter, "estimates", WingEstimate.class);
-      case BEAT -> table(filter, "beats", WingBeat.class);
+      case EVENT -> table("measurements", WingMeasurement.class);
+      case TICK -> table("estimates", WingEstimate.class);
+      case BEAT -> table("beats", WingBeat.class);
     }
   }
 
-  private void original(WingTrackerFilter filter, WingLogFormat.Rows when) throws IOException {
-    for (String line : OriginalRows.columns(filter.settings().filter().method())) {
+  private void original(WingLogFormat.Rows when) throws IOException {
+    for (String line : OriginalRows.columns(settings.filter().method())) {
       comment(line);
     }
-    OriginalRows lines = new OriginalRows(text, filter.settings().filter().method());
+    OriginalRows lines = new OriginalRows(text, settings.filter().method());
     rows = lines::rows;
     comments = lines::comment;
     if (when == WingLogFormat.Rows.EVENT) {
-      log(filter, "measurements", WingMeasurement.class, lines::event);
+      log("measurements", WingMeasurement.class, lines::event);
     } else {
-      subscribe(filter, "measurements", WingMeasurement.class, lines::keep);
-      log(filter, "estimates", WingEstimate.class, lines::tick);
+      subscribe("measurements", WingMeasurement.class, lines::keep);
+      log("estimates", WingEstimate.class, lines::tick);
     }
   }
 
-  private <R extends Record> void table(WingTrackerFilter filter, String outlet, Class<R> type)
-      throws IOException {
+  private <R extends Record> void table(String outlet, Class<R> type) throws IOException {
     for (String column : CsvSink.columns(type)) {
       comment("column " + column + ": " + MEANINGS.get(column));
     }
@@ -146,29 +145,26 @@ public final class WingLog implements Closeable {
     table = sink;
     rows = sink::rows;
     comments = sink::comment;
-    log(filter, outlet, type, sink);
+    log(outlet, type, sink);
   }
 
   /** Writes a row for each result of an outlet, and before it what was changed since the last. */
-  private <R> void log(
-      WingTrackerFilter filter, String outlet, Class<R> type, Consumer<? super R> rowsOf) {
+  private <R> void log(String outlet, Class<R> type, Consumer<? super R> rowsOf) {
     subscriptions.add(
         filter
             .byHand()
-            .subscribe(
-                change -> comments.accept("by hand from here on: " + words(filter, change))));
+            .subscribe(change -> comments.accept("by hand from here on: " + words(change))));
     subscribe(
-        filter,
         outlet,
         type,
         row -> {
-          tellChanges(filter);
+          tellChanges();
           rowsOf.accept(row);
         });
   }
 
   /** Says which settings are others from the next row on. */
-  private void tellChanges(WingTrackerFilter filter) {
+  private void tellChanges() {
     WingTrackerSettings now = filter.settings();
     if (now == settings) {
       return;
@@ -183,7 +179,7 @@ public final class WingLog implements Closeable {
     settings = now;
   }
 
-  private static String words(WingTrackerFilter filter, WingByHand change) {
+  private String words(WingByHand change) {
     String part = change.part() + " ";
     if (change.edit().isEmpty()) {
       return part + "begun anew";
@@ -209,8 +205,7 @@ public final class WingLog implements Closeable {
     return parameter.unit().isEmpty() ? "" : " " + parameter.unit();
   }
 
-  private <R> void subscribe(
-      EventFilter filter, String name, Class<R> type, Consumer<? super R> consumer) {
+  private <R> void subscribe(String name, Class<R> type, Consumer<? super R> consumer) {
     for (Outlet<?> outlet : filter.outlets()) {
       if (outlet.name().equals(name)) {
         subscriptions.add(outlet.subscribe(row -> consumer.accept(type.cast(row))));
