@@ -209,9 +209,11 @@ public final class RecordingJob {
       }
       PipelineCounters counters = new PipelineCounters();
       Watch watch = new Watch(reader, counters);
-      List<StreamHandler> sinks = new ArrayList<>(written.sinks());
-      sinks.add(watch);
-      Pipeline.run(pace.apply(reader), filters, sinks, counters);
+      ChainRunner runner = new ChainRunner(filters, counters, OnFailure.STOP, failure -> {});
+      written.rawSinks().forEach(sink -> runner.addSink(sink, true));
+      written.sinks().forEach(sink -> runner.addSink(sink, false));
+      runner.addSink(watch, false);
+      pace.apply(reader).drainTo(runner);
       requireWhole(reader, strict);
       written.finish();
       List<String> warnings = new ArrayList<>(reader.remarks());

@@ -14,7 +14,7 @@ import haltere.filters.frequency.PixelRegion;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Texts;
-import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.RegionTool;
@@ -65,7 +65,7 @@ public final class CameraFeature implements ViewerFeature {
     window = installed;
     panel = new CameraPanel(window.background());
     comingSoon.setOnFinished(over -> list());
-    BooleanProperty shown = window.addPanel("camera", PanelPlace.SIDE, () -> panel);
+    BooleanProperty shown = window.addPanel("camera", PanelLayout.Position.SIDE, () -> panel);
     ViewerActions actions = window.actions();
     Supplier<String> obstacle = () -> open.isPresent() ? "" : "no camera is open";
     actions.add("list-cameras", this::list);
