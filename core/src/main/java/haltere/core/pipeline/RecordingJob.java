@@ -236,7 +236,14 @@ public final class RecordingJob {
     }
   }
 
-  static void requireWhole(RecordingReader reader, boolean whole) throws RecordingProblem {
+  /**
+   * Refuses a recording that is not whole.
+   *
+   * @param reader at the end of the recording
+   * @param whole whether it has to be whole
+   * @throws RecordingProblem if it is cut off or damaged and has to be whole
+   */
+  public static void requireWhole(RecordingReader reader, boolean whole) throws RecordingProblem {
     Optional<RecordingProblem> damage = damage(reader.path(), reader.violations());
     if (whole && damage.isPresent()) {
       throw damage.get();

@@ -2,7 +2,6 @@ package haltere.ui.viewer.cameras;
 
 import haltere.core.camera.Camera;
 import haltere.core.camera.CameraInfo;
-import haltere.core.camera.CameraOptions;
 import haltere.core.camera.CameraProvider;
 import haltere.core.camera.Cameras;
 import haltere.core.camera.RegionOfInterest;
@@ -166,13 +165,7 @@ public final class CameraFeature implements ViewerFeature {
 
   /** Opens a camera in place of what is open. */
   public void open(String id) {
-    window.sessions().open(SessionRequest.made(() -> playable(id), id));
-  }
-
-  private CameraPlayable playable(String id) throws java.io.IOException {
-    CameraOptions options =
-        CameraOptions.DEFAULT.withReconnect(true).withWhenFull(CameraOptions.WhenFull.DROP_OLDEST);
-    return new CameraPlayable(cameras.open(id, options), true);
+    window.sessions().open(SessionRequest.made(() -> CameraPlayable.open(cameras, id), id));
   }
 
   // ---- What a camera can be told
