@@ -138,7 +138,11 @@ final class SpaceTimePanel extends BorderPane {
     }
     image.repaint();
     words.setText(
-        Texts.duration(view.spanUs()) + ", " + Texts.count(frame.points.count()) + " events");
+        Texts.duration(view.spanUs())
+            + ", "
+            + Texts.count(frame.points.count())
+            + " events, traces in steps of "
+            + Texts.duration(SpaceTimeSink.stepUs(view.spanUs())));
   }
 
   private void goBack() {
