@@ -4,9 +4,8 @@ import haltere.core.chain.ChainFile;
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterProvider;
+import haltere.core.sink.internal.Unchecked;
 import haltere.ui.viewer.controls.Texts;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -215,13 +214,11 @@ public final class ChainEditor {
   /** Makes the chain what it was when it was written down. */
   private void restore(AtomicReference<String> json) {
     change(
-        chain -> {
-          try {
-            replaceAll(chain, ChainFile.parse(json.get(), "the chain before", chain.geometry()));
-          } catch (IOException impossible) {
-            throw new UncheckedIOException(impossible);
-          }
-        });
+        chain ->
+            replaceAll(
+                chain,
+                Unchecked.read(
+                    () -> ChainFile.parse(json.get(), "the chain before", chain.geometry()))));
   }
 
   void setEnabled(ChainStage stage, boolean enabled) {
