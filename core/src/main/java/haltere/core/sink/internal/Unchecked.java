@@ -12,7 +12,11 @@ import java.nio.charset.StandardCharsets;
  * <p>Thread rule: that of what is read or written.
  */
 public final class Unchecked {
-  /** Reads something. */
+  /**
+   * Reads something.
+   *
+   * @param <T> what is read
+   */
   @FunctionalInterface
   public interface Reading<T> {
     /** {@return what was read} */
@@ -28,7 +32,13 @@ public final class Unchecked {
 
   private Unchecked() {}
 
-  /** {@return what was read} */
+  /**
+   * Reads something.
+   *
+   * @param reading reads it
+   * @param <T> what is read
+   * @return what was read
+   */
   public static <T> T read(Reading<T> reading) {
     try {
       return reading.read();
@@ -37,7 +47,12 @@ public final class Unchecked {
     }
   }
 
-  /** {@return the text of a resource in UTF-8, whose stream is closed} */
+  /**
+   * The text of a resource in UTF-8.
+   *
+   * @param resource closed behind its end
+   * @return the whole text
+   */
   public static String text(InputStream resource) {
     return read(
         () -> {
@@ -47,7 +62,11 @@ public final class Unchecked {
         });
   }
 
-  /** Writes something. */
+  /**
+   * Writes something.
+   *
+   * @param writing writes it
+   */
   public static void write(Writing writing) {
     try {
       writing.write();
