@@ -31,7 +31,9 @@ public final class ViewBar extends HBox {
   /** Below this width, pixels, there is room for choices and buttons alone. */
   private static final double WIDE_PX = 460;
 
-  /** Below this width the words on fading may be cut off. */
+  /** Width of the choice of a fading in which its words are whole, and of a bar that has room. */
+  private static final double FADING_PX = 156;
+
   private static final double WHOLE_PX = 410;
 
   private final HBox tools = new HBox(2);
@@ -53,7 +55,7 @@ public final class ViewBar extends HBox {
             DisplayControl.DECAYS::get);
     fading
         .minWidthProperty()
-        .bind(Bindings.when(widthProperty().lessThan(WHOLE_PX)).then(90).otherwise(USE_PREF_SIZE));
+        .bind(Bindings.when(widthProperty().lessThan(WHOLE_PX)).then(90).otherwise(FADING_PX));
     getChildren()
         .addAll(
             choice(
