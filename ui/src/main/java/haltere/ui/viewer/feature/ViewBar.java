@@ -7,7 +7,6 @@ import haltere.ui.viewer.controls.Icons;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.Function;
-import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
@@ -15,6 +14,7 @@ import javafx.beans.property.Property;
 import javafx.beans.value.ObservableBooleanValue;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
+import javafx.scene.Scene;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
@@ -31,10 +31,13 @@ public final class ViewBar extends HBox {
   /** Below this width, pixels, there is room for choices and buttons alone. */
   private static final double WIDE_PX = 460;
 
-  /** Width of the choice of a fading in which its words are whole, and of a bar that has room. */
+  /** Width of a choice in a narrow window, and of the fading where its words are whole. */
+  private static final double MIN_PX = 90;
+
   private static final double FADING_PX = 156;
 
-  private static final double WHOLE_PX = 410;
+  /** From this width of the window on there is room for whole words. */
+  private static final double WHOLE_PX = 1000;
 
   private final HBox tools = new HBox(2);
   private final BooleanBinding isWide = widthProperty().greaterThan(WIDE_PX);
@@ -55,7 +58,11 @@ public final class ViewBar extends HBox {
             DisplayControl.DECAYS::get);
     fading
         .minWidthProperty()
-        .bind(Bindings.when(widthProperty().lessThan(WHOLE_PX)).then(90).otherwise(FADING_PX));
+        .bind(
+            sceneProperty()
+                .flatMap(Scene::widthProperty)
+                .map(width -> width.doubleValue() < WHOLE_PX ? MIN_PX : FADING_PX)
+                .orElse(MIN_PX));
     getChildren()
         .addAll(
             choice(
@@ -106,7 +113,7 @@ public final class ViewBar extends HBox {
       Function<T, String> words) {
     ChoiceBox<T> box = Controls.choice(id, help, values, words);
     box.getStyleClass().add(Styles.SMALL);
-    box.setMinWidth(90);
+    box.setMinWidth(MIN_PX);
     box.valueProperty().bindBidirectional(property);
     return box;
   }
