@@ -138,6 +138,7 @@ public final class RowFields {
   private final List<String> names;
   private final List<Kind> kinds = new ArrayList<>();
   private final Field[] fields;
+  private final MethodHandle[] getters;
 
   /**
    * The components of a type.
@@ -153,6 +154,7 @@ public final class RowFields {
     List<Leaf> leaves = leaves(type);
     names = leaves.stream().map(Leaf::name).toList();
     fields = new Field[leaves.size()];
+    getters = new MethodHandle[leaves.size()];
     for (int i = 0; i < fields.length; i++) {
       Leaf leaf = leaves.get(i);
       if (leaf.decimals < -1 || leaf.decimals > 9) {
@@ -161,6 +163,7 @@ public final class RowFields {
       }
       kinds.add(Kind.of(leaf.get.type().returnType()));
       fields[i] = field(leaf.get, leaf.decimals);
+      getters[i] = leaf.get.asType(MethodType.methodType(Object.class, Object.class));
     }
   }
 
@@ -244,11 +247,33 @@ public final class RowFields {
   public void write(int index, Record row, Values values) {
     try {
       fields[index].write(row, values);
-    } catch (RuntimeException | Error thrown) {
-      throw thrown;
     } catch (Throwable thrown) {
-      throw new IllegalStateException("cannot read a row of " + row.getClass(), thrown);
+      throw unreadable(row, thrown);
     }
+  }
+
+  /**
+   * The value of one component of a row.
+   *
+   * @param index which, from 0
+   * @param row a record of the type
+   * @return as the record has it, a number in a box
+   */
+  public Object value(int index, Record row) {
+    try {
+      return (Object) getters[index].invokeExact((Object) row);
+    } catch (Throwable thrown) {
+      throw unreadable(row, thrown);
+    }
+  }
+
+  private static RuntimeException unreadable(Record row, Throwable thrown) {
+    if (thrown instanceof Error error) {
+      throw error;
+    }
+    return thrown instanceof RuntimeException own
+        ? own
+        : new IllegalStateException("cannot read a row of " + row.getClass(), thrown);
   }
 
   private static Field field(MethodHandle get, int decimals) {

@@ -3,8 +3,8 @@ package haltere.ui.command.results;
 import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
 import haltere.core.event.Trigger;
+import haltere.core.settings.Parameter;
 import haltere.core.sink.Column;
-import java.util.Locale;
 
 /** Rows of the tables in which samples are written. */
 final class SampleTables {
@@ -43,11 +43,10 @@ final class SampleTables {
   record TriggerRow(@Column("t_us") long timeUs, String source, String edge, int channel) {
     static TriggerRow of(Trigger trigger) {
       return new TriggerRow(
-          trigger.timeUs(), word(trigger.source()), word(trigger.edge()), trigger.channel());
-    }
-
-    private static String word(Enum<?> value) {
-      return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
+          trigger.timeUs(),
+          Parameter.text(trigger.source()),
+          Parameter.text(trigger.edge()),
+          trigger.channel());
     }
   }
 

@@ -14,7 +14,6 @@ import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.PanelLayout;
-import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.DisplayFrame;
@@ -91,8 +90,9 @@ public final class CompareFeature implements ViewerFeature {
     }
     window.panels().addAbovePicture(firstName);
     PanelLayout layout = window.panels().panelLayout();
-    settingsShown = layout.offer("second-chain", "Second chain", PanelPlace.SIDE, () -> settings);
-    shown = layout.offer("compare", "Compare", PanelPlace.BESIDE, () -> named);
+    settingsShown =
+        layout.offer("second-chain", "Second chain", PanelLayout.Position.SIDE, () -> settings);
+    shown = layout.offer("compare", "Compare", PanelLayout.Position.BESIDE, () -> named);
     firstName.visibleProperty().bind(shown);
     firstName.managedProperty().bind(shown);
     // both pictures are as wide as the narrower of their places, so that they have one scale

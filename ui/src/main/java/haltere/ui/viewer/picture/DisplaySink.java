@@ -7,6 +7,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorSample;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.StreamNotification;
+import haltere.ui.rendering.LayerTaps;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
@@ -133,26 +134,26 @@ public final class DisplaySink implements SliceSink {
 
   @Override
   public void sliceHeld() {
-    List<DisplayFrame.Marks<?>> marks = taps.marks();
+    List<LayerTaps.Marks<?>> marks = taps.marks();
     steps.execute(() -> maker.hold(marks));
   }
 
   @Override
   public void sliceEnd(long fromUs, long toUs) {
-    List<DisplayFrame.Marks<?>> marks = taps.marks();
+    List<LayerTaps.Marks<?>> marks = taps.marks();
     steps.execute(() -> maker.showSlice(fromUs, toUs, marks));
   }
 
   /** Paints what there is and hands it over. */
   public void paint() {
-    List<DisplayFrame.Marks<?>> marks = taps.marks();
+    List<LayerTaps.Marks<?>> marks = taps.marks();
     maker.setStale(false);
     steps.execute(() -> maker.paint(marks));
   }
 
   /** A picture of the present moment of usual size, with what lies over it. */
   public BufferedImage picture(Overlays overlays) {
-    List<DisplayFrame.Marks<?>> marks = taps.marks();
+    List<LayerTaps.Marks<?>> marks = taps.marks();
     return thread
         .map(apart -> apart.now(() -> maker.picture(overlays, marks)))
         .orElseGet(() -> maker.picture(overlays, marks));

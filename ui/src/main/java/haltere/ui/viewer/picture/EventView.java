@@ -6,6 +6,7 @@ import haltere.filters.frequency.PixelRegion;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.controls.ArrowKeys;
 import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.PixelImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -188,7 +189,7 @@ public final class EventView extends Region implements ArrowKeys {
     double scale = viewpoint.scale();
     double left = viewpoint.left();
     double top = viewpoint.top();
-    double density = getScene() == null ? 1 : getScene().getWindow().getRenderScaleX();
+    double density = PixelImage.density(this);
     picture.place(viewpoint, density);
     frame.setX(left - 0.5);
     frame.setY(top - 0.5);

@@ -8,6 +8,7 @@ import haltere.ui.rendering.ColourScale;
 import haltere.ui.rendering.EventPicture;
 import haltere.ui.rendering.FrameExchange;
 import haltere.ui.rendering.FramePainter;
+import haltere.ui.rendering.LayerTaps;
 import haltere.ui.rendering.PictureStamp;
 import haltere.ui.rendering.PictureStyle;
 import haltere.ui.rendering.Pictures;
@@ -55,7 +56,7 @@ public final class PictureMaker {
   private long lastSliceUs = 8_333;
   private boolean holds;
   private final boolean betweenSlices;
-  private List<DisplayFrame.Marks<?>> lastMarks = List.of();
+  private List<LayerTaps.Marks<?>> lastMarks = List.of();
   private long paintedNanos;
   private long sliceEndNanos;
   private boolean runsOn;
@@ -130,7 +131,7 @@ public final class PictureMaker {
   }
 
   /** The slice that ended last stays: its picture is of its events and no others. */
-  void hold(List<DisplayFrame.Marks<?>> marks) {
+  void hold(List<LayerTaps.Marks<?>> marks) {
     sliceUs = lastSliceUs;
     events.settle();
     probes.settle();
@@ -182,7 +183,7 @@ public final class PictureMaker {
   }
 
   /** A slice ends; its frame is painted unless the window has no use for it. */
-  void showSlice(long fromUs, long toUs, List<DisplayFrame.Marks<?>> marks) {
+  void showSlice(long fromUs, long toUs, List<LayerTaps.Marks<?>> marks) {
     endSlice(fromUs, toUs);
     lastMarks = marks;
     long nanos = System.nanoTime();
@@ -196,7 +197,7 @@ public final class PictureMaker {
   }
 
   /** Paints what there is and hands it over. */
-  void paint(List<DisplayFrame.Marks<?>> marks) {
+  void paint(List<LayerTaps.Marks<?>> marks) {
     stale = holds;
     if (holds) {
       return;
@@ -227,7 +228,7 @@ public final class PictureMaker {
   }
 
   /** A picture of the present moment of usual size, with what lies over it. */
-  BufferedImage picture(Overlays overlays, List<DisplayFrame.Marks<?>> marks) {
+  BufferedImage picture(Overlays overlays, List<LayerTaps.Marks<?>> marks) {
     events.configure(style());
     SensorGeometry geometry = events.frame().geometry();
     int[] argb = new int[geometry.pixels()];

@@ -108,7 +108,7 @@ final class SpaceTimePanel extends BorderPane {
       frame = newer;
       dirty = true;
     }
-    double density = getScene() == null ? 1 : getScene().getWindow().getRenderScaleX();
+    double density = PixelImage.density(this);
     int width = (int) (picture.getWidth() * density);
     int height = (int) (picture.getHeight() * density);
     if (dirty && width >= 2 && height >= 2) {
@@ -118,9 +118,7 @@ final class SpaceTimePanel extends BorderPane {
   }
 
   private void paint(int width, int height, double density) {
-    image.allocate(width, height);
-    image.setFitWidth(width / density);
-    image.setFitHeight(height / density);
+    image.fit(width, height, density);
     SpaceTimeView view = view();
     double room = 2 * SpaceTimeMarks.room() * density;
     SpaceTimeProjection projection =

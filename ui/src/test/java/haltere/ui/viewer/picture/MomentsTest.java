@@ -33,6 +33,7 @@ import java.util.Arrays;
 import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -143,7 +144,7 @@ class MomentsTest {
       pauseAtUs = elapsedUs;
       player.play().join();
       while (player.status().state() == State.PLAYING) {
-        Thread.onSpinWait();
+        LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(1));
       }
       assertEquals(State.PAUSED, player.status().state());
     }
