@@ -3,8 +3,9 @@ package haltere.filters.wing;
 import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.SettingsSchema;
 import java.lang.reflect.RecordComponent;
-import java.util.HashMap;
 import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Settings of {@link haltere.filters.wing.tracker.WingTracker WingTracker}.
@@ -59,10 +60,8 @@ public record WingTrackerSettings(
   }
 
   static Map<String, String> formerNames() {
-    Map<String, String> names = new HashMap<>();
-    for (RecordComponent setting : WingPositionSettings.class.getRecordComponents()) {
-      names.put("place." + setting.getName(), "position." + setting.getName());
-    }
-    return names;
+    return Stream.of(WingPositionSettings.class.getRecordComponents())
+        .map(RecordComponent::getName)
+        .collect(Collectors.toMap("place."::concat, "position."::concat));
   }
 }
