@@ -14,7 +14,6 @@ import javafx.beans.property.Property;
 import javafx.beans.value.ObservableBooleanValue;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
-import javafx.scene.Scene;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
@@ -31,13 +30,8 @@ public final class ViewBar extends HBox {
   /** Below this width, pixels, there is room for choices and buttons alone. */
   private static final double WIDE_PX = 460;
 
-  /** Width of a choice in a narrow window, and of the fading where its words are whole. */
-  private static final double MIN_PX = 90;
-
-  private static final double FADING_PX = 156;
-
-  /** From this width of the window on there is room for whole words. */
-  private static final double WHOLE_PX = 1000;
+  /** Width of the choice of what colours say, which leaves room for longer words on fading. */
+  private static final double MODE_PX = 160;
 
   private final HBox tools = new HBox(2);
   private final BooleanBinding isWide = widthProperty().greaterThan(WIDE_PX);
@@ -49,30 +43,24 @@ public final class ViewBar extends HBox {
     Label words = Controls.whole("Fading", Styles.TEXT_MUTED, Styles.TEXT_SMALL);
     showWhere(isWide, words);
     tools.setAlignment(Pos.CENTER_RIGHT);
-    Region fading =
+    Region mode =
         choice(
-            "fading",
-            "How fast events fade, or that only those of the last slice are shown",
-            display.decayUsProperty(),
-            DisplayControl.DECAYS.keySet(),
-            DisplayControl.DECAYS::get);
-    fading
-        .minWidthProperty()
-        .bind(
-            sceneProperty()
-                .flatMap(Scene::widthProperty)
-                .map(width -> width.doubleValue() < WHOLE_PX ? MIN_PX : FADING_PX)
-                .orElse(MIN_PX));
+            "show-as",
+            "What the colour of a pixel says about its events",
+            display.modeProperty(),
+            List.of(DisplayMode.values()),
+            DisplayMode::words);
+    mode.setPrefWidth(MODE_PX);
     getChildren()
         .addAll(
-            choice(
-                "show-as",
-                "What the colour of a pixel says about its events",
-                display.modeProperty(),
-                List.of(DisplayMode.values()),
-                DisplayMode::words),
+            mode,
             words,
-            fading,
+            choice(
+                "fading",
+                "How fast events fade, or that only those of the last slice are shown",
+                display.decayUsProperty(),
+                DisplayControl.DECAYS.keySet(),
+                DisplayControl.DECAYS::get),
             Controls.growing(new Region()),
             tools);
   }
@@ -113,7 +101,7 @@ public final class ViewBar extends HBox {
       Function<T, String> words) {
     ChoiceBox<T> box = Controls.choice(id, help, values, words);
     box.getStyleClass().add(Styles.SMALL);
-    box.setMinWidth(MIN_PX);
+    box.setMinWidth(90);
     box.valueProperty().bindBidirectional(property);
     return box;
   }
