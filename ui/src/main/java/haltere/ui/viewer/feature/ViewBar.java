@@ -7,7 +7,6 @@ import haltere.ui.viewer.controls.Icons;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.Function;
-import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
@@ -31,8 +30,8 @@ public final class ViewBar extends HBox {
   /** Below this width, pixels, there is room for choices and buttons alone. */
   private static final double WIDE_PX = 460;
 
-  /** Below this width the words on fading may be cut off. */
-  private static final double WHOLE_PX = 410;
+  /** Width of the choice of what colours say, which leaves room for longer words on fading. */
+  private static final double MODE_PX = 160;
 
   private final HBox tools = new HBox(2);
   private final BooleanBinding isWide = widthProperty().greaterThan(WIDE_PX);
@@ -44,26 +43,24 @@ public final class ViewBar extends HBox {
     Label words = Controls.whole("Fading", Styles.TEXT_MUTED, Styles.TEXT_SMALL);
     showWhere(isWide, words);
     tools.setAlignment(Pos.CENTER_RIGHT);
-    Region fading =
+    Region mode =
         choice(
-            "fading",
-            "How fast events fade, or that only those of the last slice are shown",
-            display.decayUsProperty(),
-            DisplayControl.DECAYS.keySet(),
-            DisplayControl.DECAYS::get);
-    fading
-        .minWidthProperty()
-        .bind(Bindings.when(widthProperty().lessThan(WHOLE_PX)).then(90).otherwise(USE_PREF_SIZE));
+            "show-as",
+            "What the colour of a pixel says about its events",
+            display.modeProperty(),
+            List.of(DisplayMode.values()),
+            DisplayMode::words);
+    mode.setPrefWidth(MODE_PX);
     getChildren()
         .addAll(
-            choice(
-                "show-as",
-                "What the colour of a pixel says about its events",
-                display.modeProperty(),
-                List.of(DisplayMode.values()),
-                DisplayMode::words),
+            mode,
             words,
-            fading,
+            choice(
+                "fading",
+                "How fast events fade, or that only those of the last slice are shown",
+                display.decayUsProperty(),
+                DisplayControl.DECAYS.keySet(),
+                DisplayControl.DECAYS::get),
             Controls.growing(new Region()),
             tools);
   }
