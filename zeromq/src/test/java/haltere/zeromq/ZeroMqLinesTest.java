@@ -40,10 +40,7 @@ class ZeroMqLinesTest {
   void aSubscriberGetsWhatItAskedForAndNothingElse() throws IOException {
     try (LineOutput output = LineOutputs.open("zmq://127.0.0.1:0");
         ZContext context = new ZContext(1)) {
-      ZMQ.Socket subscriber = context.createSocket(SocketType.SUB);
-      subscriber.connect("tcp://127.0.0.1:" + LineAddress.parse(output.address()).port());
-      subscriber.subscribe("wanted/");
-      subscriber.setReceiveTimeOut(10);
+      ZMQ.Socket subscriber = subscriber(context, output, "wanted/");
       String topic = null;
       while (topic == null) {
         // who has just connected misses what was sent before
@@ -55,6 +52,17 @@ class ZeroMqLinesTest {
       assertEquals("{\"number\":1}\n", subscriber.recvStr());
       assertEquals(0, output.lost());
     }
+  }
+
+  /** Connects anew after a second if the handshake fails, instead of after 30 s. */
+  private static ZMQ.Socket subscriber(ZContext context, LineOutput output, String topic)
+      throws IOException {
+    ZMQ.Socket subscriber = context.createSocket(SocketType.SUB);
+    subscriber.setHandshakeIvl(1000);
+    subscriber.connect("tcp://127.0.0.1:" + LineAddress.parse(output.address()).port());
+    subscriber.subscribe(topic);
+    subscriber.setReceiveTimeOut(10);
+    return subscriber;
   }
 
   @Test
@@ -87,10 +95,7 @@ class ZeroMqLinesTest {
       } catch (SocketException reset) {
         // hung up as well
       }
-      ZMQ.Socket subscriber = context.createSocket(SocketType.SUB);
-      subscriber.connect("tcp://127.0.0.1:" + port);
-      subscriber.subscribe("");
-      subscriber.setReceiveTimeOut(10);
+      ZMQ.Socket subscriber = subscriber(context, output, "");
       while (subscriber.recvStr() == null) {
         output.send("wanted/rows", LINE);
       }

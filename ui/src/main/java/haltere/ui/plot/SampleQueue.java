@@ -1,13 +1,12 @@
 package haltere.ui.plot;
 
-import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Carries samples from one thread to another, at most so many at once. Neither side waits for room
- * or for samples; what does not fit is counted and left out.
+ * Carries samples from one thread to another, at most so many at once, without locks and objects.
+ * Neither side waits for room or for samples; what does not fit is counted and left out.
  *
- * <p>Thread rule: all methods may be called from any thread.
+ * <p>Thread rule: one thread puts samples in, one takes them out; {@link #lost} is for any.
  */
 public final class SampleQueue {
   /** Takes samples. */
@@ -19,28 +18,47 @@ public final class SampleQueue {
     void take(long timeUs, String key, double value);
   }
 
-  private record Sample(long timeUs, String key, double value) {}
+  private final long[] timesUs;
+  private final String[] keys;
+  private final double[] values;
 
-  private final ArrayBlockingQueue<Sample> samples;
+  /** Samples that were put in since the beginning; the place of the next is this modulo length. */
+  private final AtomicLong written = new AtomicLong();
+
+  /** Samples that were taken out since the beginning. */
+  private final AtomicLong taken = new AtomicLong();
+
   private final AtomicLong lost = new AtomicLong();
 
   /** An empty queue for so many samples. */
   public SampleQueue(int capacity) {
-    samples = new ArrayBlockingQueue<>(capacity);
+    timesUs = new long[capacity];
+    keys = new String[capacity];
+    values = new double[capacity];
   }
 
   /** Puts a sample in, or counts it as lost. */
   public void put(long timeUs, String key, double value) {
-    if (!samples.offer(new Sample(timeUs, key, value))) {
+    long number = written.getPlain();
+    if (number - taken.getAcquire() == timesUs.length) {
       lost.incrementAndGet();
+      return;
     }
+    int place = (int) (number % timesUs.length);
+    timesUs[place] = timeUs;
+    keys[place] = key;
+    values[place] = value;
+    written.setRelease(number + 1);
   }
 
   /** Takes out all that is there, oldest first. */
   public void drainTo(SampleConsumer consumer) {
-    for (int left = samples.size(); left > 0; left--) {
-      Sample sample = samples.poll();
-      consumer.take(sample.timeUs, sample.key, sample.value);
+    long end = written.getAcquire();
+    for (long number = taken.getPlain(); number < end; number++) {
+      int place = (int) (number % timesUs.length);
+      consumer.take(timesUs[place], keys[place], values[place]);
+      keys[place] = null;
+      taken.setRelease(number + 1);
     }
   }
 

@@ -13,11 +13,14 @@ import javafx.scene.control.Button;
 
 /**
  * Begins a tethered fly in slow motion, in which single strokes are seen, once its wings have been
- * found at full speed; and says in a caption what is seen, until it is clicked.
+ * found in real time; and says in a caption what is seen, until it is clicked.
  */
 final class FlyStartFeature implements ViewerFeature {
   /** Recording time per real time: a stroke of 5 ms takes half a second. */
   static final double SLOW_MOTION = 0.01;
+
+  /** Speed of the search; another one that is chosen meanwhile stays. */
+  private static final double SEARCH_SPEED = 1;
 
   /** The wing tracker searches for 35 ms, then both wings settle. */
   private static final long SEARCH_US = 80_000;
@@ -50,7 +53,7 @@ final class FlyStartFeature implements ViewerFeature {
       speedBefore = speed;
     }
     if (fly || isFly && speed == SLOW_MOTION) {
-      window.playback().setSpeed(fly ? 1 : speedBefore);
+      window.playback().setSpeed(fly ? SEARCH_SPEED : speedBefore);
     }
     isFly = fly;
     searching = fly;
@@ -60,7 +63,9 @@ final class FlyStartFeature implements ViewerFeature {
   private void pulse(ViewerSession open) {
     if (searching && open.player().status().elapsedUs() >= SEARCH_US) {
       searching = false;
-      window.playback().setSpeed(SLOW_MOTION);
+      if (window.playback().speedProperty().get() == SEARCH_SPEED) {
+        window.playback().setSpeed(SLOW_MOTION);
+      }
     }
   }
 

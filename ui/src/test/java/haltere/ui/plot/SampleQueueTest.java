@@ -2,6 +2,7 @@ package haltere.ui.plot;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import haltere.testing.Allocation;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 
@@ -17,6 +18,21 @@ class SampleQueueTest {
     queue.drainTo((timeUs, key, value) -> taken.incrementAndGet());
     assertEquals(8, taken.get());
     assertEquals(12, queue.lost());
+  }
+
+  @Test
+  void nothingIsAllocatedForASample() {
+    SampleQueue queue = new SampleQueue(100);
+    SampleQueue.SampleConsumer nobody = (timeUs, key, value) -> {};
+    Runnable run =
+        () -> {
+          for (int i = 0; i < 100; i++) {
+            queue.put(i, "a", i);
+          }
+          queue.drainTo(nobody);
+        };
+    assertEquals(0, Allocation.bytesOf(run, 0));
+    assertEquals(0, queue.lost());
   }
 
   @Test

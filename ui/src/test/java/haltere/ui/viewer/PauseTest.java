@@ -85,8 +85,8 @@ class PauseTest {
 
   private void playTheFlyBeyond(long elapsedUs) {
     viewer.run(() -> viewer.window.context().sessions().open(SessionRequest.scene()));
-    viewer.run(() -> viewer.window.context().playback().setSpeed(1));
-    viewer.waitFor("the fly", () -> viewer.window.context().sessions().session().isPresent());
+    viewer.waitUntilOpen("Fly scene");
+    viewer.run(() -> viewer.window.context().playback().setSpeed(0.5));
     viewer.waitFor("some beats", () -> viewer.status().elapsedUs() > elapsedUs);
     viewer.pause();
   }

@@ -86,6 +86,16 @@ class StartTest {
   }
 
   @Test
+  void aSpeedThatIsChosenDuringTheSearchForTheFlyStays() {
+    viewer.run(() -> viewer.window.context().actions().run("open-scene"));
+    viewer.waitUntilOpen("Fly scene");
+    viewer.run(() -> viewer.window.context().playback().setSpeed(0.5));
+    viewer.waitFor("the end of the search", () -> viewer.status().elapsedUs() > 200_000);
+    viewer.waitFor("a picture", () -> viewer.window.context().panels().framesShown() > 1);
+    assertEquals(0.5, viewer.onFx(viewer.window.context().playback().speedProperty()::get));
+  }
+
+  @Test
   void theFlyBeginsInSlowMotionWithACaptionThatGoesByAClick() throws IOException {
     viewer.run(() -> viewer.window.context().actions().run("open-scene"));
     viewer.waitUntilOpen("Fly scene");
