@@ -346,8 +346,6 @@ final class ObjectTracker {
     to.state.set(from.state);
     to.shape.clear(from.shape.cellPx);
     from.regions.move(region, from.shape, to.shape);
-    double seconds = RegionFinder.LOOK_TICKS * TICK_S;
-    to.setVelocity(from.vx() + region.slipX() / seconds, from.vy() + region.slipY() / seconds);
     to.shape.settle();
     from.shape.settle();
     double total = ShapeTemplate.sum(to.shape.mass);
@@ -448,8 +446,10 @@ final class ObjectTracker {
       if (!isApart(object)) {
         object.apartUs = nowUs;
       }
-      boolean isCompared = (nowUs - object.apartUs) * 1e-6 >= settings.confirmS();
-      if (isCompared && isEvident(object)) {
+      // one slip is in all displacements over a window, so that it must not decide
+      double windowS = object.apartUs > object.bornUs ? object.windowS() : 0;
+      double apartS = (nowUs - object.apartUs) * 1e-6;
+      if (apartS >= Math.max(settings.confirmS(), windowS) && isEvident(object)) {
         decide(object);
       }
     }
@@ -479,14 +479,9 @@ final class ObjectTracker {
   }
 
   private boolean isApart(TrackedObject object) {
-    for (int i = 0; i < objects.size(); i++) {
-      TrackedObject other = objects.get(i);
-      boolean isNeighbour = other != object && other.isDecided() && !other.isLost;
-      if (isNeighbour && !relations.areApart(object, other)) {
-        return false;
-      }
-    }
-    return true;
+    return objects.stream()
+        .filter(other -> other != object && other.isDecided() && !other.isLost)
+        .allMatch(other -> relations.areApart(object, other));
   }
 
   /** Gives an object its identity, and all its rows since it began. */

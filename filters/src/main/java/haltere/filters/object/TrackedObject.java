@@ -62,6 +62,16 @@ final class TrackedObject {
     return id > 0;
   }
 
+  /** Whether it is reported, or was watched for longer than rows are kept. */
+  boolean isSettled() {
+    return isDecided() || age() * ObjectTracker.TICK_S > ObjectTrackerFilter.UNDECIDED_S;
+  }
+
+  /** Longest time over which displacements of its components are compared, seconds. */
+  double windowS() {
+    return ObjectTracker.TICK_S * components.stream().mapToInt(c -> c.window).max().orElse(0);
+  }
+
   boolean isMoving() {
     boolean isMoving = false;
     for (int i = 0; i < components.size(); i++) {
@@ -71,20 +81,12 @@ final class TrackedObject {
   }
 
   double novelty() {
-    double sum = 0;
-    for (int i = 0; i < components.size(); i++) {
-      sum += components.get(i).novelty;
-    }
-    return sum;
+    return components.stream().mapToDouble(component -> component.novelty).sum();
   }
 
   /** Ticks for which its oldest component was watched. */
   int age() {
-    int age = 0;
-    for (int i = 0; i < components.size(); i++) {
-      age = Math.max(age, components.get(i).age());
-    }
-    return age;
+    return components.stream().mapToInt(Component::age).max().orElse(0);
   }
 
   /** Probability that one of its components is there. */
