@@ -10,13 +10,10 @@ import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.Iterator;
 import java.util.List;
 import java.util.NoSuchElementException;
-import java.util.stream.Stream;
 import org.apache.hadoop.fs.FileSystem;
 import org.apache.spark.SparkEnv;
 import org.apache.spark.TaskContext;
@@ -51,9 +48,9 @@ final class RecordingTask implements FlatMapFunction<SparkRecording, Row> {
   @Override
   public Iterator<Row> call(SparkRecording recording) throws IOException {
     Path parent = Path.of(SparkEnv.get().conf().get(SCRATCH, System.getProperty("java.io.tmpdir")));
-    Path scratch = Files.createTempDirectory(parent, "haltere-");
-    TaskContext.get()
-        .addTaskCompletionListener((TaskCompletionListener) context -> delete(scratch));
+    Scratch made = Scratch.in(parent);
+    TaskContext.get().addTaskCompletionListener((TaskCompletionListener) context -> remove(made));
+    Path scratch = made.folder();
     try {
       run(stage(recording, scratch), scratch);
       return new Rows(recording.name(), scratch);
@@ -95,11 +92,9 @@ final class RecordingTask implements FlatMapFunction<SparkRecording, Row> {
     return scratch.resolve(table + "." + RowsFormat.ENDING);
   }
 
-  private static void delete(Path scratch) {
-    try (Stream<Path> all = Files.walk(scratch)) {
-      for (Path path : all.sorted(Comparator.reverseOrder()).toList()) {
-        Files.deleteIfExists(path);
-      }
+  private static void remove(Scratch scratch) {
+    try {
+      scratch.close();
     } catch (IOException thrown) {
       throw new UncheckedIOException(thrown);
     }

@@ -142,6 +142,8 @@ class HaltereSparkTest {
         .config("spark.sql.warehouse.dir", folder.resolve("warehouse").toString())
         .config(
             "spark.haltere.scratch", Files.createDirectories(folder.resolve("scratch")).toString())
+        .config("spark.hadoop.fs.elsewhere.impl", ElsewhereFileSystem.class.getName())
+        .config("spark.hadoop." + ElsewhereFileSystem.ROOT, folder.toString())
         .config("spark.jars", System.getProperty("haltere.submitted"))
         .config("spark.sql.shuffle.partitions", 2)
         .getOrCreate();
@@ -167,20 +169,23 @@ class HaltereSparkTest {
   }
 
   /** Runs all recordings into a folder of Parquet and reads it back. */
-  private static void assertThatTheRowsAreThoseOfABatch(SparkSession spark, Path out)
-      throws IOException {
-    try (SparkResults results =
-        HaltereSpark.open(spark, HaltereSpark.find(spark, in.toUri().toString()), CHAIN)) {
-      results.write(out.toUri().toString());
-      assertThrows(IOException.class, () -> results.write(out.toUri().toString()));
+  private static void assertThatTheRowsAreThoseOfABatch(
+      SparkSession spark, String input, String output, Path out) throws IOException {
+    try (SparkResults results = HaltereSpark.open(spark, HaltereSpark.find(spark, input), CHAIN)) {
+      results.write(output);
+      assertThrows(IOException.class, () -> results.write(output));
     }
-    assertEquals(EXPECTED, rows(spark.read().parquet(out.resolve(TRACKS).toString())));
+    assertEquals(EXPECTED, rows(spark.read().parquet(output + "/" + TRACKS)));
     List<Row> failures =
         spark.read().parquet(out.resolve(SparkResults.FAILURES).toString()).collectAsList();
     assertEquals(1, failures.size());
     assertEquals("broken.aedat4", failures.get(0).getString(0));
     assertEquals("recording", failures.get(0).getString(1));
     assertTrue(Files.exists(out.resolve(TRACKS).resolve("recording=a0.aedat")));
+    assertThatTheScratchIsEmpty();
+  }
+
+  private static void assertThatTheScratchIsEmpty() throws IOException {
     try (Stream<Path> scratch = Files.list(folder.resolve("scratch"))) {
       assertEquals(List.of(), scratch.toList());
     }
@@ -189,7 +194,33 @@ class HaltereSparkTest {
   @Test
   void inOneProcessTheRowsAreThoseOfABatch() throws IOException {
     try (SparkSession spark = spark("local[2]")) {
-      assertThatTheRowsAreThoseOfABatch(spark, folder.resolve("local"));
+      Path out = folder.resolve("local");
+      assertThatTheRowsAreThoseOfABatch(spark, in.toUri().toString(), out.toUri().toString(), out);
+    }
+  }
+
+  @Test
+  void onAnotherFileSystemTheRowsAreThoseOfABatch() throws IOException {
+    try (SparkSession spark = spark("local[2]")) {
+      assertThatTheRowsAreThoseOfABatch(
+          spark, "elsewhere:///in", "elsewhere:///out/tables", folder.resolve("out/tables"));
+    }
+  }
+
+  @Test
+  void whatAKilledProcessLeftIsRemovedAndWhatIsInUseIsNot() throws IOException {
+    Path parent = Files.createDirectories(folder.resolve("scratches"));
+    Path left = Files.createDirectories(parent.resolve("haltere-left/more")).getParent();
+    Files.writeString(left.resolve("more/recording.aedat"), "cut off");
+    Files.createFile(parent.resolve("haltere-left.lock"));
+    Path others = Files.createDirectory(parent.resolve("haltere"));
+    try (Scratch first = Scratch.in(parent);
+        Scratch second = Scratch.in(parent)) {
+      assertTrue(Files.isDirectory(first.folder()) && Files.isDirectory(second.folder()));
+      assertFalse(Files.exists(left));
+    }
+    try (Stream<Path> all = Files.list(parent)) {
+      assertEquals(List.of(others), all.toList());
     }
   }
 
@@ -231,7 +262,6 @@ class HaltereSparkTest {
                   }
                 }
               });
-      // what the killed executor leaves is the scratch of its task
       assertThatTheRowsAreThoseOfABatchAfterAKill(spark, folder.resolve("cluster"));
       assertEquals(1, killed.get());
     }
@@ -246,6 +276,7 @@ class HaltereSparkTest {
     assertEquals(EXPECTED, rows(spark.read().parquet(out.resolve(TRACKS).toString())));
     assertEquals(1, spark.read().parquet(out.resolve(SparkResults.FAILURES).toString()).count());
     assertFalse(Files.exists(out.resolve(TRACKS).resolve("_temporary")));
+    assertThatTheScratchIsEmpty();
   }
 
   private static boolean isExecutor(ProcessHandle process) {

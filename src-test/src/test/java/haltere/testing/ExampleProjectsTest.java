@@ -1,6 +1,7 @@
 package haltere.testing;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -32,20 +33,21 @@ class ExampleProjectsTest {
   static void buildAllFromPublishedArtifacts() throws Exception {
     copy("examples/extension");
     copy("examples/imagej");
+    copy("examples/spark");
     copy("src-test/recordings");
     writeReadmeProject(folder.resolve("examples/readme"));
+    writeKotlinProject(folder.resolve("examples/kotlin"));
     Files.writeString(
         folder.resolve("settings.gradle"),
         """
-        ['extension', 'imagej', 'readme'].each { includeBuild "examples/$it" }
+        ['extension', 'imagej', 'spark', 'readme', 'kotlin'].each { includeBuild "examples/$it" }
         """);
     Files.writeString(
         folder.resolve("build.gradle"),
         """
         tasks.register('examples') {
-            dependsOn gradle.includedBuild('extension').task(':build')
-            dependsOn gradle.includedBuild('imagej').task(':build')
-            dependsOn gradle.includedBuild('readme').task(':run')
+            ['extension', 'imagej', 'spark'].each { dependsOn gradle.includedBuild(it).task(':build') }
+            ['readme', 'kotlin'].each { dependsOn gradle.includedBuild(it).task(':run') }
         }
         """);
     List<String> command =
@@ -71,16 +73,96 @@ class ExampleProjectsTest {
     }
   }
 
-  /** A project of the lines of the README and the coordinates of docs/embedding.md. */
+  /** A project of the lines of the README, with the Java of docs/embedding.md beside it. */
   private static void writeReadmeProject(Path project) throws IOException {
     Path sources = Files.createDirectories(project.resolve("src/main/java"));
     Files.writeString(
         sources.resolve("Example.java"), ReadmeExampleTest.program(ReadmeExampleTest.example()));
-    Files.writeString(project.resolve("settings.gradle"), "rootProject.name = 'readme'\n");
-    Matcher coordinates =
-        Pattern.compile("```groovy\n(.*?)```", Pattern.DOTALL)
-            .matcher(Files.readString(CHECKOUT.resolve("docs/embedding.md")));
-    assertTrue(coordinates.find());
+    List<String> blocks = embedding("```java\n(?!module)(.*?)```");
+    assertEquals(2, blocks.size(), blocks::toString);
+    Files.writeString(
+        sources.resolve("Embedding.java"),
+        """
+        import haltere.core.chain.*;
+        import haltere.core.event.*;
+        import haltere.core.format.*;
+        import haltere.core.pipeline.*;
+        import haltere.core.sink.*;
+        import haltere.core.stream.*;
+        import haltere.filters.*;
+        import haltere.filters.object.*;
+        import java.io.*;
+        import java.nio.file.*;
+
+        abstract class Embedding {
+          interface Camera {
+            boolean read(EventPacket packet);
+          }
+
+          abstract void steer(ObjectTrack track);
+
+          void recording() throws IOException {
+        %s  }
+
+          void ownEvents(Camera camera) {
+        %s  }
+        }
+        """
+            .formatted(blocks.toArray()));
+    writeProject(project, "Example", "");
+  }
+
+  /** A project of the Kotlin of docs/embedding.md: imports, and statements as the body of main. */
+  private static void writeKotlinProject(Path project) throws IOException {
+    Path source = project.resolve("src/main/kotlin/Example.kt");
+    Files.createDirectories(source.getParent());
+    String lines = embedding("```kotlin\n(.*?)```").get(0);
+    int end = lines.lastIndexOf("import ");
+    int body = lines.indexOf('\n', end) + 1;
+    Files.writeString(
+        source, lines.substring(0, body) + "fun main() {\n" + lines.substring(body) + "}\n");
+    writeProject(
+        project,
+        "ExampleKt",
+        """
+        def kotlin = '2.1.21'
+        configurations { compiler }
+        dependencies {
+            compiler "org.jetbrains.kotlin:kotlin-compiler-embeddable:$kotlin"
+            implementation "org.jetbrains.kotlin:kotlin-stdlib:$kotlin"
+        }
+        def compiled = file('build/kotlin')
+        tasks.register('kotlin', JavaExec) {
+            classpath = configurations.compiler
+            mainClass = 'org.jetbrains.kotlin.cli.jvm.K2JVMCompiler'
+            args '-no-stdlib', '-no-reflect', '-jvm-target', '17', '-d', compiled, file('src/main/kotlin')
+            def libraries = configurations.runtimeClasspath
+            argumentProviders.add({ ['-classpath', libraries.asPath] } as CommandLineArgumentProvider)
+        }
+        run {
+            dependsOn 'kotlin'
+            classpath += files(compiled)
+        }
+        """);
+  }
+
+  /** What an expression finds in docs/embedding.md. */
+  private static List<String> embedding(String expression) throws IOException {
+    List<String> found =
+        Pattern.compile(expression, Pattern.DOTALL)
+            .matcher(Files.readString(CHECKOUT.resolve("docs/embedding.md")))
+            .results()
+            .map(match -> match.group(1))
+            .toList();
+    assertFalse(found.isEmpty(), expression);
+    return found;
+  }
+
+  /** A program with the coordinates of docs/embedding.md, beside the recording of a moving spot. */
+  private static void writeProject(Path project, String mainClass, String more) throws IOException {
+    Files.writeString(
+        project.resolve("settings.gradle"),
+        "rootProject.name = '%s'\n".formatted(project.getFileName()));
     Files.writeString(
         project.resolve("build.gradle"),
         """
@@ -90,11 +172,12 @@ class ExampleProjectsTest {
             mavenCentral()
         }
         java.sourceCompatibility = JavaVersion.VERSION_17
-        application { mainClass = 'Example' }
+        application { mainClass = '%s' }
         dependencies {
         %s}
         """
-            .formatted(coordinates.group(1)));
+                .formatted(mainClass, embedding("```groovy\n(.*?)```").get(0))
+            + more);
     ReadmeExampleTest.writeMovingSpot(project.resolve("recording.aedat"));
   }
 
@@ -121,13 +204,30 @@ class ExampleProjectsTest {
   }
 
   @Test
-  void theLinesOfTheReadmeFollowAMovingSpot() {
-    long tracks =
-        text(folder.resolve("gradle.log"))
-            .lines()
-            .filter(line -> line.startsWith("ObjectTrack["))
-            .count();
-    assertTrue(tracks > 5, () -> text(folder.resolve("gradle.log")));
+  void theLinesOfTheReadmeFollowAMovingSpotInJavaAndInKotlin() {
+    String log = text(folder.resolve("gradle.log"));
+    for (String project : List.of("readme", "kotlin")) {
+      String task = "> Task :" + project + ":run\n";
+      assertTrue(log.contains(task), log);
+      assertTracks(log.substring(log.indexOf(task) + task.length()).split("\n> Task ")[0]);
+    }
+  }
+
+  private static void assertTracks(String printed) {
+    assertTrue(printed.lines().filter(line -> line.contains("ObjectTrack[")).count() > 5, printed);
+  }
+
+  @Test
+  void jShellRunsTheLinesOfTheReadme() throws Exception {
+    Path project = folder.resolve("examples/readme");
+    Path installed = project.resolve("ui/build/install/haltere");
+    Files.createDirectories(installed.getParent());
+    Files.createSymbolicLink(installed, Path.of(System.getProperty("haltere.installed")));
+    Files.writeString(project.resolve("lines.jsh"), ReadmeExampleTest.example());
+    String shell = embedding("`(jshell [^`]*)`").get(0);
+    Path log = folder.resolve("jshell.log");
+    run(List.of("bash", "-c", "cd '%s' && exec %s -s - <lines.jsh".formatted(project, shell)), log);
+    assertTracks(text(log));
   }
 
   @Test
@@ -143,6 +243,11 @@ class ExampleProjectsTest {
   @Test
   void thePluginWorksInImageJ() throws IOException {
     assertTrue(tests("imagej") > 5);
+  }
+
+  @Test
+  void theProgramForSparkCountsTheObjectsOfRecordings() throws IOException {
+    assertEquals(1, tests("spark"));
   }
 
   /** Tests of an example that ran; the build fails where one of them does. */

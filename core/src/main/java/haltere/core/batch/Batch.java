@@ -9,6 +9,7 @@ import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.OutletTables;
 import haltere.core.pipeline.PipelineCounters.Counter;
 import haltere.core.pipeline.RecordingJob;
+import haltere.core.pipeline.ResultFiles;
 import haltere.core.pipeline.internal.Provenance;
 import java.io.IOException;
 import java.io.InterruptedIOException;
@@ -25,6 +26,9 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 
 /**
@@ -137,11 +141,12 @@ public final class Batch {
       entry.put("cause", failure.cause());
       entries.add(entry);
     }
-    try (AtomicFile atomic = AtomicFile.repeatable(file)) {
+    try (AtomicFile atomic = AtomicFile.staged(file)) {
       String text = Json.write(Map.of("failed", entries)) + "\n";
       atomic.stream().write(text.getBytes(StandardCharsets.UTF_8));
       atomic.commit();
     }
+    AtomicFile.place(file);
   }
 
   /** One run over the recordings. */
@@ -159,6 +164,20 @@ public final class Batch {
     private long rows;
     private volatile boolean stopped;
 
+    /**
+     * Waits for the disk while workers go on; a worker whose result finds all threads at work waits
+     * itself, so that the results in work are at most two for each worker.
+     */
+    private final ThreadPoolExecutor disk =
+        new ThreadPoolExecutor(
+            0,
+            options.workers(),
+            1,
+            TimeUnit.SECONDS,
+            new SynchronousQueue<>(),
+            task -> daemon(task, "haltere-batch-disk"),
+            new ThreadPoolExecutor.CallerRunsPolicy());
+
     Run(Collection<BatchItem> items, Listener listener) {
       this.listener = listener;
       totalBytes = items.stream().mapToLong(BatchItem::bytes).sum();
@@ -171,21 +190,22 @@ public final class Batch {
     void await() throws InterruptedIOException {
       List<Thread> workers = new ArrayList<>();
       for (int i = 0; i < options.workers(); i++) {
-        Thread worker = new Thread(this::work, "haltere-batch-" + (i + 1));
-        worker.setDaemon(true);
+        Thread worker = daemon(this::work, "haltere-batch-" + (i + 1));
         worker.start();
         workers.add(worker);
       }
       boolean interrupted = false;
-      for (Thread worker : workers) {
-        while (worker.isAlive()) {
-          try {
+      while (!disk.isTerminated()) {
+        try {
+          for (Thread worker : workers) {
             worker.join();
-          } catch (InterruptedException stop) {
-            interrupted = true;
-            stopped = true;
-            workers.forEach(Thread::interrupt);
           }
+          disk.shutdown();
+          disk.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
+        } catch (InterruptedException stop) {
+          interrupted = true;
+          stopped = true;
+          workers.forEach(Thread::interrupt);
         }
       }
       if (interrupted) {
@@ -193,14 +213,25 @@ public final class Batch {
       }
     }
 
+    private static Thread daemon(Runnable work, String name) {
+      Thread thread = new Thread(work, name);
+      thread.setDaemon(true);
+      return thread;
+    }
+
     private void work() {
-      for (BatchItem item = waiting.poll(); item != null && !stopped; item = waiting.poll()) {
-        try {
-          work(item);
-        } catch (Exception | Error thrown) {
-          if (!stopped) {
-            fail(new BatchFailure(item, BatchFailure.Kind.of(thrown), words.apply(thrown)));
-          }
+      for (BatchItem next = waiting.poll(); next != null && !stopped; next = waiting.poll()) {
+        BatchItem item = next;
+        attempt(item, () -> work(item));
+      }
+    }
+
+    private void attempt(BatchItem item, ResultFiles.Finish step) {
+      try {
+        step.run();
+      } catch (Exception | Error thrown) {
+        if (!stopped) {
+          fail(new BatchFailure(item, BatchFailure.Kind.of(thrown), words.apply(thrown)));
         }
       }
     }
@@ -219,7 +250,8 @@ public final class Batch {
         tell(() -> elsewhere++);
         return;
       }
-      try (ResultFolder folder = taken.get()) {
+      ResultFolder folder = taken.get();
+      try {
         folder.clear();
         Provenance provenance = new Provenance(options.program(), Optional.of(item.recording()));
         JobReport report =
@@ -230,18 +262,30 @@ public final class Batch {
                 .reading(options.reading(), options.strict())
                 .telling((count, position, size) -> progress.reached(position))
                 .run();
-        folder.complete(
-            results.of(item, report, provenance.recordingSha256().orElseThrow(), place));
-        progress.finish();
-        count(item, report);
+        String recordingSha256 = provenance.recordingSha256().orElseThrow();
+        disk.execute(() -> attempt(item, () -> place(item, folder, report, recordingSha256)));
+      } catch (Exception | Error thrown) {
+        folder.close();
+        throw thrown;
       }
+      progress.finish();
+    }
+
+    private void place(
+        BatchItem item, ResultFolder folder, JobReport report, String recordingSha256)
+        throws IOException {
+      try (folder) {
+        folder.place(report.files());
+        folder.complete(results.of(item, report, recordingSha256, folder(item)));
+      }
+      count(item, report);
     }
 
     private JobResults open(ResultFolder folder, FilterChain filters, Provenance provenance)
         throws IOException {
       OutletTables.Naming naming = (stage, outlet) -> folder.path(options.tableName(stage, outlet));
       folder.begin(OutletTables.files(filters, naming));
-      return OutletTables.open(filters, naming, AtomicFile::repeatable, provenance);
+      return OutletTables.open(filters, naming, AtomicFile::staged, provenance);
     }
 
     private void count(BatchItem item, JobReport report) {

@@ -3,6 +3,7 @@ package haltere.core.batch;
 import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.json.internal.Json;
+import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.internal.Checksums;
 import java.io.Closeable;
 import java.io.IOException;
@@ -172,6 +173,13 @@ final class ResultFolder implements Closeable {
     journal.truncate(0);
     while (bytes.hasRemaining()) {
       journal.write(bytes, bytes.position());
+    }
+  }
+
+  /** Forces files to the disk and gives them their names. */
+  void place(List<JobResults.ResultFile> files) throws IOException {
+    for (JobResults.ResultFile file : files) {
+      AtomicFile.place(file.path());
     }
   }
 

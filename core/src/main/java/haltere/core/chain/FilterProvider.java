@@ -1,8 +1,7 @@
 package haltere.core.chain;
 
 import haltere.core.event.SensorGeometry;
-import haltere.core.settings.SettingsSchema;
-import java.util.Map;
+import haltere.core.settings.SettingsProvider;
 
 /**
  * Makes filters of one kind. Providers are found as services ({@code
@@ -12,28 +11,7 @@ import java.util.Map;
  * @param <S> the settings record
  * @since 0.1
  */
-public interface FilterProvider<S extends Record> {
-  /**
-   * The name by which chains and the command line know the filter.
-   *
-   * @return lower case words joined by hyphens
-   */
-  String name();
-
-  /**
-   * What the filter does, in one sentence for a person.
-   *
-   * @return ends with a full stop
-   */
-  String description();
-
-  /**
-   * The settings record.
-   *
-   * @return its class
-   */
-  Class<S> settingsType();
-
+public interface FilterProvider<S extends Record> extends SettingsProvider<S> {
   /**
    * A new filter.
    *
@@ -42,25 +20,6 @@ public interface FilterProvider<S extends Record> {
    * @return a filter in its initial state
    */
   ConfigurableFilter<S> create(SensorGeometry geometry, S settings);
-
-  /**
-   * The schema of the settings.
-   *
-   * @return made from {@link #settingsType()}
-   */
-  default SettingsSchema<S> schema() {
-    return SettingsSchema.of(settingsType());
-  }
-
-  /**
-   * Settings to start from other than the defaults, such as those of the method that a filter goes
-   * back to.
-   *
-   * @return valid settings by name, a lower case word; none unless a provider says otherwise
-   */
-  default Map<String, S> presets() {
-    return Map.of();
-  }
 
   /**
    * A new filter with the default settings.

@@ -34,7 +34,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   private final Path target;
   private final Path temporary;
   private final boolean overwrite;
-  private final boolean durable;
+  private final boolean staged;
   private final FileChannel channel;
   private final OutputStream stream;
   private boolean committed;
@@ -44,14 +44,14 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
       Path target,
       Path temporary,
       boolean overwrite,
-      boolean durable,
+      boolean staged,
       FileChannel channel,
       OutputStream stream) {
     this.asked = asked;
     this.target = target;
     this.temporary = temporary;
     this.overwrite = overwrite;
-    this.durable = durable;
+    this.staged = staged;
     this.channel = channel;
     this.stream = stream;
   }
@@ -70,15 +70,15 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
 
   /**
    * Starts to write a file that a later try, after this process was killed, writes anew: its
-   * temporary name is always the target's with {@code .part} behind it, and all of it is on the
-   * disk before it gets its name. A file that is there is replaced.
+   * temporary name is always the target's with {@code .part} behind it. {@link #commit} leaves it
+   * there until {@link #place}, so that another thread may wait for the disk.
    *
    * @param target where the file will be, in a folder that only one process writes to
    * @return an empty file
    * @throws IOException if the file cannot be made
    */
-  public static AtomicFile repeatable(Path target) throws IOException {
-    Path temporary = target.resolveSibling(target.getFileName() + PART);
+  public static AtomicFile staged(Path target) throws IOException {
+    Path temporary = part(target);
     FileChannel channel =
         FileChannel.open(
             temporary,
@@ -86,6 +86,28 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
             StandardOpenOption.TRUNCATE_EXISTING,
             StandardOpenOption.WRITE);
     return new AtomicFile(target, target, temporary, true, true, channel, null);
+  }
+
+  private static Path part(Path target) {
+    return target.resolveSibling(target.getFileName() + PART);
+  }
+
+  /**
+   * Forces a committed {@link #staged} file to the disk and gives it its name. A file that is there
+   * is replaced.
+   *
+   * @param target as it was named to {@link #staged}
+   * @throws IOException if that fails
+   */
+  public static void place(Path target) throws IOException {
+    try {
+      try (FileChannel file = FileChannel.open(part(target), StandardOpenOption.WRITE)) {
+        file.force(true);
+      }
+      move(part(target), target);
+    } catch (IOException e) {
+      throw RecordingProblem.writing(target, e);
+    }
   }
 
   /**
@@ -207,7 +229,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   }
 
   /**
-   * Puts the file in its place.
+   * Puts the file in its place, or readies it for {@link #place} if it is {@link #staged}.
    *
    * @throws IOException if that fails; the target is then as it was
    */
@@ -219,12 +241,11 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
       if (stream != null) {
         stream.flush();
       } else {
-        if (durable) {
-          channel.force(true);
-        }
         channel.close();
-        refuseExisting(asked, overwrite);
-        move();
+        if (!staged) {
+          refuseExisting(asked, overwrite);
+          move(temporary, target);
+        }
       }
     } catch (IOException e) {
       throw RecordingProblem.writing(asked, e);
@@ -232,7 +253,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
     committed = true;
   }
 
-  private void move() throws IOException {
+  private static void move(Path temporary, Path target) throws IOException {
     try {
       Files.move(
           temporary, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);

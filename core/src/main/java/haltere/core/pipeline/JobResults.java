@@ -25,6 +25,15 @@ public interface JobResults extends Closeable {
   record ResultFile(Path path, long rows) {}
 
   /**
+   * What takes the stream before the chain.
+   *
+   * @return sinks that see all packets, samples and notifications and change no packet
+   */
+  default List<StreamHandler> rawSinks() {
+    return List.of();
+  }
+
+  /**
    * What takes the stream behind the chain.
    *
    * @return sinks that see all packets, samples and notifications

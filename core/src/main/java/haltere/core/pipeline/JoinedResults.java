@@ -25,6 +25,11 @@ final class JoinedResults implements JobResults {
   }
 
   @Override
+  public List<StreamHandler> rawSinks() {
+    return all.stream().flatMap(results -> results.rawSinks().stream()).toList();
+  }
+
+  @Override
   public List<StreamHandler> sinks() {
     return all.stream().flatMap(results -> results.sinks().stream()).toList();
   }

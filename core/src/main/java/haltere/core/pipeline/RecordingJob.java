@@ -209,9 +209,11 @@ public final class RecordingJob {
       }
       PipelineCounters counters = new PipelineCounters();
       Watch watch = new Watch(reader, counters);
-      List<StreamHandler> sinks = new ArrayList<>(written.sinks());
-      sinks.add(watch);
-      Pipeline.run(pace.apply(reader), filters, sinks, counters);
+      ChainRunner runner = new ChainRunner(filters, counters, OnFailure.STOP, failure -> {});
+      written.rawSinks().forEach(sink -> runner.addSink(sink, true));
+      written.sinks().forEach(sink -> runner.addSink(sink, false));
+      runner.addSink(watch, false);
+      pace.apply(reader).drainTo(runner);
       requireWhole(reader, strict);
       written.finish();
       List<String> warnings = new ArrayList<>(reader.remarks());
@@ -234,7 +236,14 @@ public final class RecordingJob {
     }
   }
 
-  static void requireWhole(RecordingReader reader, boolean whole) throws RecordingProblem {
+  /**
+   * Refuses a recording that is not whole.
+   *
+   * @param reader at the end of the recording
+   * @param whole whether it has to be whole
+   * @throws RecordingProblem if it is cut off or damaged and has to be whole
+   */
+  public static void requireWhole(RecordingReader reader, boolean whole) throws RecordingProblem {
     Optional<RecordingProblem> damage = damage(reader.path(), reader.violations());
     if (whole && damage.isPresent()) {
       throw damage.get();

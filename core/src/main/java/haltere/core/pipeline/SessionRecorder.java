@@ -1,5 +1,6 @@
 package haltere.core.pipeline;
 
+import haltere.core.camera.Camera;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorSample;
@@ -14,6 +15,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Clock;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -187,10 +189,47 @@ public final class SessionRecorder implements StreamHandler, Closeable {
     if (number == 1) {
       return out;
     }
-    String name = out.getFileName().toString();
+    return extended(out, "-" + number);
+  }
+
+  /**
+   * A file beside another one.
+   *
+   * @param file the other one
+   * @param added what its name has more, before the ending
+   * @return {@code out.x.aedat4} for {@code out.aedat4} and {@code .x}
+   */
+  public static Path extended(Path file, String added) {
+    String name = file.getFileName().toString();
     int dot = name.lastIndexOf('.');
     int end = dot > 0 ? dot : name.length();
-    return out.resolveSibling(name.substring(0, end) + "-" + number + name.substring(end));
+    return file.resolveSibling(name.substring(0, end) + added + name.substring(end));
+  }
+
+  /**
+   * A recorder of a camera, which says in its header what the camera and the chain are set to.
+   *
+   * @param out the first part
+   * @param camera open
+   * @param chain the chain as JSON, if there is one
+   * @param writers makes the files
+   * @param limits how much is recorded
+   * @return a recorder without any file yet
+   * @throws IOException if the disk has less free space than is to stay
+   */
+  public static SessionRecorder ofCamera(
+      Path out, Camera camera, Supplier<Optional<String>> chain, Writers writers, Limits limits)
+      throws IOException {
+    SessionRecorder session =
+        new SessionRecorder(
+            out,
+            camera.geometry(),
+            writers,
+            limits,
+            new CameraHeader(camera, chain, System::nanoTime, Clock.systemUTC()),
+            freeBytes(out));
+    session.checkSpace();
+    return session;
   }
 
   // ---- The stream's side

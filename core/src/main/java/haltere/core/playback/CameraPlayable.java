@@ -1,6 +1,9 @@
 package haltere.core.playback;
 
 import haltere.core.camera.Camera;
+import haltere.core.camera.CameraOptions;
+import haltere.core.camera.CameraProblem;
+import haltere.core.camera.Cameras;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorSample;
@@ -65,6 +68,21 @@ public final class CameraPlayable implements Playable {
    */
   public boolean isUnplugged() {
     return unplugged;
+  }
+
+  /**
+   * Opens a camera that goes on when it is plugged in again, and loses the oldest events where this
+   * computer does not keep up.
+   *
+   * @param cameras where it is
+   * @param id its id
+   * @return a playable of its events
+   * @throws haltere.core.camera.CameraProblem if it cannot be opened
+   */
+  public static CameraPlayable open(Cameras cameras, String id) throws CameraProblem {
+    CameraOptions options =
+        CameraOptions.DEFAULT.withReconnect(true).withWhenFull(CameraOptions.WhenFull.DROP_OLDEST);
+    return new CameraPlayable(cameras.open(id, options), true);
   }
 
   @Override

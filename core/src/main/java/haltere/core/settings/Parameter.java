@@ -2,6 +2,7 @@ package haltere.core.settings;
 
 import java.math.BigDecimal;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * One setting as a person or a script sees it.
@@ -48,6 +49,23 @@ public record Parameter(
    */
   public boolean isNumber() {
     return type == int.class || type == long.class || type == double.class;
+  }
+
+  /**
+   * A value as text, which {@link #convert} reads back.
+   *
+   * @param value a number, without a needless fraction or exponent; a constant of an enum, in lower
+   *     case with hyphens; or any other value
+   * @return the text
+   */
+  public static String text(Object value) {
+    double size = value instanceof Double number ? Math.abs(number) : Double.NaN;
+    if (size == 0 || size >= 1e-6 && size < 1e15) {
+      return new BigDecimal(value.toString()).stripTrailingZeros().toPlainString();
+    }
+    return value instanceof Enum<?> constant
+        ? constant.name().toLowerCase(Locale.ROOT).replace('_', '-')
+        : String.valueOf(value);
   }
 
   /**

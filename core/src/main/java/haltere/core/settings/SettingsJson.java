@@ -33,11 +33,7 @@ public final class SettingsJson {
         object = child(object, path[i]);
       }
       Object value = schema.get(settings, parameter.name());
-      object.put(
-          path[path.length - 1],
-          value instanceof Enum<?> constant
-              ? constant.name().toLowerCase(java.util.Locale.ROOT).replace('_', '-')
-              : value);
+      object.put(path[path.length - 1], value instanceof Enum<?> ? Parameter.text(value) : value);
     }
     return root;
   }

@@ -409,8 +409,7 @@ public final class SettingsSchema<S extends Record> {
     List<String> choices = new ArrayList<>();
     if (type.isEnum()) {
       for (Object constant : type.getEnumConstants()) {
-        choices.add(
-            ((Enum<?>) constant).name().toLowerCase(java.util.Locale.ROOT).replace('_', '-'));
+        choices.add(Parameter.text(constant));
       }
     }
     return new Parameter(

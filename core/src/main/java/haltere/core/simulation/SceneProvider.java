@@ -1,6 +1,6 @@
 package haltere.core.simulation;
 
-import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.SettingsProvider;
 
 /**
  * Makes scenes of one kind. Providers are found as services ({@code
@@ -10,28 +10,7 @@ import haltere.core.settings.SettingsSchema;
  * @param <S> the settings record
  * @since 0.1
  */
-public interface SceneProvider<S extends Record> {
-  /**
-   * The name by which the command line knows the scene.
-   *
-   * @return lower case words joined by hyphens
-   */
-  String name();
-
-  /**
-   * What the scene shows, in one sentence for a person.
-   *
-   * @return ends with a full stop
-   */
-  String description();
-
-  /**
-   * The settings record.
-   *
-   * @return its class
-   */
-  Class<S> settingsType();
-
+public interface SceneProvider<S extends Record> extends SettingsProvider<S> {
   /**
    * A new scene at its beginning.
    *
@@ -39,15 +18,6 @@ public interface SceneProvider<S extends Record> {
    * @return a source; the same settings make the same events
    */
   Scene<?> create(S settings);
-
-  /**
-   * The schema of the settings.
-   *
-   * @return made from {@link #settingsType()}
-   */
-  default SettingsSchema<S> schema() {
-    return SettingsSchema.of(settingsType());
-  }
 
   /**
    * A new scene from the default settings and some changes.

@@ -133,11 +133,12 @@ public final class RowFields {
           OptionalLong.class,
           OptionalDouble.class);
   private static final Pattern WORD_START =
-      Pattern.compile("(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])");
+      Pattern.compile("(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])|(?<=[a-z][XYZ])(?=[A-Z])");
 
   private final List<String> names;
   private final List<Kind> kinds = new ArrayList<>();
   private final Field[] fields;
+  private final MethodHandle[] getters;
 
   /**
    * The components of a type.
@@ -153,6 +154,7 @@ public final class RowFields {
     List<Leaf> leaves = leaves(type);
     names = leaves.stream().map(Leaf::name).toList();
     fields = new Field[leaves.size()];
+    getters = new MethodHandle[leaves.size()];
     for (int i = 0; i < fields.length; i++) {
       Leaf leaf = leaves.get(i);
       if (leaf.decimals < -1 || leaf.decimals > 9) {
@@ -161,11 +163,12 @@ public final class RowFields {
       }
       kinds.add(Kind.of(leaf.get.type().returnType()));
       fields[i] = field(leaf.get, leaf.decimals);
+      getters[i] = leaf.get.asType(MethodType.methodType(Object.class, Object.class));
     }
   }
 
   /** A column with the way from a row to its value. */
-  private record Leaf(String name, int decimals, MethodHandle get) {}
+  private record Leaf(String component, String name, int decimals, MethodHandle get) {}
 
   private static List<Leaf> leaves(Class<?> type) {
     Map<String, Leaf> leaves = new LinkedHashMap<>();
@@ -173,12 +176,17 @@ public final class RowFields {
       MethodHandle get = getter(component.getAccessor());
       if (isJoined(component)) {
         for (Leaf leaf : leaves(component.getType())) {
-          MethodHandle inside = MethodHandles.filterReturnValue(get, leaf.get);
-          leaves.putIfAbsent(leaf.name, new Leaf(leaf.name, leaf.decimals, inside));
+          if (leaves.values().stream().noneMatch(there -> there.component.equals(leaf.component))) {
+            MethodHandle inside = MethodHandles.filterReturnValue(get, leaf.get);
+            leaves.putIfAbsent(
+                leaf.name, new Leaf(leaf.component, leaf.name, leaf.decimals, inside));
+          }
         }
       } else {
         Column column = component.getAnnotation(Column.class);
-        Leaf leaf = new Leaf(name(component), column == null ? -1 : column.decimals(), get);
+        Leaf leaf =
+            new Leaf(
+                component.getName(), name(component), column == null ? -1 : column.decimals(), get);
         leaves.put(leaf.name, leaf);
       }
     }
@@ -244,11 +252,33 @@ public final class RowFields {
   public void write(int index, Record row, Values values) {
     try {
       fields[index].write(row, values);
-    } catch (RuntimeException | Error thrown) {
-      throw thrown;
     } catch (Throwable thrown) {
-      throw new IllegalStateException("cannot read a row of " + row.getClass(), thrown);
+      throw unreadable(row, thrown);
     }
+  }
+
+  /**
+   * The value of one component of a row.
+   *
+   * @param index which, from 0
+   * @param row a record of the type
+   * @return as the record has it, a number in a box
+   */
+  public Object value(int index, Record row) {
+    try {
+      return (Object) getters[index].invokeExact((Object) row);
+    } catch (Throwable thrown) {
+      throw unreadable(row, thrown);
+    }
+  }
+
+  private static RuntimeException unreadable(Record row, Throwable thrown) {
+    if (thrown instanceof Error error) {
+      throw error;
+    }
+    return thrown instanceof RuntimeException own
+        ? own
+        : new IllegalStateException("cannot read a row of " + row.getClass(), thrown);
   }
 
   private static Field field(MethodHandle get, int decimals) {

@@ -2,6 +2,7 @@ package haltere.filters.estimation;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.function.Supplier;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
@@ -34,6 +35,10 @@ final class Matrices {
     return sum;
   }
 
+  private static Supplier<String> where(int i, int j, DMatrixRMaj expected, DMatrixRMaj actual) {
+    return () -> "entry (" + i + ", " + j + ") of\n" + actual + "expected\n" + expected;
+  }
+
   /** Entries equal to a tolerance relative to the greatest. */
   static void assertClose(DMatrixRMaj expected, DMatrixRMaj actual, double relative) {
     assertEquals(expected.numRows, actual.numRows, "rows");
@@ -42,10 +47,7 @@ final class Matrices {
     for (int i = 0; i < expected.numRows; i++) {
       for (int j = 0; j < expected.numCols; j++) {
         assertEquals(
-            expected.get(i, j),
-            actual.get(i, j),
-            relative * scale,
-            "entry (" + i + ", " + j + ") of\n" + actual + "expected\n" + expected);
+            expected.get(i, j), actual.get(i, j), relative * scale, where(i, j, expected, actual));
       }
     }
   }
@@ -58,7 +60,7 @@ final class Matrices {
             expected.get(i, j),
             actual.get(i, j),
             relative * Math.sqrt(expected.get(i, i) * expected.get(j, j)),
-            "entry (" + i + ", " + j + ") of\n" + actual + "expected\n" + expected);
+            where(i, j, expected, actual));
       }
     }
   }

@@ -107,6 +107,6 @@ class PositiveCovarianceTest {
         assertEquals(p.get(i, j), p.get(j, i), "symmetric");
       }
     }
-    assertTrue(MatrixFeatures_DDRM.isPositiveDefinite(p), "positive definite:\n" + p);
+    assertTrue(MatrixFeatures_DDRM.isPositiveDefinite(p), () -> "positive definite:\n" + p);
   }
 }

@@ -23,6 +23,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -54,13 +56,17 @@ class PythonExamplesTest {
       };
 
   @BeforeEach
-  void simulate() throws IOException {
+  void simulateAFly() throws IOException {
     in = Files.createDirectories(folder.resolve("in"));
     out = folder.resolve("out");
-    try (Scene<?> scene = Scenes.named("fly").create(List.of("run.durationS=0.3"));
+    simulate("fly", in.resolve("fly.aedat"));
+  }
+
+  private static void simulate(String name, Path file) throws IOException {
+    try (Scene<?> scene = Scenes.named(name).create(List.of("run.durationS=0.3"));
         RecordingWriter writer =
-            Recordings.forWriting(in.resolve("fly.aedat"))
-                .create(in.resolve("fly.aedat"), WriteOptions.of(scene.geometry()))
+            Recordings.forWriting(file)
+                .create(file, WriteOptions.of(scene.geometry()))
                 .orElseThrow()) {
       writer.write(SceneEvents.of(scene));
       writer.finish();
@@ -127,5 +133,27 @@ class PythonExamplesTest {
       assertTrue(script.run(table.toString(), picture.toString()).isPresent(), script::errors);
       assertTrue(ImageIO.read(picture.toFile()).getWidth() > 500);
     }
+  }
+
+  @Test
+  void theLinesForJPypeTrackObjects() throws IOException {
+    Path recording = folder.resolve("recording.aedat");
+    simulate("dots", recording);
+    Matcher lines =
+        Pattern.compile("```python\n(.*?)```", Pattern.DOTALL)
+            .matcher(Files.readString(Path.of("../docs/embedding.md")));
+    assertTrue(lines.find());
+    Path file =
+        Files.writeString(
+            folder.resolve("lines.py"),
+            lines
+                    .group(1)
+                    .replace("ui/build/install/haltere", PROGRAM.getParent().getParent().toString())
+                    .replace("recording.aedat", recording.toString())
+                + "for row in rows: print(*row)\n");
+    PythonPrograms script = PythonPrograms.exampleOrSkip(file.toString(), folder, "jpype.imports");
+    List<String> rows = script.run().orElseThrow(() -> new AssertionError(script.errors()));
+    assertTrue(rows.size() > 5, rows::toString);
+    assertTrue(rows.stream().allMatch(row -> row.matches("\\d+ \\d+ [\\d.]+ [\\d.]+")));
   }
 }

@@ -39,7 +39,10 @@ final class PythonPrograms {
     return programs;
   }
 
-  /** An example of the repository; the running test is skipped if what it imports is not there. */
+  /**
+   * An example of the repository, or another script by its path; the running test is skipped if
+   * what it imports is not there.
+   */
   static PythonPrograms exampleOrSkip(String name, Path folder, String... imports)
       throws IOException {
     Path check = folder.resolve("imports.py");
@@ -47,7 +50,7 @@ final class PythonPrograms {
     Assumptions.assumeTrue(
         Files.isExecutable(python()) && new PythonPrograms(check, folder).run().isPresent(),
         "there is no Python with what " + name + " imports (HALTERE_PEERS names one)");
-    return new PythonPrograms(Path.of("../examples/python", name), folder);
+    return new PythonPrograms(Path.of("../examples/python").resolve(name), folder);
   }
 
   /** What the last script said that failed. */

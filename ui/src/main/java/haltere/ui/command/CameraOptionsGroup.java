@@ -6,6 +6,11 @@ import haltere.core.camera.CameraOptions;
 import haltere.core.camera.CameraOptions.WhenFull;
 import haltere.core.camera.CameraProblem;
 import haltere.core.camera.Cameras;
+import haltere.core.chain.FilterChain;
+import haltere.core.pipeline.JobReport;
+import haltere.core.pipeline.JobResults;
+import haltere.core.pipeline.RecordingJob;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -82,6 +87,29 @@ final class CameraOptionsGroup extends OptionGroup {
 
   OptionalDouble durationS() {
     return durationS == null ? OptionalDouble.empty() : OptionalDouble.of(durationS);
+  }
+
+  /** Opens the results of a camera's events that go through a chain. */
+  interface Results {
+    JobResults open(Camera camera, FilterChain chain) throws IOException;
+  }
+
+  /**
+   * Runs the camera, on request with samples, through a chain into results until its time is over,
+   * it has ended or failed, or the process is told to stop; what each stage did.
+   */
+  List<JobReport.Stage> run(boolean samples, RecordingJob.ChainMaker chains, Results results)
+      throws IOException {
+    try (Camera camera = open(devices.get(0), samples);
+        FilterChain chain = chains.make(camera.geometry());
+        JobResults opened = results.open(camera, chain)) {
+      LiveRun run = new LiveRun(subcommand(), camera, chain, opened.sinks());
+      LiveRun.run(List.of(run), durationS(), () -> false);
+      run.summary();
+      opened.finish();
+      subcommand().wrote(opened.files());
+      return JobReport.stages(chain);
+    }
   }
 
   /**

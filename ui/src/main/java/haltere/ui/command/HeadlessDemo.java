@@ -10,13 +10,13 @@ import haltere.core.stream.StreamHandler;
 import haltere.filters.DefaultChain;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.tracker.WingTrackerFilter;
-import haltere.ui.command.results.LatestSnapshots;
 import haltere.ui.command.results.WingsSummary;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.EventFrame;
 import haltere.ui.rendering.FramePainter;
+import haltere.ui.rendering.LayerTaps;
 import haltere.ui.rendering.Pictures;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -43,7 +43,7 @@ record HeadlessDemo(Subcommand command) {
     try (Scene<?> scene = Scenes.named("fly").create(List.of("run.durationS=" + DURATION_S))) {
       FilterChain chain = DefaultChain.forFly(scene.geometry());
       WingTrackerFilter wings = (WingTrackerFilter) chain.stage("wing-tracker").filter();
-      LatestSnapshots marks = new LatestSnapshots(chain);
+      LayerTaps marks = new LayerTaps(chain);
       EventFrame frame = new EventFrame(scene.geometry());
       PipelineCounters counters = new PipelineCounters();
       WingsSummary summary = new WingsSummary(wings, wings.settings().output().rateHz());
@@ -67,7 +67,7 @@ record HeadlessDemo(Subcommand command) {
                 frame,
                 new FramePainter(ColourMap.DARK, FADING_US),
                 Pictures.usualScale(scene.geometry()),
-                canvas -> marks.drawAt(frame.nowUs(), canvas)));
+                canvas -> marks.marks().forEach(layer -> layer.draw(frame.nowUs(), canvas))));
         estimates.finish();
         rows = estimates.rows();
         bar.erase();

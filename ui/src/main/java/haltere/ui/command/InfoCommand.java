@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.RecordingOutline;
@@ -158,7 +159,7 @@ final class InfoCommand extends Subcommand {
       return new Facts(clock, metadata, outline.get(), durationS, Optional.empty());
     }
     try (ProgressBar bar = progressBar("reading", reader.path())) {
-      ContactSheet sheet = new ContactSheet(reader.geometry(), (timeUs, marks) -> {});
+      ContactSheet sheet = new ContactSheet(new FilterChain(reader.geometry()));
       RecordingSummary read =
           picture == null
               ? RecordingSummary.scan(reader, bar, rates)

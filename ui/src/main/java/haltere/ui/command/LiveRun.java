@@ -5,7 +5,6 @@ import haltere.core.camera.CameraStatistics;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
 import haltere.core.pipeline.ChainRunner;
-import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.OnFailure;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.stream.DeviceLost;
@@ -63,33 +62,6 @@ final class LiveRun {
     } catch (IOException | RuntimeException | Error thrown) {
       problem = thrown;
       camera.close();
-    }
-  }
-
-  /**
-   * Runs a camera through a chain into results until a time is over, it has ended or failed, or the
-   * process is told to stop.
-   *
-   * @param command is told what a person should know
-   * @param camera an open camera
-   * @param chain its events go through it
-   * @param opener opens the results
-   * @param durationS seconds from the first events on, or empty for no end
-   * @throws IOException if the camera or a result failed
-   */
-  static void run(
-      Subcommand command,
-      Camera camera,
-      FilterChain chain,
-      JobResults.Opener opener,
-      OptionalDouble durationS)
-      throws IOException {
-    try (JobResults results = opener.open()) {
-      LiveRun run = new LiveRun(command, camera, chain, results.sinks());
-      run(List.of(run), durationS, () -> false);
-      run.summary();
-      results.finish();
-      command.wrote(results.files());
     }
   }
 

@@ -11,15 +11,16 @@ import java.util.List;
  * What is being sent to other programs while a command runs.
  *
  * <p>Thread rule: the command's thread.
+ *
+ * @param command is told what a person should know
+ * @param open what is sent, to each address
  */
-final class Publishing implements JobResults {
+record Publishing(Subcommand command, List<LiveResults> open) implements JobResults {
   private static final long LOOK_MS = 5;
 
-  private final Subcommand command;
-  private final List<LiveResults> open = new ArrayList<>();
-
+  /** Nothing is sent yet. */
   Publishing(Subcommand command) {
-    this.command = command;
+    this(command, new ArrayList<>());
   }
 
   void add(LiveResults results) {

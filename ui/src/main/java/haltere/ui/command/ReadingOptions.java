@@ -85,9 +85,6 @@ final class ReadingOptions extends SourceOptions {
   }
 
   void requireWhole(RecordingReader reader) throws RecordingProblem {
-    Optional<RecordingProblem> objection = objection(reader.path(), reader.violations());
-    if (objection.isPresent()) {
-      throw objection.get();
-    }
+    RecordingJob.requireWhole(reader, strict);
   }
 }

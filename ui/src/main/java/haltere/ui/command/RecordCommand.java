@@ -144,11 +144,7 @@ final class RecordCommand extends Subcommand {
 
   /** {@code out.aedat4} has {@code out.dvs128-0042.aedat4}. */
   private Path beside(String device) {
-    String name = out.getFileName().toString();
-    int dot = name.lastIndexOf('.');
-    int end = dot > 0 ? dot : name.length();
-    String word = device.replaceAll("[^A-Za-z0-9._]+", "-");
-    return out.resolveSibling(name.substring(0, end) + "." + word + name.substring(end));
+    return SessionRecorder.extended(out, "." + device.replaceAll("[^A-Za-z0-9._]+", "-"));
   }
 
   /** Parts that are there would stand in the way in the middle of a recording. */

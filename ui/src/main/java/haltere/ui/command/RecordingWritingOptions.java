@@ -14,12 +14,10 @@ import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.aedat4.Aedat4Compression;
 import haltere.core.format.internal.aedat4.Aedat4Format;
 import haltere.core.format.internal.aedat4.Aedat4Writer;
-import haltere.core.pipeline.CameraHeader;
 import haltere.core.pipeline.SessionRecorder;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.time.Clock;
 import java.util.EnumSet;
 import java.util.Map;
 import java.util.Optional;
@@ -106,16 +104,12 @@ final class RecordingWritingOptions extends WritingOptions {
   SessionRecorder session(
       Path output, Camera camera, Supplier<Optional<String>> chain, SessionRecorder.Limits limits)
       throws IOException {
-    SessionRecorder session =
-        new SessionRecorder(
-            output,
-            camera.geometry(),
-            (part, metadata) -> createLive(part, camera.geometry(), metadata),
-            limits,
-            new CameraHeader(camera, chain, System::nanoTime, Clock.systemUTC()),
-            SessionRecorder.freeBytes(output));
-    session.checkSpace();
-    return session;
+    return SessionRecorder.ofCamera(
+        output,
+        camera,
+        chain,
+        (part, metadata) -> createLive(part, camera.geometry(), metadata),
+        limits);
   }
 
   /** The line for a recording that ended before it was to; empty for others. */

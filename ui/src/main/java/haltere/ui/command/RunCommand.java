@@ -103,7 +103,7 @@ final class RunCommand extends Subcommand {
     reporting.requireRecording(cameras.given());
     writing.check(Arrays.asList(file, chainFile, out), Arrays.asList(reporting.report));
     if (cameras.given()) {
-      runCamera();
+      summary(cameras.run(out != null, this::chain, this::results));
       return OK;
     }
     RecordingJob job =
@@ -115,29 +115,6 @@ final class RunCommand extends Subcommand {
     summary(done.stages());
     reporting.write(done, List.of(), writing.overwrite);
     return OK;
-  }
-
-  private void runCamera() throws IOException {
-    try (Camera camera = cameras.open(cameras.devices.get(0), out != null);
-        FilterChain chain = chain(camera.geometry())) {
-      if (out == null) {
-        LiveRun.run(this, camera, chain, () -> publishing.open(chain, this), cameras.durationS());
-      } else {
-        SessionRecorder recorder =
-            writing.session(out, camera, () -> Optional.of(ChainFile.write(chain)), Limits.USUAL);
-        LiveRun.run(
-            this,
-            camera,
-            chain,
-            () ->
-                JobResults.all(
-                    () -> publishing.open(chain, this),
-                    () -> new SessionResults(this, recorder),
-                    () -> tables(chain)),
-            cameras.durationS());
-      }
-      summary(JobReport.stages(chain));
-    }
   }
 
   private FilterChain chain(SensorGeometry geometry) throws IOException {
@@ -153,6 +130,18 @@ final class RunCommand extends Subcommand {
     return JobResults.all(
         () -> publishing.open(chain, this),
         () -> new WrittenRecording(this, reader, out, writing.create(out, format, reader)),
+        () -> tables(chain));
+  }
+
+  private JobResults results(Camera camera, FilterChain chain) throws IOException {
+    if (out == null) {
+      return publishing.open(chain, this);
+    }
+    SessionRecorder recorder =
+        writing.session(out, camera, () -> Optional.of(ChainFile.write(chain)), Limits.USUAL);
+    return JobResults.all(
+        () -> publishing.open(chain, this),
+        () -> new SessionResults(this, recorder),
         () -> tables(chain));
   }
 

@@ -2,12 +2,13 @@ package haltere.ui.command;
 
 import haltere.core.json.internal.Json;
 import haltere.core.settings.Parameter;
+import haltere.core.settings.SettingsProvider;
 import haltere.ui.command.terminal.Quantities;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
+import java.util.function.Function;
+import java.util.function.Supplier;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -24,57 +25,61 @@ abstract class SettingsListing extends Subcommand {
 
   private boolean begun;
 
-  /** What can be set of one. */
-  record Entry(String description, List<Parameter> parameters, Set<String> presets) {}
+  private final Supplier<? extends Map<String, ? extends SettingsProvider<?>>> all;
+  private final Function<String, ? extends SettingsProvider<?>> named;
 
-  /** Names of all that there are. */
-  abstract Set<String> all();
-
-  /** The one of a name; a {@link RuntimeException} says in a line that there is none. */
-  abstract Entry entry(String name);
+  /** A list of some providers by name; a name that there is not is refused in a line. */
+  SettingsListing(
+      Supplier<? extends Map<String, ? extends SettingsProvider<?>>> all,
+      Function<String, ? extends SettingsProvider<?>> named) {
+    this.all = all;
+    this.named = named;
+  }
 
   @Override
   public Integer call() {
     try {
-      names.forEach(this::entry);
+      names.forEach(named::apply);
     } catch (IllegalArgumentException problem) {
       throw wrongArguments(problem.getMessage());
     }
-    List<String> listed =
-        all().stream().filter(name -> names.isEmpty() || names.contains(name)).toList();
+    List<? extends SettingsProvider<?>> listed =
+        all.get().values().stream()
+            .filter(each -> names.isEmpty() || names.contains(each.name()))
+            .toList();
     if (json) {
-      result(Json.write(Map.of(spec.name(), listed.stream().map(this::object).toList())));
+      List<?> objects = listed.stream().map(SettingsListing::object).toList();
+      result(Json.write(Map.of(spec.name(), objects)));
     } else {
       listed.forEach(this::print);
     }
     return OK;
   }
 
-  private Object object(String name) {
-    Entry entry = entry(name);
+  private static Object object(SettingsProvider<?> entry) {
     Map<String, Object> object = new LinkedHashMap<>();
-    object.put("name", name);
+    object.put("name", entry.name());
     object.put("description", entry.description());
-    object.put("settings", entry.parameters().stream().map(SettingsListing::json).toList());
-    object.put("presets", List.copyOf(entry.presets()));
+    object.put(
+        "settings", entry.schema().parameters().stream().map(SettingsListing::json).toList());
+    object.put("presets", List.copyOf(entry.presets().keySet()));
     return object;
   }
 
-  private void print(String name) {
+  private void print(SettingsProvider<?> entry) {
     if (begun) {
       result("");
     }
     begun = true;
-    Entry entry = entry(name);
-    result(name);
+    result(entry.name());
     result("  " + entry.description());
     List<List<String>> rows =
-        entry.parameters().stream()
+        entry.schema().parameters().stream()
             .map(setting -> List.of(setting.name(), values(setting), setting.help()))
             .toList();
     Quantities.table("    ", rows).forEach(this::result);
     if (!entry.presets().isEmpty()) {
-      result("    presets: " + String.join(", ", entry.presets()));
+      result("    presets: " + String.join(", ", entry.presets().keySet()));
     }
   }
 
@@ -91,7 +96,7 @@ abstract class SettingsListing extends Subcommand {
     }
     Object value = parameter.defaultValue();
     boolean isPlain = value instanceof Number || value instanceof Boolean;
-    json.put("default", isPlain ? value : defaultValue(parameter));
+    json.put("default", isPlain ? value : Parameter.text(value));
     json.put("help", parameter.help());
     return json;
   }
@@ -99,28 +104,17 @@ abstract class SettingsListing extends Subcommand {
   private static String values(Parameter parameter) {
     String range =
         parameter.isNumber()
-            ? number(parameter.min()) + " to " + number(parameter.max()) + unit(parameter)
+            ? Parameter.text(parameter.min())
+                + " to "
+                + Parameter.text(parameter.max())
+                + unit(parameter)
             : parameter.choices().isEmpty()
                 ? parameter.type() == boolean.class ? "true or false" : "text"
                 : String.join(", ", parameter.choices());
-    return range + " [" + defaultValue(parameter) + "]";
+    return range + " [" + Parameter.text(parameter.defaultValue()) + "]";
   }
 
   private static String unit(Parameter parameter) {
     return parameter.unit().isEmpty() || parameter.unit().equals("1") ? "" : " " + parameter.unit();
-  }
-
-  private static String defaultValue(Parameter parameter) {
-    Object value = parameter.defaultValue();
-    if (value instanceof Enum<?> constant) {
-      return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
-    }
-    return value instanceof Double number ? number(number) : String.valueOf(value);
-  }
-
-  private static String number(double value) {
-    return value == Math.rint(value) && Math.abs(value) < 1e15
-        ? Long.toString((long) value)
-        : Double.toString(value);
   }
 }

@@ -1,6 +1,5 @@
 package haltere.ui.command;
 
-import haltere.core.camera.Camera;
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.ConfigurableFilter;
@@ -21,8 +20,7 @@ import haltere.filters.road.LineCrossing;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.TrackPoint;
-import haltere.ui.command.results.RoadObjectRow;
-import haltere.ui.command.results.RoadTrackRow;
+import haltere.ui.command.results.OnRoad;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -152,10 +150,7 @@ final class TrackCommand extends Subcommand {
       start = preset(new KalmanTracksFilter.Provider(), preset);
     }
     if (cameras.given()) {
-      try (Camera camera = cameras.open(cameras.devices.get(0), false);
-          FilterChain chain = chain(camera.geometry())) {
-        LiveRun.run(this, camera, chain, () -> results(chain), cameras.durationS());
-      }
+      cameras.run(false, this::chain, (camera, chain) -> results(chain));
     } else {
       RecordingJob job =
           RecordingJob.of(file, this::chain, (reader, chain) -> results(chain))
@@ -234,7 +229,7 @@ final class TrackCommand extends Subcommand {
     }
     Function<ObjectTrack, Optional<PlanePoint>> onRoad = road.objects(geometry);
     objects.apply(road.motion(geometry));
-    TableSink<RoadObjectRow> table = files.table(out, RoadObjectRow.class);
+    TableSink<OnRoad.OfObject> table = files.table(out, OnRoad.OfObject.class);
     Consumer<PlanePoint> counter = counter(road, files);
     files.subscribe(
         objects.tracks(),
@@ -243,7 +238,7 @@ final class TrackCommand extends Subcommand {
                 .apply(track)
                 .ifPresent(
                     point -> {
-                      table.accept(RoadObjectRow.of(track, point, road.lanes()));
+                      table.accept(new OnRoad.OfObject(track, OnRoad.of(point, road.lanes())));
                       counter.accept(point);
                     }));
   }
@@ -259,13 +254,13 @@ final class TrackCommand extends Subcommand {
       files.write(tracks.points(), out);
       return;
     }
-    TableSink<RoadTrackRow> table = files.table(out, RoadTrackRow.class);
+    TableSink<OnRoad.OfTrack> table = files.table(out, OnRoad.OfTrack.class);
     // A track's position in the picture is published before its position on the road.
     TrackPoint[] inPicture = new TrackPoint[1];
     files.subscribe(tracks.points(), point -> inPicture[0] = point);
     files.subscribe(
         tracks.roadPoints(),
-        onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad, road.lanes())));
+        point -> table.accept(new OnRoad.OfTrack(inPicture[0], OnRoad.of(point, road.lanes()))));
     files.subscribe(tracks.roadPoints(), counter(road, files));
   }
 

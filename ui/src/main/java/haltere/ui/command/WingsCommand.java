@@ -1,6 +1,5 @@
 package haltere.ui.command;
 
-import haltere.core.camera.Camera;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.AtomicFile;
@@ -139,10 +138,7 @@ final class WingsCommand extends Subcommand {
     writing.check(
         Arrays.asList(file), Arrays.asList(out, beats, pairs, geometry, log, reporting.report));
     if (cameras.given()) {
-      try (Camera camera = cameras.open(cameras.devices.get(0), false);
-          FilterChain chain = chain(camera.geometry(), settings)) {
-        LiveRun.run(this, camera, chain, () -> results(chain), cameras.durationS());
-      }
+      cameras.run(false, sensor -> chain(sensor, settings), (camera, chain) -> results(chain));
     } else {
       RecordingJob job =
           RecordingJob.of(
@@ -212,7 +208,7 @@ final class WingsCommand extends Subcommand {
     options.put("filter.method", method);
     options.put("output.rateHz", rateHz);
     options.put("search.startFrequencyHz", initialHz);
-    options.put("place.flipHeading", flipHeading ? true : null);
+    options.put("position.flipHeading", flipHeading ? true : null);
     return assigned(WingTrackerSettings.class, start, options, assignments);
   }
 

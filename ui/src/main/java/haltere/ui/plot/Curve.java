@@ -32,6 +32,7 @@ public final class Curve {
 
   private final String key;
   private final int number;
+  private final int field;
   private final SummaryRing[] levels = new SummaryRing[LEVELS];
 
   /**
@@ -48,8 +49,14 @@ public final class Curve {
    * An empty curve, with a key that tells it from others and the number that gives it its colour.
    */
   public Curve(String key, int number) {
+    this(key, number, 0);
+  }
+
+  /** A curve of one of the fields of a lane, by their order. */
+  Curve(String key, int number, int field) {
     this.key = key;
     this.number = number;
+    this.field = field;
     for (int level = 0; level < LEVELS; level++) {
       levels[level] = new SummaryRing(level == 0 ? SAMPLES : STRETCHES);
     }
@@ -63,6 +70,11 @@ public final class Curve {
   /** How many curves of its lane began before it. */
   public int number() {
     return number;
+  }
+
+  /** How many fields stand before its own in its lane. */
+  public int field() {
+    return field;
   }
 
   /** Time of the newest sample, microseconds; {@link Long#MIN_VALUE} before the first. */

@@ -17,6 +17,8 @@ public final class EventRate implements StreamHandler {
   private final TimeBins bins;
   private long baseUs = StreamNotification.NO_TIME_US;
   private long elapsedUs;
+  private long firstUs = StreamNotification.NO_TIME_US;
+  private long lastUs;
 
   /** A rate of nothing yet, in at most so many stretches of time, an even number. */
   public EventRate(int bins) {
@@ -29,6 +31,16 @@ public final class EventRate implements StreamHandler {
    */
   public long elapsedUs() {
     return elapsedUs;
+  }
+
+  /** Time of the first event, microseconds on the stream's clock. */
+  public long firstUs() {
+    return firstUs;
+  }
+
+  /** Time of the last event, microseconds on the stream's clock. */
+  public long lastUs() {
+    return lastUs;
   }
 
   /**
@@ -45,7 +57,9 @@ public final class EventRate implements StreamHandler {
       long timeUs = packet.timeUs(i);
       if (baseUs == StreamNotification.NO_TIME_US) {
         baseUs = timeUs - elapsedUs;
+        firstUs = firstUs == StreamNotification.NO_TIME_US ? timeUs : firstUs;
       }
+      lastUs = timeUs;
       elapsedUs = timeUs - baseUs;
       bins.add(elapsedUs, 1);
     }

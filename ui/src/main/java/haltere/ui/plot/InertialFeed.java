@@ -3,6 +3,8 @@ package haltere.ui.plot;
 import haltere.core.event.InertialSample;
 import haltere.core.event.SensorSample;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 
 /**
  * Keeps the inertial samples of a stream until the window takes them as curves, one for each axis.
@@ -24,9 +26,8 @@ public final class InertialFeed {
 
   private static final int CAPACITY = 1 << 13;
 
-  private final SampleQueue acceleration = new SampleQueue(CAPACITY);
-  private final SampleQueue rotation = new SampleQueue(CAPACITY);
-  private final SampleQueue temperature = new SampleQueue(CAPACITY);
+  private final Map<PlotField, SampleQueue> queues =
+      FIELDS.stream().collect(Collectors.toMap(field -> field, field -> new SampleQueue(CAPACITY)));
   private volatile boolean any;
 
   private static PlotField field(String column) {
@@ -43,13 +44,15 @@ public final class InertialFeed {
     if (taken instanceof InertialSample sample) {
       any = true;
       long timeUs = sample.timeUs();
+      SampleQueue acceleration = queues.get(ACCELERATION);
+      SampleQueue rotation = queues.get(ROTATION);
       acceleration.put(timeUs, "x", sample.accelerationXG());
       acceleration.put(timeUs, "y", sample.accelerationYG());
       acceleration.put(timeUs, "z", sample.accelerationZG());
       rotation.put(timeUs, "x", sample.rotationXDegS());
       rotation.put(timeUs, "y", sample.rotationYDegS());
       rotation.put(timeUs, "z", sample.rotationZDegS());
-      temperature.put(timeUs, "", sample.temperatureC());
+      queues.get(TEMPERATURE).put(timeUs, "", sample.temperatureC());
     }
   }
 
@@ -58,7 +61,6 @@ public final class InertialFeed {
    * first.
    */
   public void drainTo(PlotField field, SampleQueue.SampleConsumer consumer) {
-    (field.equals(ACCELERATION) ? acceleration : field.equals(ROTATION) ? rotation : temperature)
-        .drainTo(consumer);
+    queues.get(field).drainTo(consumer);
   }
 }

@@ -54,7 +54,7 @@ public final class Lane {
       if (all.size() >= MAX_CURVES) {
         forgetSilent();
       }
-      curve = new Curve(name(field, key), begun++);
+      curve = new Curve(name(field, key), begun++, fields().indexOf(field));
       ofField.put(key, curve);
       all.add(curve);
     }

@@ -9,18 +9,14 @@ import java.util.Optional;
  * takes them.
  *
  * <p>Thread rule: samples come on the processing thread; all else is for one other thread.
+ *
+ * @param field what it listens to
+ * @param queue the samples that came and were not taken yet
+ * @param subscription ends listening
  */
-public final class PlotFeed implements AutoCloseable {
+public record PlotFeed(PlotField field, SampleQueue queue, Outlet.Subscription subscription)
+    implements AutoCloseable {
   private static final int CAPACITY = 1 << 15;
-  private final PlotField field;
-  private final SampleQueue queue;
-  private final Outlet.Subscription subscription;
-
-  private PlotFeed(PlotField field, SampleQueue queue, Outlet.Subscription subscription) {
-    this.field = field;
-    this.queue = queue;
-    this.subscription = subscription;
-  }
 
   /**
    * Starts to listen to a field, on the chain's processing thread or while it does not run; empty
@@ -31,21 +27,6 @@ public final class PlotFeed implements AutoCloseable {
     return field
         .listen(chain, true, queue::put)
         .map(subscription -> new PlotFeed(field, queue, subscription));
-  }
-
-  /** What it listens to. */
-  public PlotField field() {
-    return field;
-  }
-
-  /** Hands over the samples that came since the last call, oldest first. */
-  public void drainTo(SampleQueue.SampleConsumer consumer) {
-    queue.drainTo(consumer);
-  }
-
-  /** How many samples came faster than they were taken and are left out. */
-  public long lost() {
-    return queue.lost();
   }
 
   /** Ends listening. */

@@ -49,7 +49,7 @@ public record PlotField(String stage, String outlet, String column) {
     List<PlotField> fields = new ArrayList<>();
     for (ChainStage stage : chain.stages()) {
       for (Outlet<?> outlet : stage.filter().outlets()) {
-        RowFields.of(outlet.type())
+        PlotRow.of(outlet.type())
             .ifPresent(
                 row ->
                     row.columns()
@@ -86,15 +86,17 @@ public record PlotField(String stage, String outlet, String column) {
   public Optional<Outlet.Subscription> listen(
       FilterChain chain, boolean inRunUps, SampleQueue.SampleConsumer consumer) {
     Optional<Outlet<?>> found = find(chain);
-    Optional<RowFields> row = found.flatMap(outlet -> RowFields.of(outlet.type()));
-    int at = row.map(RowFields::columns).orElse(List.of()).indexOf(column);
+    Optional<PlotRow> type = found.flatMap(outlet -> PlotRow.of(outlet.type()));
+    int at = type.map(row -> row.index(column)).orElse(-1);
     if (at < 0) {
       return Optional.empty();
     }
+    PlotRow row = type.get();
     Consumer<Object> listener =
-        result ->
-            consumer.take(
-                row.get().timeUs(result), row.get().key(result), row.get().value(result, at));
+        result -> {
+          Record now = (Record) result;
+          consumer.take(row.timeUs(now), row.key(now), row.value(now, at));
+        };
     return found.map(outlet -> inRunUps ? outlet.follow(listener) : outlet.subscribe(listener));
   }
 

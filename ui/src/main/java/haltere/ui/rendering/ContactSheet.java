@@ -1,7 +1,7 @@
 package haltere.ui.rendering;
 
+import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.OverlayCanvas;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamHandler;
@@ -38,17 +38,11 @@ public final class ContactSheet implements StreamHandler {
   /** Packets this short are not cut, so that results of the same packet fit their events. */
   private static final long SHORT_US = 2_000;
 
-  /** Draws what is known of a moment. */
-  public interface Marks {
-    /** Draws what is known of a moment, microseconds on the stream's clock. */
-    void drawAt(long timeUs, OverlayCanvas canvas);
-  }
-
   /** A picture of a moment and its time since the start. */
   private record Panel(BufferedImage picture, long elapsedUs) {}
 
   private final EventFrame frame;
-  private final Marks marks;
+  private final LayerTaps marks;
   private final List<Panel> panels = new ArrayList<>();
   private long stepUs = FIRST_STEP_US;
   private final EventPacket piece = new EventPacket(4096);
@@ -60,10 +54,10 @@ public final class ContactSheet implements StreamHandler {
   private long panelElapsedUs;
   private long events;
 
-  /** A sheet without pictures, over each of which marks are drawn. */
-  public ContactSheet(SensorGeometry geometry, Marks marks) {
-    frame = new EventFrame(geometry);
-    this.marks = marks;
+  /** A sheet without pictures, over each of which the marks of a chain are drawn. */
+  public ContactSheet(FilterChain chain) {
+    frame = new EventFrame(chain.geometry());
+    marks = new LayerTaps(chain);
   }
 
   @Override
@@ -115,7 +109,7 @@ public final class ContactSheet implements StreamHandler {
   }
 
   private void drawMarks(OverlayCanvas canvas) {
-    marks.drawAt(frame.nowUs(), canvas);
+    marks.marks().forEach(layer -> layer.draw(frame.nowUs(), canvas));
   }
 
   /**

@@ -1,6 +1,9 @@
 package haltere.ui.rendering;
 
 import haltere.core.overlay.MarkStyle;
+import haltere.core.overlay.MarkStyle.Role;
+import java.util.Optional;
+import java.util.regex.Pattern;
 
 /**
  * The one place where the meaning of a mark becomes a colour and a width. Marks with an identity
@@ -14,6 +17,8 @@ public final class MarkColours {
   private static final int[] ON_LIGHT = {
     0xFF7A6A00, 0xFF00785A, 0xFF9C2F77, 0xFF5B3FD0, 0xFF3F6B00, 0xFF006C85, 0xFF24292F, 0xFF8A3B12,
   };
+
+  private static final Pattern IDENTITY = Pattern.compile("\\d{1,9}");
 
   private MarkColours() {}
 
@@ -35,6 +40,19 @@ public final class MarkColours {
       case RIGHT -> dark ? 0xFF2ED3A5 : 0xFF00785A;
       case WARNING -> dark ? 0xFFFF6B6B : 0xFFCF222E;
     };
+  }
+
+  /** Style of the marks that a curve belongs to by its key: a side of wings, or an identity. */
+  public static Optional<MarkStyle> ofCurve(String key) {
+    if (key.startsWith("left")) {
+      return Optional.of(MarkStyle.of(Role.LEFT));
+    }
+    if (key.startsWith("right")) {
+      return Optional.of(MarkStyle.of(Role.RIGHT));
+    }
+    return IDENTITY.matcher(key).matches()
+        ? Optional.of(MarkStyle.of(Role.OBJECT, Integer.parseInt(key)))
+        : Optional.empty();
   }
 
   /** Width of a mark's line, pixels of the screen. */

@@ -1,6 +1,5 @@
 package haltere.ui.space;
 
-import haltere.core.camera.CameraOptions;
 import haltere.core.camera.Cameras;
 import haltere.core.event.SensorGeometry;
 import haltere.core.playback.CameraPlayable;
@@ -56,11 +55,7 @@ public record CameraRig(List<CameraModel> cameras, Playable first, List<Playable
    * again. Their clocks are related by this computer's, to about a millisecond.
    */
   public static CameraRig live(List<CameraModel> calibrated, Cameras cameras) throws IOException {
-    CameraOptions options =
-        CameraOptions.DEFAULT.withReconnect(true).withWhenFull(CameraOptions.WhenFull.DROP_OLDEST);
-    return open(
-        calibrated,
-        number -> new CameraPlayable(cameras.open(calibrated.get(number).id(), options), true));
+    return open(calibrated, number -> CameraPlayable.open(cameras, calibrated.get(number).id()));
   }
 
   /** Opens the events of a camera. */

@@ -5,7 +5,6 @@ import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.FocusOrder;
 import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.PanelLayout;
-import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.util.List;
@@ -39,12 +38,12 @@ final class LayoutFeature implements ViewerFeature {
   private void addKeys(ViewerActions actions, PanelLayout layout) {
     actions.add("panel-next", () -> go(1));
     actions.add("panel-before", () -> go(-1));
-    actions.add("side-wider", () -> layout.enlarge(PanelPlace.SIDE, 1));
-    actions.add("side-narrower", () -> layout.enlarge(PanelPlace.SIDE, -1));
-    actions.add("below-higher", () -> layout.enlarge(PanelPlace.BELOW, 1));
-    actions.add("below-lower", () -> layout.enlarge(PanelPlace.BELOW, -1));
-    actions.add("beside-wider", () -> layout.enlarge(PanelPlace.BESIDE, 1));
-    actions.add("beside-narrower", () -> layout.enlarge(PanelPlace.BESIDE, -1));
+    actions.add("side-wider", () -> layout.enlarge(PanelLayout.Position.SIDE, 1));
+    actions.add("side-narrower", () -> layout.enlarge(PanelLayout.Position.SIDE, -1));
+    actions.add("below-higher", () -> layout.enlarge(PanelLayout.Position.BELOW, 1));
+    actions.add("below-lower", () -> layout.enlarge(PanelLayout.Position.BELOW, -1));
+    actions.add("beside-wider", () -> layout.enlarge(PanelLayout.Position.BESIDE, 1));
+    actions.add("beside-narrower", () -> layout.enlarge(PanelLayout.Position.BESIDE, -1));
   }
 
   /** Puts the focus on the first control of another panel. */

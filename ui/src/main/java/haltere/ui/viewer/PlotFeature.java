@@ -7,7 +7,7 @@ import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.action.ViewerKeys;
 import haltere.ui.viewer.controls.FileDialogs;
 import haltere.ui.viewer.controls.Windows;
-import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.plots.PlotPanel;
@@ -25,7 +25,7 @@ final class PlotFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext window) {
     PlotPanel plots = window.panels().plots();
-    BooleanProperty shown = window.addPanel("plots", PanelPlace.BELOW, () -> plots);
+    BooleanProperty shown = window.addPanel("plots", PanelLayout.Position.BELOW, () -> plots);
     window.onSession(
         made -> {
           if (plots.dropFirst(made.chain())) {

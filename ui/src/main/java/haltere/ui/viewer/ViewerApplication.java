@@ -19,6 +19,7 @@ import java.util.function.Consumer;
 import javafx.animation.AnimationTimer;
 import javafx.application.Platform;
 import javafx.stage.Stage;
+import javafx.stage.WindowEvent;
 
 /**
  * Starts JavaFX and the viewer's window.
@@ -143,14 +144,7 @@ public final class ViewerApplication {
     Theme.DARK.apply();
     Stage stage = new Stage();
     ViewerWindow window = new ViewerWindow(stage, settings);
-    stage
-        .showingProperty()
-        .subscribe(
-            (was, is) -> {
-              if (!is) {
-                closed.countDown();
-              }
-            });
+    stage.addEventHandler(WindowEvent.WINDOW_HIDDEN, event -> closed.countDown());
     return window;
   }
 }

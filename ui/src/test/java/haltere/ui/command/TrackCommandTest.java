@@ -135,7 +135,7 @@ class TrackCommandTest {
 
   @Test
   void withARoadThereAreMetresToo() throws IOException {
-    checkRoad(COLUMNS.replace(",event_rate_hz,age_s,low_y_px", ""), 15, "vehicles.heightShare=1");
+    checkRoad(COLUMNS, 18, "vehicles.heightShare=1");
     String[] crossing = Files.readAllLines(folder.resolve("crossings.csv")).get(1).split(",");
     assertEquals("TOWARDS", crossing[3]);
     assertEquals(58, Double.parseDouble(crossing[5]), 2 * Double.parseDouble(crossing[6]));

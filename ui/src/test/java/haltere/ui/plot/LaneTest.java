@@ -44,19 +44,19 @@ class LaneTest {
 
   @Test
   void aRowIsReadByItsColumns() {
-    RowFields fields = RowFields.of(Beat.class).orElseThrow();
+    PlotRow fields = PlotRow.of(Beat.class).orElseThrow();
     Beat row = new Beat(1234, Side.RIGHT, 5, 0.25);
     assertEquals(List.of("beat", "angle_rad"), fields.columns());
     assertEquals(1234, fields.timeUs(row));
     assertEquals("RIGHT", fields.key(row));
-    assertEquals(5, fields.value(row, 0));
-    assertEquals(0.25, fields.value(row, 1));
+    assertEquals(5, fields.value(row, fields.index("beat")));
+    assertEquals(0.25, fields.value(row, fields.index("angle_rad")));
   }
 
   @Test
   void rowsWithoutATimeCannotBePlotted() {
-    assertTrue(RowFields.of(NoTime.class).isEmpty());
-    assertTrue(RowFields.of(String.class).isEmpty());
+    assertTrue(PlotRow.of(NoTime.class).isEmpty());
+    assertTrue(PlotRow.of(String.class).isEmpty());
   }
 
   @Test

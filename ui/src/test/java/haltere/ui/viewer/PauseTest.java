@@ -50,11 +50,7 @@ class PauseTest {
 
   @Test
   void aChangeOfTheFlysChainMakesTheMomentAnewOnce() {
-    viewer.run(() -> viewer.window.context().sessions().open(SessionRequest.scene()));
-    viewer.run(() -> viewer.window.context().playback().setSpeed(1));
-    viewer.waitFor("the fly", () -> viewer.window.context().sessions().session().isPresent());
-    viewer.waitFor("some beats", () -> viewer.status().elapsedUs() > 100_000);
-    viewer.pause();
+    playTheFlyBeyond(100_000);
     viewer.run(() -> JavaFxHarness.join(viewer.session().player().seek(100_000)));
     Runs runs = new Runs();
     viewer.session().player().addRawSink(runs);
@@ -73,10 +69,7 @@ class PauseTest {
 
   @Test
   void plotsAreFilledWithWhatLeadsToAPlaceThatWasSought() {
-    viewer.run(() -> viewer.window.context().sessions().open(SessionRequest.scene()));
-    viewer.waitFor("the fly", () -> viewer.window.context().sessions().session().isPresent());
-    viewer.waitFor("some beats", () -> viewer.status().elapsedUs() > 150_000);
-    viewer.pause();
+    playTheFlyBeyond(150_000);
     viewer.run(() -> JavaFxHarness.join(viewer.session().player().seek(0)));
     viewer.waitFor("no curves", () -> newestUs() < 20_000);
     viewer.run(() -> JavaFxHarness.join(viewer.session().player().seek(140_000)));
@@ -88,6 +81,14 @@ class PauseTest {
             .filter(line -> line.contains("angle_rad"))
             .count();
     assertTrue(samples > 50, samples + " samples before the place");
+  }
+
+  private void playTheFlyBeyond(long elapsedUs) {
+    viewer.run(() -> viewer.window.context().sessions().open(SessionRequest.scene()));
+    viewer.run(() -> viewer.window.context().playback().setSpeed(1));
+    viewer.waitFor("the fly", () -> viewer.window.context().sessions().session().isPresent());
+    viewer.waitFor("some beats", () -> viewer.status().elapsedUs() > elapsedUs);
+    viewer.pause();
   }
 
   /** Time of the newest sample in the plots, microseconds. */

@@ -93,7 +93,8 @@ class ViewerWindowTest {
     assertEquals("blob.aedat \u2013 Haltere", viewer.onFx(viewer.stage::getTitle));
     assertEquals(1_000_000, viewer.status().durationUs(), 100);
     viewer.waitFor(
-        "the rate profile", () -> viewer.window.context().panels().seekBar().hasProfile());
+        "the rate profile",
+        () -> viewer.window.context().sessions().factsProperty().get().isPresent());
     viewer.waitFor(
         "the profile on the screen",
         () -> {

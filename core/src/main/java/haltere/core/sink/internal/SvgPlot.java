@@ -83,7 +83,7 @@ public final class SvgPlot {
   }
 
   /**
-   * A line through points; those outside the range are cut off at its edge.
+   * A line through points; those outside the range are cut off at its edge. A lone point is a dot.
    *
    * @param name for the legend, empty for none
    * @param colour as SVG has it
@@ -92,8 +92,12 @@ public final class SvgPlot {
    * @return this plot
    */
   public SvgPlot line(String name, String colour, double[] x, double[] y) {
+    String points = points(x, y);
+    if (points.indexOf(' ') < 0) {
+      return dots(name, colour, x, y);
+    }
     marks.append("<polyline fill=\"none\" stroke-width=\"1.5\" stroke=\"");
-    marks.append(colour).append("\" points=\"").append(points(x, y)).append("\"/>\n");
+    marks.append(colour).append("\" points=\"").append(points).append("\"/>\n");
     return named(name, colour);
   }
 

@@ -15,7 +15,6 @@ import haltere.core.pipeline.PipelineCounters;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.sink.internal.SvgPlot;
 import haltere.core.stream.EventSource;
-import haltere.ui.command.results.LatestSnapshots;
 import haltere.ui.command.terminal.Quantities;
 import haltere.ui.plot.EventRate;
 import haltere.ui.plot.PlotField;
@@ -137,7 +136,7 @@ public record FolderReport(Path folder, RecordingJob.ChainMaker chains, ReadOpti
   private BufferedImage pictures(BatchItem item) throws IOException {
     try (RecordingReader reader = Recordings.open(item.recording(), reading);
         FilterChain chain = chains.make(reader.geometry())) {
-      ContactSheet sheet = new ContactSheet(reader.geometry(), new LatestSnapshots(chain));
+      ContactSheet sheet = new ContactSheet(chain);
       EventRate seen = new EventRate(2);
       EventSource source = RunReport.inShortPackets(reader);
       ChainRunner runner =

@@ -4,7 +4,7 @@ import haltere.filters.orientation.OrientationEstimate;
 import haltere.filters.orientation.OrientationSettings;
 import haltere.ui.command.results.OrientationRow;
 import haltere.ui.plot.PlotField;
-import haltere.ui.plot.RowFields;
+import haltere.ui.plot.PlotRow;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiConsumer;
@@ -16,7 +16,7 @@ import java.util.stream.Stream;
  * <p>Thread rule: one thread.
  */
 public final class OrientReport implements BiConsumer<String, OrientationEstimate> {
-  private static final RowFields ROW = RowFields.of(OrientationRow.class).orElseThrow();
+  private static final PlotRow ROW = PlotRow.of(OrientationRow.class).orElseThrow();
 
   private final List<ReportCurves> curves =
       Stream.of("x_m", "y_m", "z_m", "ux", "uy", "uz", "sd_axis_rad")
@@ -28,7 +28,7 @@ public final class OrientReport implements BiConsumer<String, OrientationEstimat
     OrientationRow row = OrientationRow.of(object, now);
     for (ReportCurves curve : curves) {
       PlotField field = curve.fields().get(0);
-      double value = ROW.value(row, ROW.columns().indexOf(field.column()));
+      double value = ROW.value(row, ROW.index(field.column()));
       curve.take(field, now.timeUs(), object, value);
     }
   }

@@ -49,13 +49,16 @@ public final class ReportPage {
   }
 
   /**
-   * The SVG colour of a curve by its key, of left and right wings their own, or by how many curves
+   * The SVG colour of a curve: that of its side or identity in pictures, or by how many curves
    * there were before it.
    */
   public static String colour(String key, int number) {
-    return key.startsWith("left")
-        ? "var(--left)"
-        : key.startsWith("right") ? "var(--right)" : "var(--c" + number % COLOURS + ")";
+    MarkStyle style = MarkColours.ofCurve(key).orElse(MarkStyle.of(MarkStyle.Role.OBJECT, number));
+    return switch (style.role()) {
+      case LEFT -> "var(--left)";
+      case RIGHT -> "var(--right)";
+      default -> "var(--c" + style.identity() % COLOURS + ")";
+    };
   }
 
   private static String colours(boolean dark) {

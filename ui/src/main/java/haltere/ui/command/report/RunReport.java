@@ -2,9 +2,6 @@ package haltere.ui.command.report;
 
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
-import haltere.core.event.EventPacket;
-import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorSample;
 import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.PipelineCounters.Counter;
@@ -15,8 +12,6 @@ import haltere.core.playback.internal.PacedSource;
 import haltere.core.sink.internal.SvgPlot;
 import haltere.core.stream.EventSource;
 import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
-import haltere.ui.command.results.LatestSnapshots;
 import haltere.ui.command.terminal.Quantities;
 import haltere.ui.plot.EventRate;
 import haltere.ui.plot.PlotField;
@@ -41,8 +36,6 @@ public final class RunReport implements JobResults {
 
   private final EventRate rate = new EventRate(RATE_BINS);
   private final List<ReportCurves> curves = new ArrayList<>();
-  private long firstUs = StreamNotification.NO_TIME_US;
-  private long lastUs;
   private FilterChain chain;
   private ContactSheet sheet;
   private List<List<String>> stages = List.of();
@@ -50,11 +43,7 @@ public final class RunReport implements JobResults {
 
   /** Another job that does the same and is watched for the report. */
   public RecordingJob watching(RecordingJob job) {
-    return job.with((reader, filters) -> open(filters)).paced(this::watched);
-  }
-
-  private EventSource watched(EventSource source) {
-    return inShortPackets(new Tap(source));
+    return job.with((reader, filters) -> open(filters)).paced(RunReport::inShortPackets);
   }
 
   /** In packets of milliseconds, so that pictures show events and results of the same moment. */
@@ -66,7 +55,7 @@ public final class RunReport implements JobResults {
 
   private JobResults open(FilterChain filters) {
     chain = filters;
-    sheet = new ContactSheet(filters.geometry(), new LatestSnapshots(filters));
+    sheet = new ContactSheet(filters);
     for (List<PlotField> lane : PlotSet.main(PlotField.of(filters))) {
       ReportCurves plotted = new ReportCurves(lane);
       curves.add(plotted);
@@ -76,6 +65,11 @@ public final class RunReport implements JobResults {
       }
     }
     return this;
+  }
+
+  @Override
+  public List<StreamHandler> rawSinks() {
+    return List.of(rate);
   }
 
   @Override
@@ -110,7 +104,8 @@ public final class RunReport implements JobResults {
     read.put("Events", Quantities.count(events));
     if (events > 0) {
       double durationS = rate.elapsedUs() * 1e-6;
-      read.put("Time", Quantities.seconds(firstUs) + " to " + Quantities.seconds(lastUs));
+      read.put(
+          "Time", Quantities.seconds(rate.firstUs()) + " to " + Quantities.seconds(rate.lastUs()));
       read.put("Duration", Quantities.text("%.6f s", durationS));
       read.put("Mean rate", Quantities.rate(durationS > 0 ? events / durationS : 0));
     }
@@ -144,7 +139,7 @@ public final class RunReport implements JobResults {
     if (bins.size() > 1) {
       double[] timesS =
           IntStream.range(0, bins.size())
-              .mapToDouble(bin -> (firstUs + (bin + 0.5) * bins.binUs()) * 1e-6)
+              .mapToDouble(bin -> (rate.firstUs() + (bin + 0.5) * bins.binUs()) * 1e-6)
               .toArray();
       double[] kevS =
           IntStream.range(0, bins.size()).mapToDouble(bin -> bins.rateHz(bin) * 1e-3).toArray();
@@ -152,54 +147,6 @@ public final class RunReport implements JobResults {
           SvgPlot.around(timesS, kevS)
               .line("", ReportPage.colour("", 0), timesS, kevS)
               .draw("Event rate of the recording", "time (s)", "event rate (kev/s)"));
-    }
-  }
-
-  /** Notes rate and times of what goes into the chain. */
-  private final class Tap implements EventSource {
-    private final EventSource source;
-
-    Tap(EventSource source) {
-      this.source = source;
-    }
-
-    @Override
-    public SensorGeometry geometry() {
-      return source.geometry();
-    }
-
-    @Override
-    public boolean next(StreamHandler handler) throws IOException {
-      return source.next(
-          new StreamHandler() {
-            @Override
-            public void packet(EventPacket packet) {
-              if (!packet.isEmpty()) {
-                rate.packet(packet);
-                lastUs = packet.lastTimeUs();
-                if (firstUs == StreamNotification.NO_TIME_US) {
-                  firstUs = packet.firstTimeUs();
-                }
-              }
-              handler.packet(packet);
-            }
-
-            @Override
-            public void notified(StreamNotification notification) {
-              rate.notified(notification);
-              handler.notified(notification);
-            }
-
-            @Override
-            public void sample(SensorSample sample) {
-              handler.sample(sample);
-            }
-          });
-    }
-
-    @Override
-    public void close() throws IOException {
-      source.close();
     }
   }
 }

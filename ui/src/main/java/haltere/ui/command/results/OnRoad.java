@@ -1,16 +1,34 @@
 package haltere.ui.command.results;
 
 import haltere.core.sink.Column;
+import haltere.filters.object.ObjectTrack;
 import haltere.filters.plane.PlanePoint;
 import haltere.filters.road.LaneSettings;
+import haltere.filters.track.TrackPoint;
 
-/** Where something is on a road: columns that are added to those of the picture. */
-record OnRoad(
+/**
+ * Where something is on a road: columns that are added to those of the picture.
+ *
+ * @param point position and velocity on the road
+ * @param speedKmH its speed, km/h
+ * @param sdSpeedKmH standard deviation of the speed, km/h
+ * @param lane number of its lane, as {@link LaneSettings#laneAt}
+ */
+public record OnRoad(
     @Column(joined = true) PlanePoint point,
     @Column(decimals = 3) double speedKmH,
     @Column(decimals = 3) double sdSpeedKmH,
     int lane) {
-  static OnRoad of(PlanePoint point, LaneSettings lanes) {
+  /** A row of the table of objects where there is a road. */
+  public record OfObject(
+      @Column(joined = true) ObjectTrack inPicture, @Column(joined = true) OnRoad onRoad) {}
+
+  /** A row of the table of tracks where there is a road. */
+  public record OfTrack(
+      @Column(joined = true) TrackPoint inPicture, @Column(joined = true) OnRoad onRoad) {}
+
+  /** The position of a point on a road with lanes. */
+  public static OnRoad of(PlanePoint point, LaneSettings lanes) {
     return new OnRoad(point, point.speedKmH(), point.sdSpeedKmH(), lanes.laneAt(point.xM()));
   }
 }

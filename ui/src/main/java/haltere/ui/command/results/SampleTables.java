@@ -3,39 +3,17 @@ package haltere.ui.command.results;
 import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
 import haltere.core.event.Trigger;
+import haltere.core.settings.Parameter;
 import haltere.core.sink.Column;
-import java.util.Locale;
 
 /** Rows of the tables in which samples are written. */
 final class SampleTables {
   private SampleTables() {}
 
   /** A row of inertial samples; units are in the names of the columns. */
-  record SampleRow(
-      @Column("t_us") long timeUs,
-      @Column("acceleration_x_g") float accelerationXG,
-      @Column("acceleration_y_g") float accelerationYG,
-      @Column("acceleration_z_g") float accelerationZG,
-      float rotationXDegS,
-      float rotationYDegS,
-      float rotationZDegS,
-      float temperatureC,
-      float magneticXMicrotesla,
-      float magneticYMicrotesla,
-      float magneticZMicrotesla) {
+  record SampleRow(@Column("t_us") long timeUs, @Column(joined = true) InertialSample sample) {
     static SampleRow of(InertialSample sample) {
-      return new SampleRow(
-          sample.timeUs(),
-          sample.accelerationXG(),
-          sample.accelerationYG(),
-          sample.accelerationZG(),
-          sample.rotationXDegS(),
-          sample.rotationYDegS(),
-          sample.rotationZDegS(),
-          sample.temperatureC(),
-          sample.magneticXMicrotesla(),
-          sample.magneticYMicrotesla(),
-          sample.magneticZMicrotesla());
+      return new SampleRow(sample.timeUs(), sample);
     }
   }
 
@@ -43,11 +21,10 @@ final class SampleTables {
   record TriggerRow(@Column("t_us") long timeUs, String source, String edge, int channel) {
     static TriggerRow of(Trigger trigger) {
       return new TriggerRow(
-          trigger.timeUs(), word(trigger.source()), word(trigger.edge()), trigger.channel());
-    }
-
-    private static String word(Enum<?> value) {
-      return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
+          trigger.timeUs(),
+          Parameter.text(trigger.source()),
+          Parameter.text(trigger.edge()),
+          trigger.channel());
     }
   }
 

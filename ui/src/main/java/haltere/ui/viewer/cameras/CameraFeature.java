@@ -2,7 +2,6 @@ package haltere.ui.viewer.cameras;
 
 import haltere.core.camera.Camera;
 import haltere.core.camera.CameraInfo;
-import haltere.core.camera.CameraOptions;
 import haltere.core.camera.CameraProvider;
 import haltere.core.camera.Cameras;
 import haltere.core.camera.RegionOfInterest;
@@ -14,7 +13,7 @@ import haltere.filters.frequency.PixelRegion;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Texts;
-import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.RegionTool;
@@ -65,7 +64,7 @@ public final class CameraFeature implements ViewerFeature {
     window = installed;
     panel = new CameraPanel(window.background());
     comingSoon.setOnFinished(over -> list());
-    BooleanProperty shown = window.addPanel("camera", PanelPlace.SIDE, () -> panel);
+    BooleanProperty shown = window.addPanel("camera", PanelLayout.Position.SIDE, () -> panel);
     ViewerActions actions = window.actions();
     Supplier<String> obstacle = () -> open.isPresent() ? "" : "no camera is open";
     actions.add("list-cameras", this::list);
@@ -166,13 +165,7 @@ public final class CameraFeature implements ViewerFeature {
 
   /** Opens a camera in place of what is open. */
   public void open(String id) {
-    window.sessions().open(SessionRequest.made(() -> playable(id), id));
-  }
-
-  private CameraPlayable playable(String id) throws java.io.IOException {
-    CameraOptions options =
-        CameraOptions.DEFAULT.withReconnect(true).withWhenFull(CameraOptions.WhenFull.DROP_OLDEST);
-    return new CameraPlayable(cameras.open(id, options), true);
+    window.sessions().open(SessionRequest.made(() -> CameraPlayable.open(cameras, id), id));
   }
 
   // ---- What a camera can be told

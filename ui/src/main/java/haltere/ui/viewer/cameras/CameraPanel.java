@@ -14,7 +14,6 @@ import haltere.ui.viewer.feature.BackgroundWork;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -87,7 +86,7 @@ final class CameraPanel extends ScrollPane {
 
   private void addSliders(BiasSliders facet) {
     for (BiasSliders.Slider which : BiasSliders.Slider.values()) {
-      String name = which.name().toLowerCase(Locale.ROOT).replace('_', '-');
+      String name = Parameter.text(which);
       String words =
           which == BiasSliders.Slider.BALANCE ? "Balance of ON and OFF" : Texts.title(name);
       Slider slider = Controls.slider("camera-slider-" + name, help(which), -1, 1);

@@ -308,11 +308,6 @@ final class StageCard extends VBox {
     return editor.takes(path);
   }
 
-  /** The card of a path was dropped below the cards inside this one. */
-  void dropInside(String path) {
-    inside.orElseThrow().drop(path);
-  }
-
   /** The card of a path was dropped on this one. */
   void drop(String path) {
     editor.moveHere(path, Optional.of(stage));

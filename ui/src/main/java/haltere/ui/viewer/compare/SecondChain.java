@@ -14,23 +14,14 @@ import haltere.ui.viewer.picture.DisplaySink;
  *
  * <p>Thread rule: processing thread, but for {@link #chain()} and {@link #display()}, which have
  * rules of their own.
+ *
+ * @param chain its filters
+ * @param display where its pictures are made
+ * @param copy the packet that it works on
  */
-final class SecondChain implements SliceSink {
-  private final FilterChain chain;
-  private final DisplaySink display;
-  private final EventPacket copy = new EventPacket(4096);
-
+record SecondChain(FilterChain chain, DisplaySink display, EventPacket copy) implements SliceSink {
   SecondChain(FilterChain chain, DisplayOptions options) {
-    this.chain = chain;
-    display = DisplaySink.direct(chain.geometry(), chain, options);
-  }
-
-  FilterChain chain() {
-    return chain;
-  }
-
-  DisplaySink display() {
-    return display;
+    this(chain, DisplaySink.direct(chain.geometry(), chain, options), new EventPacket(4096));
   }
 
   @Override

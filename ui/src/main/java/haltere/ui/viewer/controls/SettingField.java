@@ -2,7 +2,6 @@ package haltere.ui.viewer.controls;
 
 import atlantafx.base.theme.Styles;
 import haltere.core.settings.Parameter;
-import java.math.BigDecimal;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javafx.geometry.Pos;
@@ -54,7 +53,7 @@ public final class SettingField extends VBox {
         Controls.button(
             "reset-" + id,
             Icons.RESET,
-            "Back to the default, " + text(parameter.defaultValue()) + " " + unit(),
+            "Back to the default, " + Parameter.text(parameter.defaultValue()) + " " + unit(),
             () -> set(parameter.defaultValue()),
             Styles.SMALL,
             "reset-setting");
@@ -110,7 +109,7 @@ public final class SettingField extends VBox {
           if (!slider.isValueChanging() || Math.abs(slider.getValue() - position) > 0.02) {
             slider.setValue(position);
           }
-          entry.setText(text(value));
+          entry.setText(Parameter.text(value));
           showing[0] = false;
         };
     slider.setMaxWidth(Double.MAX_VALUE);
@@ -138,13 +137,13 @@ public final class SettingField extends VBox {
     box.getItems().setAll(parameter.choices());
     box.setOnAction(event -> Optional.ofNullable(box.getValue()).ifPresent(this::set));
     box.setMaxWidth(Double.MAX_VALUE);
-    shower = value -> box.setValue(text(value));
+    shower = value -> box.setValue(Parameter.text(value));
     layOutBelow(box);
   }
 
   private void addText() {
     TextField entry = entry(12);
-    shower = value -> entry.setText(text(value));
+    shower = value -> entry.setText(Parameter.text(value));
     layOutBelow(entry);
   }
 
@@ -171,7 +170,12 @@ public final class SettingField extends VBox {
   private String help() {
     String range =
         parameter.isNumber()
-            ? "\n" + text(parameter.min()) + " to " + text(parameter.max()) + " " + unit()
+            ? "\n"
+                + Parameter.text(parameter.min())
+                + " to "
+                + Parameter.text(parameter.max())
+                + " "
+                + unit()
             : "";
     return parameter.help() + range;
   }
@@ -200,17 +204,5 @@ public final class SettingField extends VBox {
   private void showProblem(String line) {
     problem.setText(line);
     Controls.show(!line.isEmpty(), problem);
-  }
-
-  /** A value as it stands in an entry: numbers without a needless fraction or exponent. */
-  static String text(Object value) {
-    double size = value instanceof Double number ? Math.abs(number) : Double.NaN;
-    if (size == 0 || size >= 1e-6 && size < 1e15) {
-      return new BigDecimal(value.toString()).stripTrailingZeros().toPlainString();
-    }
-    if (value instanceof Enum<?> constant) {
-      return constant.name().toLowerCase(java.util.Locale.ROOT).replace('_', '-');
-    }
-    return String.valueOf(value);
   }
 }

@@ -23,6 +23,16 @@ import javafx.scene.control.TabPane;
  * <p>Thread rule: JavaFX thread only.
  */
 public final class PanelLayout extends SplitPane {
+  /** Where a panel is shown. */
+  public enum Position {
+    /** In the column at the right, as a tab beside the chain. */
+    SIDE,
+    /** Below the events, as wide as they are. */
+    BELOW,
+    /** At the right of the events, as high as they are. */
+    BESIDE
+  }
+
   /** How much a panel grows at a time, as a share of what it is a part of. */
   private static final double PANEL_STEP = 0.05;
 
@@ -100,9 +110,9 @@ public final class PanelLayout extends SplitPane {
   }
 
   /** Gives what stands at a place some steps more room than it has, or less. */
-  public void enlarge(PanelPlace place, int steps) {
+  public void enlarge(Position position, int steps) {
     SplitPane pane =
-        switch (place) {
+        switch (position) {
           case SIDE -> this;
           case BELOW -> left;
           case BESIDE -> row;
@@ -115,9 +125,9 @@ public final class PanelLayout extends SplitPane {
 
   /** Offers a panel; the property that comes back shows and hides it. */
   public BooleanProperty offer(
-      String id, String title, PanelPlace place, Supplier<? extends Node> content) {
+      String id, String title, Position position, Supplier<? extends Node> content) {
     BooleanProperty shown = new SimpleBooleanProperty();
-    if (place == PanelPlace.SIDE) {
+    if (position == Position.SIDE) {
       Tab tab = tab(id, title, null);
       tab.setOnClosed(event -> shown.set(false));
       shown.subscribe((was, is) -> showTab(tab, is, content));
@@ -128,7 +138,7 @@ public final class PanelLayout extends SplitPane {
             if (made[0] == null) {
               made[0] = content.get();
             }
-            if (place == PanelPlace.BELOW) {
+            if (position == Position.BELOW) {
               showBelow(made[0], is);
             } else {
               showBeside(made[0], is);

@@ -91,6 +91,15 @@ public final class PlayedOutput<O extends PlayedOutput.Output> {
     window.status().setActivity(made.output().begun());
   }
 
+  /** Ends what is written, or asks for what is to be written. */
+  public void toggle(Runnable ask) {
+    if (running.get()) {
+      stop();
+    } else if (window.sessions().session().isPresent()) {
+      ask.run();
+    }
+  }
+
   /** Ends what is written, if there is any. */
   public void stop() {
     running.set(false);

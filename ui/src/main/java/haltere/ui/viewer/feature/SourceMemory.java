@@ -15,19 +15,14 @@ import java.util.Optional;
  * changed last are kept.
  *
  * <p>Thread rule: JavaFX thread only, or the thread that makes the window, before it is made.
+ *
+ * @param settings hold it
  */
-public final class SourceMemory {
+public record SourceMemory(UserSettings settings) {
   private static final String CHAINS = "chains";
   private static final String SENSORS = "sensors";
   private static final int MAX_CHAINS = 40;
   private static final int MAX_SENSORS = 400;
-
-  private final UserSettings settings;
-
-  /** What the settings hold. */
-  public SourceMemory(UserSettings settings) {
-    this.settings = settings;
-  }
 
   /** The chain of its own that something has, as JSON; empty where nobody has changed it. */
   public Optional<String> chain(SessionRequest request) {

@@ -59,14 +59,15 @@ public record ViewerContext(
    * Offers a panel that can be shown and hidden, with an action for it in the View menu.
    *
    * @param id of the panel and, with {@code show-} before it, of the action
-   * @param place where it is shown
+   * @param position where it is shown
    * @param content makes it when it is shown for the first time
    * @return whether it is shown
    */
-  public BooleanProperty addPanel(String id, PanelPlace place, Supplier<? extends Node> content) {
+  public BooleanProperty addPanel(
+      String id, PanelLayout.Position position, Supplier<? extends Node> content) {
     String action = "show-" + id;
     BooleanProperty shown =
-        panels.panelLayout().offer(id, ViewerActions.words(action), place, content);
+        panels.panelLayout().offer(id, ViewerActions.words(action), position, content);
     settings.keep("panel." + id, shown);
     actions.add(action, shown);
     return shown;

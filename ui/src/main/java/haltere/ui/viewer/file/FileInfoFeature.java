@@ -1,7 +1,7 @@
 package haltere.ui.viewer.file;
 
 import haltere.core.event.SensorGeometry;
-import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.session.RecordingFacts;
@@ -24,7 +24,7 @@ public final class FileInfoFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window.addPanel("file-information", PanelPlace.SIDE, () -> panel);
+    window.addPanel("file-information", PanelLayout.Position.SIDE, () -> panel);
     window.panels().addAbovePicture(banner);
     window.onSession(this::begin);
     window.sessions().factsProperty().subscribe((was, is) -> is.ifPresent(this::show));

@@ -1,10 +1,9 @@
 package haltere.ui.viewer.picture;
 
 import haltere.core.event.SensorGeometry;
-import haltere.core.overlay.Overlay;
-import haltere.core.overlay.OverlayCanvas;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.frequency.RegionReading;
+import haltere.ui.rendering.LayerTaps;
 import java.util.List;
 import java.util.Optional;
 
@@ -13,14 +12,6 @@ import java.util.Optional;
  * paints, shown by the JavaFX thread, handed over by a {@link haltere.ui.rendering.FrameExchange}.
  */
 public final class DisplayFrame {
-  /** A snapshot of results with what draws it. */
-  public record Marks<T>(T snapshot, Overlay<T> overlay) {
-    /** Draws it as it is at the time that is shown. */
-    public void draw(long timeUs, OverlayCanvas canvas) {
-      overlay.drawAt(snapshot, timeUs, canvas);
-    }
-  }
-
   final SensorGeometry geometry;
 
   /** One for each of the sensor's, row by row from the top, with its rank for the scaler. */
@@ -32,7 +23,7 @@ public final class DisplayFrame {
   /** What part of the sensor the screen's pixels show. */
   Optional<ScreenPlace> screenPlace = Optional.empty();
 
-  List<Marks<?>> marks = List.of();
+  List<LayerTaps.Marks<?>> marks = List.of();
 
   /** What there is to say of the pixel under the mouse. */
   Optional<PixelReading> pixel = Optional.empty();

@@ -7,6 +7,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorSample;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.StreamNotification;
+import haltere.ui.rendering.LayerTaps;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
@@ -18,8 +19,8 @@ import java.util.function.Consumer;
  * events are gathered and painted by a {@link PictureMaker}, on a {@link PictureThread} of its own
  * or at once.
  *
- * <p>Thread rule: processing thread; {@link #maker()}, {@link #setFrameOpacity} and {@link
- * #setAllEvents} are for the JavaFX thread.
+ * <p>Thread rule: processing thread; {@link #maker()} and {@link #setAllEvents} are for the JavaFX
+ * thread.
  */
 public final class DisplaySink implements SliceSink {
   private final LayerTaps taps;
@@ -58,15 +59,16 @@ public final class DisplaySink implements SliceSink {
     return maker;
   }
 
-  /** Shows frames below the events: 0 not at all, 1 as they are. */
-  public void setFrameOpacity(double opacity) {
-    maker.frames().setOpacity(opacity);
-    maker.setStale(true);
-  }
-
   /** Shows the frame that was there before the place of the last jump. */
   public void giveFrame(Frame frame) {
     if (maker.frames().give(frame)) {
+      maker.setStale(true);
+    }
+  }
+
+  /** Shows the camera's frame that another picture of the same moment shows. */
+  public void showFrameOf(DisplaySink other) {
+    if (maker.frames().follow(other.maker.frames())) {
       maker.setStale(true);
     }
   }
@@ -133,26 +135,26 @@ public final class DisplaySink implements SliceSink {
 
   @Override
   public void sliceHeld() {
-    List<DisplayFrame.Marks<?>> marks = taps.marks();
+    List<LayerTaps.Marks<?>> marks = taps.marks();
     steps.execute(() -> maker.hold(marks));
   }
 
   @Override
   public void sliceEnd(long fromUs, long toUs) {
-    List<DisplayFrame.Marks<?>> marks = taps.marks();
+    List<LayerTaps.Marks<?>> marks = taps.marks();
     steps.execute(() -> maker.showSlice(fromUs, toUs, marks));
   }
 
   /** Paints what there is and hands it over. */
   public void paint() {
-    List<DisplayFrame.Marks<?>> marks = taps.marks();
+    List<LayerTaps.Marks<?>> marks = taps.marks();
     maker.setStale(false);
     steps.execute(() -> maker.paint(marks));
   }
 
   /** A picture of the present moment of usual size, with what lies over it. */
   public BufferedImage picture(Overlays overlays) {
-    List<DisplayFrame.Marks<?>> marks = taps.marks();
+    List<LayerTaps.Marks<?>> marks = taps.marks();
     return thread
         .map(apart -> apart.now(() -> maker.picture(overlays, marks)))
         .orElseGet(() -> maker.picture(overlays, marks));

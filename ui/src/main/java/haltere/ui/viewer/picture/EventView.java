@@ -6,9 +6,11 @@ import haltere.filters.frequency.PixelRegion;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.controls.ArrowKeys;
 import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.PixelImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import javafx.scene.AccessibleRole;
 import javafx.scene.Cursor;
@@ -48,6 +50,10 @@ public final class EventView extends Region implements ArrowKeys {
   private double dragY;
   private Optional<ViewTool> tool = Optional.empty();
   private final KeyPointer keys = new KeyPointer();
+
+  /** What has been asked for another frame that has not come yet. */
+  private Optional<DisplaySink> asked = Optional.empty();
+
   private final List<Consumer<OverlayCanvas>> layers = new ArrayList<>();
   private final List<Consumer<Optional<ViewTool>>> toolListeners = new ArrayList<>();
   private final List<Consumer<DisplayFrame>> frameListeners = new ArrayList<>();
@@ -92,6 +98,22 @@ public final class EventView extends Region implements ArrowKeys {
       picture.setGeometry(geometry, colours);
       viewpoint.setSensor(geometry);
     }
+  }
+
+  /**
+   * Shows the newest frame of a sink, true if there is one; else has one painted, on the processing
+   * thread, where another one is wanted.
+   */
+  public boolean show(DisplaySink sink, Executor processing) {
+    DisplayFrame frame = sink.maker().exchange().fetch();
+    if (frame != null) {
+      asked = Optional.empty();
+      show(frame);
+    } else if (sink.maker().isStale() && !asked.equals(Optional.of(sink))) {
+      asked = Optional.of(sink);
+      processing.execute(sink::paint);
+    }
+    return frame != null;
   }
 
   /** Shows a frame of the current sensor. */
@@ -188,7 +210,7 @@ public final class EventView extends Region implements ArrowKeys {
     double scale = viewpoint.scale();
     double left = viewpoint.left();
     double top = viewpoint.top();
-    double density = getScene() == null ? 1 : getScene().getWindow().getRenderScaleX();
+    double density = PixelImage.density(this);
     picture.place(viewpoint, density);
     frame.setX(left - 0.5);
     frame.setY(top - 0.5);

@@ -8,6 +8,7 @@ import haltere.ui.rendering.ColourScale;
 import haltere.ui.rendering.EventPicture;
 import haltere.ui.rendering.FrameExchange;
 import haltere.ui.rendering.FramePainter;
+import haltere.ui.rendering.LayerTaps;
 import haltere.ui.rendering.PictureStamp;
 import haltere.ui.rendering.PictureStyle;
 import haltere.ui.rendering.Pictures;
@@ -55,7 +56,7 @@ public final class PictureMaker {
   private long lastSliceUs = 8_333;
   private boolean holds;
   private final boolean betweenSlices;
-  private List<DisplayFrame.Marks<?>> lastMarks = List.of();
+  private List<LayerTaps.Marks<?>> lastMarks = List.of();
   private long paintedNanos;
   private long sliceEndNanos;
   private boolean runsOn;
@@ -130,7 +131,7 @@ public final class PictureMaker {
   }
 
   /** The slice that ended last stays: its picture is of its events and no others. */
-  void hold(List<DisplayFrame.Marks<?>> marks) {
+  void hold(List<LayerTaps.Marks<?>> marks) {
     sliceUs = lastSliceUs;
     events.settle();
     probes.settle();
@@ -182,7 +183,7 @@ public final class PictureMaker {
   }
 
   /** A slice ends; its frame is painted unless the window has no use for it. */
-  void showSlice(long fromUs, long toUs, List<DisplayFrame.Marks<?>> marks) {
+  void showSlice(long fromUs, long toUs, List<LayerTaps.Marks<?>> marks) {
     endSlice(fromUs, toUs);
     lastMarks = marks;
     long nanos = System.nanoTime();
@@ -196,7 +197,7 @@ public final class PictureMaker {
   }
 
   /** Paints what there is and hands it over. */
-  void paint(List<DisplayFrame.Marks<?>> marks) {
+  void paint(List<LayerTaps.Marks<?>> marks) {
     stale = holds;
     if (holds) {
       return;
@@ -204,7 +205,7 @@ public final class PictureMaker {
     events.configure(style());
     DisplayFrame frame = exchange.back();
     events.paintRanked(frame.pixels);
-    frames.paintUnder(frame.pixels, frame.geometry, events.style().background());
+    paintFrame(frame.pixels);
     frame.pixel = probes.pixel(events);
     frame.region = probes.region(events.frame().nowUs());
     frame.scale = scale();
@@ -217,6 +218,11 @@ public final class PictureMaker {
     paintedNanos = System.nanoTime();
   }
 
+  private void paintFrame(int[] ranked) {
+    SensorGeometry geometry = events.frame().geometry();
+    frames.paintUnder(ranked, geometry, events.style().background(), options.frameOpacity());
+  }
+
   private void paintScreen(DisplayFrame frame, ScreenPlace place) {
     int size = place.columns() * place.rows();
     if (frame.screen.length != size) {
@@ -227,12 +233,12 @@ public final class PictureMaker {
   }
 
   /** A picture of the present moment of usual size, with what lies over it. */
-  BufferedImage picture(Overlays overlays, List<DisplayFrame.Marks<?>> marks) {
+  BufferedImage picture(Overlays overlays, List<LayerTaps.Marks<?>> marks) {
     events.configure(style());
     SensorGeometry geometry = events.frame().geometry();
     int[] argb = new int[geometry.pixels()];
     events.paintRanked(argb);
-    frames.paintUnder(argb, geometry, events.style().background());
+    paintFrame(argb);
     for (int i = 0; i < argb.length; i++) {
       argb[i] |= 0xFF000000;
     }

@@ -2,6 +2,7 @@ package haltere.ui.viewer.picture;
 
 import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.OverlayCanvas;
+import haltere.ui.rendering.LayerTaps;
 import haltere.ui.rendering.PictureScaler;
 import haltere.ui.rendering.PixelOverlayCanvas;
 
@@ -42,7 +43,7 @@ final class ScreenPainter {
     scaler.scale(frame.pixels, target);
     if (place.marks()) {
       OverlayCanvas over = over(target, frame.dark);
-      for (DisplayFrame.Marks<?> snapshot : frame.marks) {
+      for (LayerTaps.Marks<?> snapshot : frame.marks) {
         snapshot.draw(frame.timeUs, over);
       }
     }

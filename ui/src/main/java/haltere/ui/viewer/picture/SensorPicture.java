@@ -69,9 +69,7 @@ final class SensorPicture {
     image.setY(imageY);
     int columns = Math.max(1, (int) Math.ceil((toX - fromX) * scale * density - 1e-6));
     int rows = Math.max(1, (int) Math.ceil((toY - fromY) * scale * density - 1e-6));
-    image.allocate(columns, rows);
-    image.setFitWidth(columns / density);
-    image.setFitHeight(rows / density);
+    image.fit(columns, rows, density);
     place =
         Optional.of(
             new ScreenPlace(

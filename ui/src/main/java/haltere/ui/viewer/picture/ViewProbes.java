@@ -9,6 +9,7 @@ import haltere.ui.rendering.EventFrame;
 import haltere.ui.rendering.EventPicture;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * What the window wants to know of single places: the pixel under the mouse, and a region of
@@ -56,21 +57,15 @@ final class ViewProbes {
 
   void packet(EventPacket packet) {
     follow();
-    if (near != null) {
-      near.packet(packet);
-    }
-    if (region != null) {
-      region.packet(packet);
-    }
+    meters().forEach(meter -> meter.packet(packet));
   }
 
   void notified(StreamNotification notification) {
-    if (near != null) {
-      near.notified(notification);
-    }
-    if (region != null) {
-      region.notified(notification);
-    }
+    meters().forEach(meter -> meter.notified(notification));
+  }
+
+  private Stream<RegionMeter> meters() {
+    return Stream.of(near, region).filter(Objects::nonNull);
   }
 
   private void follow() {

@@ -100,10 +100,9 @@ public final class SeekBar extends Region {
   private final Region needle = new Region();
   private final Label hover = Controls.label("", "readout");
   private Ink ink = Ink.DARK;
-  private Optional<RateProfile> profile = Optional.empty();
 
-  /** Rates of what has come so far of a camera or a scene. */
-  private final Curve history = new Curve("", 0);
+  /** Events per second over the elapsed timeline, as far as they are known. */
+  private final Curve rates = new Curve("", 0);
 
   private PlayerStatus status;
   private Optional<Reach> reach = Optional.empty();
@@ -185,8 +184,7 @@ public final class SeekBar extends Region {
 
   /** Forgets the recording that was shown. */
   public void clear() {
-    profile = Optional.empty();
-    history.clear();
+    rates.clear();
     ticks = new long[0];
     status = null;
     reach = Optional.empty();
@@ -194,8 +192,12 @@ public final class SeekBar extends Region {
   }
 
   /** Shows the rate over the whole recording. */
-  public void setProfile(RateProfile newProfile) {
-    profile = Optional.of(newProfile);
+  public void setProfile(RateProfile profile) {
+    rates.clear();
+    for (int bin = 0; bin <= profile.bins(); bin++) {
+      long fromUs = profile.durationUs() * bin / profile.bins();
+      rates.add(fromUs, profile.eventsPerSecond(Math.min(bin, profile.bins() - 1)));
+    }
     dirty = true;
   }
 
@@ -208,11 +210,6 @@ public final class SeekBar extends Region {
   public void setTicks(long[] elapsedUs) {
     ticks = elapsedUs.clone();
     dirty = true;
-  }
-
-  /** Whether the rate over the whole recording is known. */
-  public boolean hasProfile() {
-    return profile.isPresent();
   }
 
   /** Draws for a dark window, or for a light one. */
@@ -263,13 +260,13 @@ public final class SeekBar extends Region {
       showWhole(all.fromUs(), newSpanUs);
       return;
     }
-    if (history.lastUs() > all.toUs()) {
-      history.clear();
+    if (rates.lastUs() > all.toUs()) {
+      rates.clear();
     }
-    if (status.elapsedUs() < history.lastUs() + Math.max(MIN_STEP_US, newSpanUs / STEPS)) {
+    if (status.elapsedUs() < rates.lastUs() + Math.max(MIN_STEP_US, newSpanUs / STEPS)) {
       return;
     }
-    history.add(status.elapsedUs(), status.eventRateEps());
+    rates.add(status.elapsedUs(), status.eventRateEps());
     long nanos = System.nanoTime();
     if (nanos - grownNanos > GROW_NANOS) {
       // the picture moves with what is drawn on it
@@ -345,7 +342,7 @@ public final class SeekBar extends Region {
       hover.autosize();
       hover.relocate(
           Math.max(2, Math.min(getWidth() - hover.getWidth() - 2, x - hover.getWidth() / 2)),
-          getHeight() - hover.getHeight());
+          getHeight() - RULER_HEIGHT - hover.getHeight());
     }
   }
 
@@ -379,9 +376,9 @@ public final class SeekBar extends Region {
       drawHandle(graphics, loop.inUs(), 0, height);
       drawHandle(graphics, loop.outUs(), -1.5, height);
     }
-    double[] rates = rates((int) width / COLUMN);
-    drawRates(graphics, rates, ink.rate());
-    drawRates(over, rates, ink.played());
+    double[] columns = rates((int) width / COLUMN);
+    drawRates(graphics, columns, ink.rate());
+    drawRates(over, columns, ink.played());
     graphics.setFill(ink.mark());
     drawTicks(graphics, width);
     for (Mark mark : marks) {
@@ -440,60 +437,41 @@ public final class SeekBar extends Region {
     }
   }
 
-  /** Events per second in each column. */
-  private double[] rates(int columns) {
-    if (profile.isEmpty()) {
-      return ratesSoFar(columns);
-    }
-    RateProfile whole = profile.get();
-    double[] rates = new double[columns];
-    double binsPerUs = whole.bins() / (double) wholeSpanUs;
-    double first = (fromUs - wholeFromUs) * binsPerUs;
-    double binsPerColumn = spanUs * binsPerUs / columns;
-    for (int column = 0; column < columns; column++) {
-      int from = (int) (first + column * binsPerColumn);
-      int to = Math.max(from + 1, (int) (first + (column + 1) * binsPerColumn));
-      for (int bin = from; bin < Math.min(to, whole.bins()); bin++) {
-        rates[column] = Math.max(rates[column], whole.eventsPerSecond(bin));
-      }
-    }
-    return rates;
-  }
-
   /** The highest rate that was noted in each column, or that of the one before. */
-  private double[] ratesSoFar(int columns) {
-    double[] rates = new double[columns];
+  private double[] rates(int columns) {
+    double[] highest = new double[columns];
     int[] filled = {0};
     double[] before = {0};
-    history.paint(
+    rates.paint(
         fromUs,
         fromUs + spanUs,
         columns,
-        (from, to, lowest, highest, joined) -> {
+        (from, to, low, high, joined) -> {
           int first = column(from, columns);
           int last = column(to, columns);
-          Arrays.fill(rates, Math.min(filled[0], first), first, before[0]);
-          for (int column = first; column <= last; column++) {
-            rates[column] = Math.max(rates[column], highest);
+          Arrays.fill(highest, Math.min(filled[0], first), first, before[0]);
+          for (int column = first; column <= last && column < columns; column++) {
+            highest[column] = Math.max(highest[column], high);
           }
           filled[0] = last + 1;
-          before[0] = highest;
+          before[0] = high;
         });
-    return rates;
+    return highest;
   }
 
+  /** The column of a time, from 0 to one behind the last. */
   private int column(long elapsedUs, int columns) {
     double column = (elapsedUs - fromUs) / (double) spanUs * columns;
-    return (int) Math.max(0, Math.min(columns - 1, column));
+    return (int) Math.max(0, Math.min(columns, column));
   }
 
-  private void drawRates(GraphicsContext graphics, double[] rates, Color colour) {
-    double[] heights = RateScale.heights(rates, logarithmic.get());
+  private void drawRates(GraphicsContext graphics, double[] columns, Color colour) {
+    double[] heights = RateScale.heights(columns, logarithmic.get());
     double bottom = getHeight() - RULER_HEIGHT;
     double usable = bottom - 6;
     graphics.setFill(colour);
-    for (int column = 0; column < rates.length; column++) {
-      if (rates[column] > 0) {
+    for (int column = 0; column < columns.length; column++) {
+      if (columns[column] > 0) {
         double bar = Math.max(1, Math.rint(Math.min(1, heights[column]) * usable));
         graphics.fillRect(column * COLUMN, bottom - bar, COLUMN - 1, bar);
         if (heights[column] > 1) {

@@ -102,12 +102,10 @@ final class LanePicture {
     density = newDensity;
     int columns = Math.max(1, (int) Math.ceil(width * density));
     int rows = Math.max(1, (int) Math.ceil(height * density));
-    pixels.allocate(columns, rows);
+    pixels.fit(columns, rows, density);
     Arrays.fill(pixels.pixels(), 0);
     painter.setTarget(pixels.pixels(), columns, rows);
     pixels.setX(LEFT);
-    pixels.setFitWidth(columns / density);
-    pixels.setFitHeight(rows / density);
   }
 
   private void line(double x1, double y1, double x2, double y2, int argb) {

@@ -74,7 +74,7 @@ final class PlotFeeds {
   /** Brings the samples that have come to their lanes; true if there were any. */
   boolean drainTo(List<Lane> lanes) {
     boolean[] any = new boolean[1];
-    feeds.forEach(feed -> feed.drainTo(consumer(feed.field(), lanes, any)));
+    feeds.forEach(feed -> feed.queue().drainTo(consumer(feed.field(), lanes, any)));
     for (PlotField field : InertialFeed.FIELDS) {
       inertial.drainTo(field, consumer(field, lanes, any));
     }
@@ -99,7 +99,7 @@ final class PlotFeeds {
 
   /** Samples that came too fast to be plotted. */
   long lost() {
-    return feeds.stream().mapToLong(PlotFeed::lost).sum();
+    return feeds.stream().mapToLong(feed -> feed.queue().lost()).sum();
   }
 
   void close() {

@@ -1,12 +1,10 @@
 package haltere.ui.viewer.plots;
 
 import haltere.core.overlay.MarkStyle;
-import haltere.core.overlay.MarkStyle.Role;
 import haltere.ui.plot.Curve;
 import haltere.ui.rendering.MarkColours;
 import haltere.ui.viewer.controls.Theme;
 import java.util.List;
-import java.util.Optional;
 import javafx.scene.paint.Color;
 
 /**
@@ -42,18 +40,19 @@ record PlotInk(Color text, Color grid, Color now, Color cursor, List<Color> curv
     return List.of(colours).stream().map(Color::web).toList();
   }
 
-  /** The colour of a curve: of a wing that of its side, darker for the second and third. */
+  /**
+   * The colour of a curve: that of its side or identity in the picture, darker for the second and
+   * third curve of a wing or field of a lane; else its own.
+   */
   Color curve(Curve curve) {
     int number = curve.number();
-    Optional<Role> side =
-        curve.key().startsWith("left")
-            ? Optional.of(Role.LEFT)
-            : curve.key().startsWith("right") ? Optional.of(Role.RIGHT) : Optional.empty();
-    return side.map(role -> side(role).deriveColor(0, 1, 1 - SHADE * (number / 2 % 3), 1))
+    return MarkColours.ofCurve(curve.key())
+        .map(style -> marked(style, style.identity() < 0 ? number / 2 : curve.field()))
         .orElseGet(() -> curves.get(Math.floorMod(number, curves.size())));
   }
 
-  private Color side(Role role) {
-    return Theme.colour(MarkColours.argb(MarkStyle.of(role), this == DARK));
+  private Color marked(MarkStyle style, int before) {
+    Color colour = Theme.colour(MarkColours.argb(style, this == DARK));
+    return colour.deriveColor(0, 1, 1 - SHADE * (before % 3), 1);
   }
 }

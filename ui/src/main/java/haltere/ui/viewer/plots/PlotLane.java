@@ -6,6 +6,7 @@ import haltere.ui.plot.PlotField;
 import haltere.ui.plot.TimeWindow;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.KeyPane;
+import haltere.ui.viewer.controls.PixelImage;
 import haltere.ui.viewer.controls.Texts;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -130,7 +131,7 @@ final class PlotLane extends BorderPane {
       canvas.setHeight(height);
     }
     GraphicsContext graphics = canvas.getGraphicsContext2D();
-    double density = getScene() == null ? 1 : getScene().getWindow().getRenderScaleX();
+    double density = PixelImage.density(this);
     picture.draw(graphics, width, height, density, ink, startUs);
     double place = window.placeOf(nowUs);
     place(now, !window.isFollowing() && place >= 0 && place <= 1, place, ink.now());

@@ -42,14 +42,12 @@ public final class PublishFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     sending = new PlayedOutput<>(window);
-    window.actions().add("publish", sending.runningProperty(), this::toggle, () -> "");
+    window
+        .actions()
+        .add("publish", sending.runningProperty(), () -> sending.toggle(this::ask), () -> "");
   }
 
-  private void toggle() {
-    if (sending.runningProperty().get()) {
-      sending.stop();
-      return;
-    }
+  private void ask() {
     Windows.ask(
         window.stage(),
         "Send results",

@@ -7,7 +7,6 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.aedat4.Aedat4Compression;
 import haltere.core.format.internal.aedat4.Aedat4Writer;
-import haltere.core.pipeline.CameraHeader;
 import haltere.core.pipeline.OverflowPolicy;
 import haltere.core.pipeline.Recorder;
 import haltere.core.pipeline.RecorderReport;
@@ -18,7 +17,6 @@ import haltere.ui.viewer.feature.PlayedOutput;
 import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.time.Clock;
 import java.util.List;
 import java.util.Optional;
 
@@ -79,22 +77,16 @@ record RecordedFile(Path file, StreamHandler sink, Ending ending) implements Pla
   private static RecordedFile ofCamera(Path file, Camera camera, FilterChain chain)
       throws IOException {
     SessionRecorder session =
-        new SessionRecorder(
+        SessionRecorder.ofCamera(
             file,
-            camera.geometry(),
+            camera,
+            () -> Optional.of(ChainFile.write(chain)),
             (part, metadata) ->
                 Aedat4Writer.createInPlace(
                     part,
                     new WriteOptions(camera.geometry(), true, Optional.empty(), metadata),
                     Aedat4Compression.LZ4),
-            SessionRecorder.Limits.USUAL,
-            new CameraHeader(
-                camera,
-                () -> Optional.of(ChainFile.write(chain)),
-                System::nanoTime,
-                Clock.systemUTC()),
-            SessionRecorder.freeBytes(file));
-    session.checkSpace();
+            SessionRecorder.Limits.USUAL);
     return new RecordedFile(
         file,
         session,

@@ -72,14 +72,12 @@ public final class SavingFeature implements ViewerFeature {
 
   /** Stops the recording that is under way, or asks where the next one goes. */
   public void toggleRecording() {
-    if (recording.runningProperty().get()) {
-      recording.stop();
-    } else if (window.sessions().session().isPresent()) {
-      window
-          .dialogs()
-          .save("Record to", "recording.aedat4", "AEDAT-4", "*.aedat4")
-          .ifPresent(this::record);
-    }
+    recording.toggle(
+        () ->
+            window
+                .dialogs()
+                .save("Record to", "recording.aedat4", "AEDAT-4", "*.aedat4")
+                .ifPresent(this::record));
   }
 
   /** Records what comes out of the chain. */

@@ -8,7 +8,7 @@ import haltere.filters.orientation.camera.CameraModel;
 import haltere.ui.space.CameraRig;
 import haltere.ui.space.LiveFlight;
 import haltere.ui.viewer.action.ViewerActions;
-import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.session.SessionRequest;
@@ -40,7 +40,7 @@ public final class LiveFlightFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    shown = window.addPanel("live-flight", PanelPlace.BESIDE, () -> pane);
+    shown = window.addPanel("live-flight", PanelLayout.Position.BESIDE, () -> pane);
     ViewerActions actions = window.actions();
     actions.add("open-flight", this::openScene);
     actions.add("open-camera-recordings", () -> chooseCalibration(this::chooseRecordings));
@@ -54,7 +54,12 @@ public final class LiveFlightFeature implements ViewerFeature {
     window.display().onChange(() -> pane.setOptions(window.display().options()));
     window.sessions().sessionProperty().subscribe((was, is) -> follow(was, is));
     window.display().themeProperty().subscribe((was, is) -> pane.setTheme(is));
-    window.panels().onPulse(() -> flight.ifPresent(live -> pane.update(live.latest())));
+    window
+        .panels()
+        .onPulse(
+            () ->
+                flight.ifPresent(
+                    live -> pane.update(live.latest(), window.editor()::onProcessing)));
   }
 
   /** Opens the simulated flight. */

@@ -3,7 +3,7 @@ package haltere.ui.viewer.space;
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.OverlayCanvas;
-import haltere.ui.viewer.picture.DisplayFrame;
+import haltere.ui.rendering.LayerTaps;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -41,7 +41,7 @@ final class MarkTraces {
   private Map<Key, Kept> open = new HashMap<>();
 
   /** Adds the positions of all marks at a time. */
-  void add(long timeUs, List<DisplayFrame.Marks<?>> marks) {
+  void add(long timeUs, List<LayerTaps.Marks<?>> marks) {
     Collector collector = new Collector();
     marks.forEach(each -> each.draw(timeUs, collector));
     Map<Key, Kept> now = new HashMap<>();

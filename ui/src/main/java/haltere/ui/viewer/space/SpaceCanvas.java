@@ -73,18 +73,13 @@ final class SpaceCanvas extends TurnPane {
   }
 
   private void redraw() {
-    double density =
-        getScene() == null || getScene().getWindow() == null
-            ? 1
-            : getScene().getWindow().getRenderScaleX();
+    double density = PixelImage.density(this);
     int columns = (int) (getWidth() * density);
     int rows = (int) (getHeight() * density);
     if (columns < 1 || rows < 1) {
       return;
     }
-    image.allocate(columns, rows);
-    image.setFitWidth(columns / density);
-    image.setFitHeight(rows / density);
+    image.fit(columns, rows, density);
     Arrays.fill(image.pixels(), theme.colours().background());
     if (drawing != null) {
       if (!fitted) {

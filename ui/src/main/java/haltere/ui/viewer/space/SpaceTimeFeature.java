@@ -1,7 +1,7 @@
 package haltere.ui.viewer.space;
 
 import haltere.ui.viewer.controls.Icons;
-import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.session.ViewerSession;
@@ -24,7 +24,7 @@ public final class SpaceTimeFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     panel = new SpaceTimePanel(window.display().marksProperty());
-    shown = window.addPanel("space-time", PanelPlace.BESIDE, () -> panel);
+    shown = window.addPanel("space-time", PanelLayout.Position.BESIDE, () -> panel);
     window
         .panels()
         .viewBar()

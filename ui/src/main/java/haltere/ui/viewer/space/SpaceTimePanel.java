@@ -108,7 +108,7 @@ final class SpaceTimePanel extends BorderPane {
       frame = newer;
       dirty = true;
     }
-    double density = getScene() == null ? 1 : getScene().getWindow().getRenderScaleX();
+    double density = PixelImage.density(this);
     int width = (int) (picture.getWidth() * density);
     int height = (int) (picture.getHeight() * density);
     if (dirty && width >= 2 && height >= 2) {
@@ -118,9 +118,7 @@ final class SpaceTimePanel extends BorderPane {
   }
 
   private void paint(int width, int height, double density) {
-    image.allocate(width, height);
-    image.setFitWidth(width / density);
-    image.setFitHeight(height / density);
+    image.fit(width, height, density);
     SpaceTimeView view = view();
     double room = 2 * SpaceTimeMarks.room() * density;
     SpaceTimeProjection projection =
@@ -139,8 +137,12 @@ final class SpaceTimePanel extends BorderPane {
       marks.draw(frame);
     }
     image.repaint();
+    String steps = ", traces in steps of " + Texts.duration(SpaceTimeSink.stepUs(view.spanUs()));
     words.setText(
-        Texts.duration(view.spanUs()) + ", " + Texts.count(frame.points.count()) + " events");
+        Texts.duration(view.spanUs())
+            + ", "
+            + Texts.count(frame.points.count())
+            + (frame.traces.isEmpty() ? " events" : " events" + steps));
   }
 
   private void goBack() {

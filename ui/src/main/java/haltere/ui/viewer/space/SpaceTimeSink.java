@@ -5,10 +5,9 @@ import haltere.core.event.EventPacket;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.rendering.FrameExchange;
+import haltere.ui.rendering.LayerTaps;
 import haltere.ui.rendering.SpaceTimeCloud;
 import haltere.ui.rendering.SpaceTimeView;
-import haltere.ui.viewer.picture.DisplayFrame;
-import haltere.ui.viewer.picture.LayerTaps;
 import java.util.List;
 
 /**
@@ -27,7 +26,7 @@ final class SpaceTimeSink implements SliceSink {
     long nowUs;
 
     /** Marks of filters at that time. */
-    List<DisplayFrame.Marks<?>> marks = List.of();
+    List<LayerTaps.Marks<?>> marks = List.of();
 
     /** Where marks were before. */
     List<MarkTraces.Trace> traces = List.of();
@@ -48,13 +47,18 @@ final class SpaceTimeSink implements SliceSink {
   private final MarkTraces traces = new MarkTraces();
   private final FrameExchange<Frame> exchange = new FrameExchange<>(() -> new Frame(MAX_EVENTS));
   private volatile long spanUs = SpaceTimeView.DEFAULT.spanUs();
-  private List<DisplayFrame.Marks<?>> marks = List.of();
+  private List<LayerTaps.Marks<?>> marks = List.of();
   private long nowUs;
   private long tracedUs;
 
   /** A sink that has no events yet, and shows the marks of a chain. */
   SpaceTimeSink(FilterChain chain) {
     taps = new LayerTaps(chain);
+  }
+
+  /** Time from one position of a trace to the next, microseconds. */
+  static long stepUs(long ofSpanUs) {
+    return Math.max(1, ofSpanUs / MOMENTS);
   }
 
   /** How far back events are shown. */
@@ -76,7 +80,7 @@ final class SpaceTimeSink implements SliceSink {
 
   /** Follows the marks, which move on from what was known of them before. */
   private void advanceTo(long timeUs) {
-    long stepUs = Math.max(1, spanUs / MOMENTS);
+    long stepUs = stepUs(spanUs);
     tracedUs = Math.max(tracedUs, timeUs - spanUs);
     while (tracedUs + stepUs <= timeUs) {
       tracedUs += stepUs;

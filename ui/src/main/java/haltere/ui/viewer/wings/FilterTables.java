@@ -1,6 +1,7 @@
 package haltere.ui.viewer.wings;
 
 import atlantafx.base.theme.Styles;
+import haltere.core.settings.Parameter;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterEdit.Table;
 import haltere.filters.wing.WingFilterState;
@@ -139,9 +140,7 @@ final class FilterTables extends VBox {
   private Hyperlink source(Table table, int row) {
     Hyperlink button =
         Controls.named(
-            new Hyperlink(),
-            "source-" + table.name().toLowerCase(Locale.ROOT).replace('_', '-') + "-" + row,
-            Styles.TEXT_SMALL);
+            new Hyperlink(), "source-" + Parameter.text(table) + "-" + row, Styles.TEXT_SMALL);
     button.setAccessibleText("Source of " + name(table, row, 0));
     Controls.help(
         button,
@@ -188,8 +187,8 @@ final class FilterTables extends VBox {
   }
 
   private TextField cell(Table table, int row, int column) {
-    String id = table.name().toLowerCase(Locale.ROOT).replace('_', '-');
-    TextField entry = Controls.entry(id + "-" + row + "-" + column, name(table, row, column), 6);
+    String id = Parameter.text(table) + "-" + row + "-" + column;
+    TextField entry = Controls.entry(id, name(table, row, column), 6);
     entry.setOnAction(event -> take(entry, table, row, column));
     entry.setOnKeyPressed(
         event -> {

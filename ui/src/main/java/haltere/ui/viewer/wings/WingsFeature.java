@@ -7,10 +7,9 @@ import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTracker;
 import haltere.filters.wing.tracker.WingTrackerFilter;
-import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Controls;
-import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.PlayedOutput;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
@@ -33,7 +32,7 @@ import javafx.scene.control.Button;
  *
  * <p>Thread rule: JavaFX thread only.
  */
-public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
+public final class WingsFeature implements ViewerFeature {
   private static final String MENU = "Wings";
   private static final long LOOK_NANOS = 200_000_000;
 
@@ -52,7 +51,7 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
   public void install(ViewerContext installed) {
     window = installed;
     log = new PlayedOutput<>(window);
-    shown = window.addPanel("wings", PanelPlace.SIDE, this::panel);
+    shown = window.addPanel("wings", PanelLayout.Position.SIDE, this::panel);
     window.panels().every(LOOK_NANOS, this::pulse);
     window
         .sessions()
@@ -68,18 +67,9 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
     actions.add("wings-place", placing, obstacle);
     actions.add("wings-flip", this::flip, obstacle);
     actions.add("wings-search", this::search, obstacle);
-    actions.add("wings-log", log.runningProperty(), this::toggleLog, obstacle);
-    for (WingLogFormat format : formats()) {
-      window
-          .actions()
-          .add(
-              ViewerAction.choice(
-                  "wings-log-" + format.toString().replace(", ", "-"),
-                  words(format),
-                  MENU + "/Rows of the log",
-                  logFormat,
-                  format));
-    }
+    actions.add("wings-log", log.runningProperty(), () -> log.toggle(this::askForLog), obstacle);
+    actions.addChoices(
+        "wings-log-", MENU + "/Rows of the log", logFormat, formats(), WingsFeature::words);
   }
 
   /** Why there is nothing to do with wings, in a few words; empty if there is. */
@@ -161,8 +151,8 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
             window.editor().applyNow(chain, view.stage(), change.apply(view.filter().tracker())));
   }
 
-  @Override
-  public void takeEdge(WingPart edge, boolean on) {
+  /** Switches the events of an edge on or off. */
+  void takeEdge(WingPart edge, boolean on) {
     String setting =
         switch (edge) {
           case LEFT_LEADING -> "leftLeading";
@@ -173,13 +163,13 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
     settle(tracker -> tracker.settings().with("output." + setting + "=" + on));
   }
 
-  @Override
-  public void edit(WingFilterEdit edit) {
+  /** Changes a number of a filter. */
+  void edit(WingFilterEdit edit) {
     change((chain, view) -> view.filter().tracker().edit(edit));
   }
 
-  @Override
-  public void restart(WingPart part) {
+  /** Begins a filter anew. */
+  void restart(WingPart part) {
     change((chain, view) -> view.filter().tracker().restart(part));
   }
 
@@ -204,12 +194,8 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
     return chain -> change.make(chain, WingsView.orRefuse(chain));
   }
 
-  private void toggleLog() {
-    if (log.runningProperty().get()) {
-      log.stop();
-    } else {
-      window.dialogs().save("Log wings to", "wings.txt", "Logs", "*.txt").ifPresent(this::log);
-    }
+  private void askForLog() {
+    window.dialogs().save("Log wings to", "wings.txt", "Logs", "*.txt").ifPresent(this::log);
   }
 
   /** Starts a log; a file that is there is replaced. */

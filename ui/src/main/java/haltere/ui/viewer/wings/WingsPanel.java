@@ -1,14 +1,12 @@
 package haltere.ui.viewer.wings;
 
 import atlantafx.base.theme.Styles;
-import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingOutputSettings;
 import haltere.filters.wing.WingPart;
 import haltere.ui.viewer.controls.Controls;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
 import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.ChoiceBox;
@@ -19,18 +17,6 @@ import javafx.scene.layout.VBox;
 
 /** The wing tracker's filters: which edges they take, and the numbers of each filter, live. */
 final class WingsPanel extends ScrollPane {
-  /** What a person asks of the tracker here. */
-  interface Actions {
-    /** Switches the events of an edge on or off. */
-    void takeEdge(WingPart edge, boolean on);
-
-    /** Changes a number of a filter. */
-    void edit(WingFilterEdit edit);
-
-    /** Begins a filter anew. */
-    void restart(WingPart part);
-  }
-
   private static final List<WingPart> EDGES =
       List.of(
           WingPart.LEFT_LEADING,
@@ -40,7 +26,7 @@ final class WingsPanel extends ScrollPane {
 
   private static final double CHOICE_WIDTH = 130;
 
-  private final Actions actions;
+  private final WingsFeature wings;
   private final ChoiceBox<WingPart> choice =
       Controls.named(new ChoiceBox<WingPart>(), "wings-filter");
   private final List<CheckBox> edges = EDGES.stream().map(this::edge).toList();
@@ -50,8 +36,8 @@ final class WingsPanel extends ScrollPane {
   private Optional<FilterTables> tables = Optional.empty();
 
   /** A panel that shows nothing yet, below some buttons; hands over what a person asks for. */
-  WingsPanel(List<Button> buttons, Actions actions) {
-    this.actions = actions;
+  WingsPanel(List<Button> buttons, WingsFeature wings) {
+    this.wings = wings;
     setId("wings-panel");
     setFitToWidth(true);
     choice.setAccessibleText("Which filter is shown");
@@ -62,7 +48,7 @@ final class WingsPanel extends ScrollPane {
             "wings-restart",
             "Reset filter",
             "Begins the filter anew: where it is, but unsure, with the noise of the settings",
-            () -> Optional.ofNullable(choice.getValue()).ifPresent(actions::restart),
+            () -> Optional.ofNullable(choice.getValue()).ifPresent(wings::restart),
             Styles.SMALL);
     FlowPane head = new FlowPane(6, 6);
     head.getChildren().addAll(buttons);
@@ -79,7 +65,7 @@ final class WingsPanel extends ScrollPane {
   private CheckBox edge(WingPart part) {
     CheckBox box =
         Controls.named(new CheckBox(part.toString()), "wings-edge-" + part, Styles.TEXT_SMALL);
-    box.setOnAction(event -> actions.takeEdge(part, box.isSelected()));
+    box.setOnAction(event -> wings.takeEdge(part, box.isSelected()));
     return box;
   }
 
@@ -121,7 +107,7 @@ final class WingsPanel extends ScrollPane {
   private void showTables(WingFilterState filter) {
     if (tables.isEmpty() || !tables.get().suits(filter)) {
       rebuild();
-      FilterTables made = new FilterTables(filter, (Consumer<WingFilterEdit>) actions::edit);
+      FilterTables made = new FilterTables(filter, wings::edit);
       tables = Optional.of(made);
       body.getChildren().add(made);
     } else {

@@ -158,7 +158,7 @@ class ChainPanelTest {
     viewer.waitFor("three neighbours", () -> longValue(NOISE, "neighbours") == 3);
 
     StageCard chain = viewer.node("stage-chain", StageCard.class);
-    viewer.run(() -> chain.dropInside(NOISE));
+    viewer.run(() -> ((StageList) chain.lookup(".cards")).drop(NOISE));
     viewer.waitFor("its card inside", () -> viewer.isThere("stage-chain-" + NOISE));
     assertFalse(names().contains(NOISE));
     assertEquals(3, ((Number) value(inside("chain").stage(NOISE), "neighbours")).intValue());

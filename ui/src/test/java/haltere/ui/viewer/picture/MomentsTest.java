@@ -33,6 +33,7 @@ import java.util.Arrays;
 import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -62,7 +63,8 @@ class MomentsTest {
   }
 
   private static DisplayOptions shownAs(DisplayMode mode) {
-    return new DisplayOptions(mode, ColourMap.DARK, Gradient.CIVIDIS, DisplayOptions.FOLLOW_SLICES);
+    return new DisplayOptions(
+        mode, ColourMap.DARK, Gradient.CIVIDIS, DisplayOptions.FOLLOW_SLICES, 0);
   }
 
   /** A player with the sink that makes its pictures, as a session of the viewer has them. */
@@ -143,7 +145,7 @@ class MomentsTest {
       pauseAtUs = elapsedUs;
       player.play().join();
       while (player.status().state() == State.PLAYING) {
-        Thread.onSpinWait();
+        LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(1));
       }
       assertEquals(State.PAUSED, player.status().state());
     }

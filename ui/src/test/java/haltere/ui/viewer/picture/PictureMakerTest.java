@@ -11,6 +11,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.Overlay;
+import haltere.ui.rendering.LayerTaps;
 import haltere.ui.rendering.Letters;
 import java.util.Arrays;
 import java.util.List;
@@ -54,8 +55,7 @@ class PictureMakerTest {
   private static final Overlay<Double> RING =
       (radius, canvas) -> canvas.circle(30, 20, radius, MarkStyle.of(Role.OBJECT));
 
-  private static final List<DisplayFrame.Marks<?>> MARKS =
-      List.of(new DisplayFrame.Marks<>(9.0, RING));
+  private static final List<LayerTaps.Marks<?>> MARKS = List.of(new LayerTaps.Marks<>(9.0, RING));
 
   private static EventPacket events(long fromUs) {
     EventPacket packet = new EventPacket(16);

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.Overlay;
-import haltere.ui.viewer.picture.DisplayFrame;
+import haltere.ui.rendering.LayerTaps;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -26,7 +26,7 @@ class MarkTracesTest {
   private final MarkTraces traces = new MarkTraces();
 
   private void add(long timeUs, Overlay<Double> overlay, double x) {
-    traces.add(timeUs, List.of(new DisplayFrame.Marks<>(x, overlay)));
+    traces.add(timeUs, List.of(new LayerTaps.Marks<>(x, overlay)));
   }
 
   @Test

@@ -43,27 +43,33 @@ public final class KeptIndex {
    * @throws IOException if the file cannot be read
    */
   public TimeIndex find(EventCursor cursor, List<String> remarks) throws IOException {
+    boolean isBeside = Files.exists(IndexFile.beside(file.path()));
+    if (!isBeside && !keep) {
+      return scan();
+    }
     byte[] identity = IndexFile.identity(file, reading + "|" + cursor.streamNumber());
-    Optional<TimeIndex> kept = besideRecording(identity, cursor.stateLongs(), remarks);
-    if (kept.isPresent()) {
-      return kept.get();
+    if (isBeside) {
+      Optional<TimeIndex> kept = besideRecording(identity, cursor.stateLongs(), remarks);
+      if (kept.isPresent()) {
+        return kept.get();
+      }
     }
-    TimeIndex built;
-    try (EventCursor scanner = cursors.open(new ViolationCounts())) {
-      built = TimeIndex.scan(file.path(), scanner);
-    }
+    TimeIndex built = scan();
     if (keep) {
       keep(built, identity, remarks);
     }
     return built;
   }
 
+  private TimeIndex scan() throws IOException {
+    try (EventCursor scanner = cursors.open(new ViolationCounts())) {
+      return TimeIndex.scan(file.path(), scanner);
+    }
+  }
+
   private Optional<TimeIndex> besideRecording(
       byte[] identity, int stateLongs, List<String> remarks) {
     Path beside = IndexFile.beside(file.path());
-    if (!Files.exists(beside)) {
-      return Optional.empty();
-    }
     try {
       Optional<TimeIndex> kept = IndexFile.read(file.path(), identity, stateLongs);
       if (kept.isEmpty()) {

@@ -9,6 +9,7 @@ import java.io.DataOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InterruptedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -48,7 +49,7 @@ public final class TimeIndex {
     if (index.fromPieces(path, cursor)) {
       return index;
     }
-    EventPacket packet = new EventPacket(SCAN_EVENTS);
+    EventPacket packet = new EventPacket((int) Math.min(SCAN_EVENTS, Files.size(path)));
     long[] state = new long[cursor.stateLongs()];
     long segmentFirstUs = 0;
     boolean inSegment = false;

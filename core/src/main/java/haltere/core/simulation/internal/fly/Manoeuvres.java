@@ -40,11 +40,11 @@ final class Manoeuvres {
 
   /** When the manoeuvre of a slot begins, seconds from the beginning of the scene. */
   double beginS(long slot) {
-    return slot * slotS + slack * SeededRandom.of(seed, "manoeuvre", slot).nextDouble();
+    return slot * slotS + slack * SeededRandom.firstDouble(seed, "manoeuvre", slot);
   }
 
   private int sign(String purpose, long item) {
-    return (SeededRandom.of(seed, purpose, item).nextLong() & 1) == 0 ? 1 : -1;
+    return (SeededRandom.firstLong(seed, purpose, item) & 1) == 0 ? 1 : -1;
   }
 
   /** What is added to the frequency, hertz. */

@@ -10,15 +10,19 @@ import java.util.Arrays;
  * <p>Thread rule: one thread at a time.
  */
 public final class BackgroundNoise {
+  private final NoiseSettings settings;
   private final int width;
   private final int pixels;
+  private final long seed;
   private final SeededRandom random;
   private final double leakHz;
   private final double shotHz;
   private final double totalHz;
-  private final double[] leakUpTo;
-  private final int[] hot;
+  private NoisyPixels noisy;
   private double nextUs;
+
+  /** Sums of the relative leak rates up to each pixel, and the hot pixels. */
+  private record NoisyPixels(double[] leakUpTo, int[] hot) {}
 
   /**
    * Noise from the beginning.
@@ -40,17 +44,34 @@ public final class BackgroundNoise {
    * @param fromUs microseconds since the beginning
    */
   public BackgroundNoise(NoiseSettings settings, SensorSettings sensor, long seed, long fromUs) {
+    this.settings = settings;
+    this.seed = seed;
     width = sensor.widthPx();
     pixels = width * sensor.heightPx();
     random = new SeededRandom(seed, fromUs == 0 ? "noise" : "noise from " + fromUs);
+    leakHz = settings.leakHz() * pixels;
+    shotHz = settings.shotHz() * pixels;
+    totalHz = leakHz + shotHz + settings.hotRateHz() * Math.min(settings.hotPixels(), pixels);
+    nextUs = fromUs + pause();
+  }
+
+  /** Drawn at the first use: a scene whose truth alone is asked for needs none. */
+  private NoisyPixels noisy() {
+    if (noisy == null) {
+      noisy = draw();
+    }
+    return noisy;
+  }
+
+  private NoisyPixels draw() {
     SeededRandom places = new SeededRandom(seed, "noisy pixels");
-    leakUpTo = new double[pixels];
+    double[] leakUpTo = new double[pixels];
     double sum = 0;
     for (int i = 0; i < pixels; i++) {
       sum += StrictMath.pow(10, settings.leakSpreadDecades() * places.gaussian());
       leakUpTo[i] = sum;
     }
-    hot = new int[Math.min(settings.hotPixels(), pixels)];
+    int[] hot = new int[Math.min(settings.hotPixels(), pixels)];
     boolean[] taken = new boolean[pixels];
     for (int i = 0; i < hot.length; i++) {
       int place = places.below(pixels);
@@ -60,10 +81,7 @@ public final class BackgroundNoise {
       taken[place] = true;
       hot[i] = place;
     }
-    leakHz = settings.leakHz() * pixels;
-    shotHz = settings.shotHz() * pixels;
-    totalHz = leakHz + shotHz + settings.hotRateHz() * hot.length;
-    nextUs = fromUs + pause();
+    return new NoisyPixels(leakUpTo, hot);
   }
 
   private double pause() {
@@ -76,7 +94,7 @@ public final class BackgroundNoise {
    * @return row times width plus column of each
    */
   public int[] hotPixels() {
-    return hot.clone();
+    return noisy().hot().clone();
   }
 
   /**
@@ -91,11 +109,12 @@ public final class BackgroundNoise {
       int pixel;
       boolean on = true;
       if (which < leakHz) {
-        pixel = leaking(random.nextDouble() * leakUpTo[pixels - 1]);
+        pixel = leaking(random.nextDouble(), noisy().leakUpTo());
       } else if (which < leakHz + shotHz) {
         pixel = random.below(pixels);
         on = (random.nextLong() & 1) != 0;
       } else {
+        int[] hot = noisy().hot();
         pixel = hot[random.below(hot.length)];
       }
       int y = pixel / width;
@@ -104,8 +123,8 @@ public final class BackgroundNoise {
     }
   }
 
-  private int leaking(double place) {
-    int found = Arrays.binarySearch(leakUpTo, place);
+  private int leaking(double share, double[] leakUpTo) {
+    int found = Arrays.binarySearch(leakUpTo, share * leakUpTo[pixels - 1]);
     return Math.min(pixels - 1, found >= 0 ? found + 1 : -found - 1);
   }
 }

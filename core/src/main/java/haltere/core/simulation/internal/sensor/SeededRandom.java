@@ -38,7 +38,35 @@ public final class SeededRandom {
    * @return its stream
    */
   public static SeededRandom of(long seed, String purpose, long item) {
-    return new SeededRandom(mix(mix(mix(seed) ^ purpose.hashCode() * GOLDEN) ^ item * GOLDEN));
+    return new SeededRandom(state(seed, purpose, item));
+  }
+
+  /**
+   * The first 64 bits of the stream of an item, without an object.
+   *
+   * @param seed of the scene
+   * @param purpose what the numbers are for
+   * @param item which one
+   * @return any number
+   */
+  public static long firstLong(long seed, String purpose, long item) {
+    return mix(state(seed, purpose, item) + GOLDEN);
+  }
+
+  /**
+   * The first evenly spread number of the stream of an item, without an object.
+   *
+   * @param seed of the scene
+   * @param purpose what the numbers are for
+   * @param item which one
+   * @return at least 0, below 1
+   */
+  public static double firstDouble(long seed, String purpose, long item) {
+    return unit(firstLong(seed, purpose, item));
+  }
+
+  private static long state(long seed, String purpose, long item) {
+    return mix(mix(mix(seed) ^ purpose.hashCode() * GOLDEN) ^ item * GOLDEN);
   }
 
   private static long mix(long z) {
@@ -63,7 +91,11 @@ public final class SeededRandom {
    * @return at least 0, below 1
    */
   public double nextDouble() {
-    return (nextLong() >>> 11) * 0x1.0p-53;
+    return unit(nextLong());
+  }
+
+  private static double unit(long bits) {
+    return (bits >>> 11) * 0x1.0p-53;
   }
 
   /**

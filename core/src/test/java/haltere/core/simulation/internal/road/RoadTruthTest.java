@@ -235,7 +235,7 @@ class RoadTruthTest {
             double along = (a.kind().lengthM() + b.kind().lengthM()) / 2 * 0.92;
             assertTrue(
                 Math.abs(a.xM() - b.xM()) > aside || Math.abs(a.yM() - b.yM()) > along,
-                a + " and " + b);
+                () -> a + " and " + b);
           }
         }
       }
@@ -266,9 +266,9 @@ class RoadTruthTest {
     for (long us = 0; us < 60_000_000; us += 500_000) {
       for (RoadTruth row : scene.truthRows(us)) {
         vehicles.add(row.id());
-        assertTrue(row.yM() > -6 && row.yM() < roadM + 6, row.toString());
-        assertTrue(row.visibleShare() >= 0 && row.visibleShare() <= 1, row.toString());
-        assertTrue(row.widthPx() > 0 && row.heightPx() > 0, row.toString());
+        assertTrue(row.yM() > -6 && row.yM() < roadM + 6, row::toString);
+        assertTrue(row.visibleShare() >= 0 && row.visibleShare() <= 1, row::toString);
+        assertTrue(row.widthPx() > 0 && row.heightPx() > 0, row::toString);
       }
     }
 

@@ -21,7 +21,7 @@ class TunableSceneTest {
 
   /** When a scene is changed, and half of its length; a rendered one is dear and rich in events. */
   private static long halfUs(String name) {
-    return name.startsWith("rendered") ? 75_000 : 150_000;
+    return name.startsWith("rendered") ? 45_000 : 150_000;
   }
 
   static Stream<String> tunable() {

@@ -84,9 +84,9 @@ public final class Oscillator {
   }
 
   /**
-   * Estimates.
+   * For measurements.
    *
-   * @param series measurements, displacements from rest
+   * @param series displacements from rest
    * @throws IllegalArgumentException if two are more than a second apart
    */
   public Oscillator(MeasurementSeries series) {
@@ -99,9 +99,6 @@ public final class Oscillator {
     double meanStepS = (series.get(series.size() - 1).tS() - series.get(0).tS()) / series.size();
     motion = new DampedOscillator(2 * Math.PI / meanStepS);
     mean = new DMatrixRMaj(4, 1, true, 0, 0.6, 0.1, startFrequencyRadS);
-    BatchLeastSquares batch = new BatchLeastSquares(motion, model, mean, covariance);
-    KalmanFilter filter = filter();
-    int window = motion.stateSize();
     for (int k = 0; k < series.size(); k++) {
       if (series.dtS(k) > MAX_STEP_S) {
         throw new IllegalArgumentException(
@@ -111,6 +108,14 @@ public final class Oscillator {
                 + series.get(k).tS()
                 + "; an oscillation needs one a second");
       }
+    }
+  }
+
+  private void estimate() {
+    BatchLeastSquares batch = new BatchLeastSquares(motion, model, mean, covariance);
+    KalmanFilter filter = filter();
+    int window = motion.stateSize();
+    for (int k = 0; k < series.size(); k++) {
       batch.add(series.dtS(k), series.z(k));
       advance(filter, model, k);
       boolean isSearched = k + 1 == window || k + 1 == series.size();
@@ -168,8 +173,11 @@ public final class Oscillator {
     return batch.fit(mirrored);
   }
 
-  /** (s, v, ζ, ω) at each measurement, from those up to it. */
+  /** (s, v, ζ, ω) at each measurement, from those up to it; made at the first call. */
   List<Estimate> estimates() {
+    if (estimates.isEmpty()) {
+      estimate();
+    }
     return List.copyOf(estimates);
   }
 
@@ -198,6 +206,7 @@ public final class Oscillator {
    */
   public ExampleTable table() {
     double noise = series.noiseM();
+    List<Estimate> estimates = estimates();
     List<Estimate> plain = plainFilter(noise);
     List<DMatrixRMaj> fit = new ArrayList<>();
     fit.add(

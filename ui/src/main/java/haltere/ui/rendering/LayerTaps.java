@@ -1,6 +1,8 @@
-package haltere.ui.viewer.picture;
+package haltere.ui.rendering;
 
 import haltere.core.chain.FilterChain;
+import haltere.core.overlay.Overlay;
+import haltere.core.overlay.OverlayCanvas;
 import haltere.core.overlay.OverlayLayer;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamNotification;
@@ -13,20 +15,29 @@ import java.util.List;
  * <p>Thread rule: the processing thread only.
  */
 public final class LayerTaps {
+  /** A snapshot of results with what draws it. */
+  public record Marks<T>(T snapshot, Overlay<T> overlay) {
+    /** Draws it as it is at the time that is shown. */
+    public void draw(long timeUs, OverlayCanvas canvas) {
+      overlay.drawAt(snapshot, timeUs, canvas);
+    }
+  }
+
   private final FilterChain chain;
   private final List<LayerTap<?>> taps = new ArrayList<>();
 
-  /** Taps of the filters of a chain, from the next call on. */
+  /** Taps of the filters of a chain, from now on. */
   public LayerTaps(FilterChain chain) {
     this.chain = chain;
+    followChain();
   }
 
   /** The newest snapshots, of filters that are on now, whoever switched them. */
-  public List<DisplayFrame.Marks<?>> marks() {
+  public List<Marks<?>> marks() {
     followChain();
-    List<DisplayFrame.Marks<?>> marks = new ArrayList<>(taps.size());
+    List<Marks<?>> marks = new ArrayList<>(taps.size());
     for (LayerTap<?> tap : taps) {
-      DisplayFrame.Marks<?> latest = tap.latest();
+      Marks<?> latest = tap.latest();
       if (latest != null) {
         marks.add(latest);
       }
@@ -86,8 +97,8 @@ public final class LayerTaps {
       latest = null;
     }
 
-    DisplayFrame.Marks<T> latest() {
-      return latest == null ? null : new DisplayFrame.Marks<>(latest, layer.overlay());
+    Marks<T> latest() {
+      return latest == null ? null : new Marks<>(latest, layer.overlay());
     }
 
     void close() {

@@ -1,0 +1,51 @@
+package haltere.core.settings;
+
+import java.util.Map;
+
+/**
+ * Something of a name that is made from settings, such as a filter or a scene.
+ *
+ * @param <S> the settings record
+ * @since 0.1
+ */
+public interface SettingsProvider<S extends Record> {
+  /**
+   * The name by which chains and the command line know it.
+   *
+   * @return lower case words joined by hyphens
+   */
+  String name();
+
+  /**
+   * What it does or shows, in one sentence for a person.
+   *
+   * @return ends with a full stop
+   */
+  String description();
+
+  /**
+   * The settings record.
+   *
+   * @return its class
+   */
+  Class<S> settingsType();
+
+  /**
+   * The schema of the settings.
+   *
+   * @return made from {@link #settingsType()}
+   */
+  default SettingsSchema<S> schema() {
+    return SettingsSchema.of(settingsType());
+  }
+
+  /**
+   * Settings to start from other than the defaults, such as those of the method that a filter goes
+   * back to.
+   *
+   * @return valid settings by name, a lower case word; none unless a provider says otherwise
+   */
+  default Map<String, S> presets() {
+    return Map.of();
+  }
+}
