@@ -447,9 +447,9 @@ final class ObjectTracker {
         object.apartUs = nowUs;
       }
       // one slip is in all displacements over a window, so that it must not decide
-      double windowS = object.apartUs > object.bornUs ? object.windowS() : 0;
-      double apartS = (nowUs - object.apartUs) * 1e-6;
-      if (apartS >= Math.max(settings.confirmS(), windowS) && isEvident(object)) {
+      int window = object.apartUs > object.bornUs ? object.components.get(0).window : 0;
+      double watchS = Math.max(settings.confirmS(), window * TICK_S);
+      if ((nowUs - object.apartUs) * 1e-6 >= watchS && isEvident(object)) {
         decide(object);
       }
     }
@@ -479,9 +479,14 @@ final class ObjectTracker {
   }
 
   private boolean isApart(TrackedObject object) {
-    return objects.stream()
-        .filter(other -> other != object && other.isDecided() && !other.isLost)
-        .allMatch(other -> relations.areApart(object, other));
+    for (int i = 0; i < objects.size(); i++) {
+      TrackedObject other = objects.get(i);
+      boolean isNeighbour = other != object && other.isDecided() && !other.isLost;
+      if (isNeighbour && !relations.areApart(object, other)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** Gives an object its identity, and all its rows since it began. */

@@ -67,11 +67,6 @@ final class TrackedObject {
     return isDecided() || age() * ObjectTracker.TICK_S > ObjectTrackerFilter.UNDECIDED_S;
   }
 
-  /** Longest time over which displacements of its components are compared, seconds. */
-  double windowS() {
-    return ObjectTracker.TICK_S * components.stream().mapToInt(c -> c.window).max().orElse(0);
-  }
-
   boolean isMoving() {
     boolean isMoving = false;
     for (int i = 0; i < components.size(); i++) {
@@ -81,12 +76,16 @@ final class TrackedObject {
   }
 
   double novelty() {
-    return components.stream().mapToDouble(component -> component.novelty).sum();
+    double sum = 0;
+    for (int i = 0; i < components.size(); i++) {
+      sum += components.get(i).novelty;
+    }
+    return sum;
   }
 
-  /** Ticks for which its oldest component was watched. */
+  /** Ticks for which its first component was watched. */
   int age() {
-    return components.stream().mapToInt(Component::age).max().orElse(0);
+    return components.get(0).age();
   }
 
   /** Probability that one of its components is there. */
