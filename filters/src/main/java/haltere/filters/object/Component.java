@@ -19,7 +19,7 @@ final class Component {
   private static final double INDEPENDENT = 0.5;
 
   /** Ticks of the path. */
-  private static final int PATH = 64;
+  private static final int PATH = 128;
 
   /** Ticks between two refreshments of a shape that lasts thirty. */
   private static final int REFRESH_TICKS = 4;
@@ -46,6 +46,9 @@ final class Component {
   private int age;
   TrackedObject object;
   long activeUs;
+
+  /** Ticks over which its displacement is compared with those of others. */
+  int window;
 
   /** Expected events of a tick. */
   double rate;
@@ -88,6 +91,7 @@ final class Component {
     activeUs = nowUs;
     novelty = 0;
     weight = 0;
+    window = 0;
   }
 
   double x() {
@@ -284,6 +288,16 @@ final class Component {
   /** Ticks over which the displacement is known. */
   int knownTicks() {
     return Math.max(0, Math.min(PATH - 1, age - 1));
+  }
+
+  /** Sets the window to the time in which it moved by its size, within two bounds in seconds. */
+  void watch(double minS, double maxS) {
+    int known = Math.min(knownTicks(), (int) Math.round(maxS / ObjectTracker.TICK_S));
+    window = (int) Math.round(minS / ObjectTracker.TICK_S);
+    while (window < known
+        && Math.hypot(displacementX(window), displacementY(window)) < shape.size()) {
+      window++;
+    }
   }
 
   /** Takes another component in, which covers the same object. */

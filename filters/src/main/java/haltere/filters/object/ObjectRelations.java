@@ -33,7 +33,7 @@ final class ObjectRelations {
   /** Log odds of such a decision: one leaves its object, or two identities become one. */
   static final double DECISIVE_NAT = -Math.log(ERROR);
 
-  /** Time over which displacements are compared, seconds. */
+  /** Least time over which displacements are compared, seconds. */
   static final double WATCH_S = ShapeTemplate.MEMORY_S;
 
   /** Time from which displacements tell something, and from which touching ones are joined. */
@@ -92,7 +92,9 @@ final class ObjectRelations {
    */
   void compare(List<Component> components, double seconds) {
     double fade = Math.exp(-seconds / EVIDENCE_S);
-    int watch = (int) Math.round(WATCH_S / ObjectTracker.TICK_S);
+    for (int i = 0; i < components.size(); i++) {
+      components.get(i).watch(WATCH_S, EVIDENCE_S);
+    }
     for (int i = 0; i < components.size(); i++) {
       Component a = components.get(i);
       for (int j = i + 1; j < components.size(); j++) {
@@ -106,9 +108,11 @@ final class ObjectRelations {
           sum = 0;
         } else if (a.isMoving() && b.isMoving()) {
           sum *= fade;
-          int ticks = Math.min(watch, Math.min(a.knownTicks(), b.knownTicks()));
-          if (ticks * ObjectTracker.TICK_S > FIRST_S) {
-            sum += motionLog(a, b, ticks) * seconds / WATCH_S;
+          int known = Math.min(a.knownTicks(), b.knownTicks());
+          int ticks = Math.min(known, Math.max(a.window, b.window));
+          double windowS = ticks * ObjectTracker.TICK_S;
+          if (windowS > FIRST_S) {
+            sum += motionLog(a, b, ticks) * seconds / Math.max(WATCH_S, windowS);
           }
         }
         gap[a.slot][b.slot] = prior;
@@ -208,7 +212,7 @@ final class ObjectRelations {
     if (odds == FAR || !mayJoin(a) || !mayJoin(b)) {
       return false;
     }
-    if (a.isDecided() && b.isDecided()) {
+    if (a.isSettled() && b.isSettled()) {
       return odds > DECISIVE_NAT;
     }
     double watched = Math.min(a.age(), b.age()) * ObjectTracker.TICK_S;

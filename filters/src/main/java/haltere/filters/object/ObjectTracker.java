@@ -346,8 +346,6 @@ final class ObjectTracker {
     to.state.set(from.state);
     to.shape.clear(from.shape.cellPx);
     from.regions.move(region, from.shape, to.shape);
-    double seconds = RegionFinder.LOOK_TICKS * TICK_S;
-    to.setVelocity(from.vx() + region.slipX() / seconds, from.vy() + region.slipY() / seconds);
     to.shape.settle();
     from.shape.settle();
     double total = ShapeTemplate.sum(to.shape.mass);
@@ -448,8 +446,10 @@ final class ObjectTracker {
       if (!isApart(object)) {
         object.apartUs = nowUs;
       }
-      boolean isCompared = (nowUs - object.apartUs) * 1e-6 >= settings.confirmS();
-      if (isCompared && isEvident(object)) {
+      // one slip is in all displacements over a window, so that it must not decide
+      int window = object.apartUs > object.bornUs ? object.components.get(0).window : 0;
+      double watchS = Math.max(settings.confirmS(), window * TICK_S);
+      if ((nowUs - object.apartUs) * 1e-6 >= watchS && isEvident(object)) {
         decide(object);
       }
     }

@@ -29,10 +29,6 @@ final class Presence {
   private double resting;
   private double gone;
 
-  Presence() {
-    begin();
-  }
-
   /** What was just seen to be born moves, or is a flicker. */
   void begin() {
     set(NEWBORN, 0, 1 - NEWBORN);

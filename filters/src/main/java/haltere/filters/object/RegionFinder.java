@@ -28,20 +28,9 @@ final class RegionFinder {
     private double halfX;
     private double halfY;
     private int label;
-    private double firstX;
-    private double firstY;
 
     /** Looks since the first one. */
     private int looks;
-
-    /** Mean velocity against the component, pixels a look. */
-    double slipX() {
-      return (x - firstX) / looks;
-    }
-
-    double slipY() {
-      return (y - firstY) / looks;
-    }
 
     private double distance(double atX, double atY) {
       return Math.hypot(
@@ -62,8 +51,6 @@ final class RegionFinder {
     for (Region region : regions) {
       region.x -= dx;
       region.y -= dy;
-      region.firstX -= dx;
-      region.firstY -= dy;
     }
   }
 
@@ -78,8 +65,6 @@ final class RegionFinder {
       Region before = nearest(now);
       if (before != null) {
         now.looks = before.looks + 1;
-        now.firstX = before.firstX;
-        now.firstY = before.firstY;
       }
     }
     regions = found;
@@ -165,8 +150,6 @@ final class RegionFinder {
     double scale = region.mass > 0 ? cell / region.mass : 0;
     region.x *= scale;
     region.y *= scale;
-    region.firstX = region.x;
-    region.firstY = region.y;
     region.halfX = 0.5 * (highX - lowX + 1) * cell;
     region.halfY = 0.5 * (highY - lowY + 1) * cell;
   }

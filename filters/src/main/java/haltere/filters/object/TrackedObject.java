@@ -62,6 +62,11 @@ final class TrackedObject {
     return id > 0;
   }
 
+  /** Whether it is reported, or was watched for longer than rows are kept. */
+  boolean isSettled() {
+    return isDecided() || age() * ObjectTracker.TICK_S > ObjectTrackerFilter.UNDECIDED_S;
+  }
+
   boolean isMoving() {
     boolean isMoving = false;
     for (int i = 0; i < components.size(); i++) {
@@ -78,13 +83,9 @@ final class TrackedObject {
     return sum;
   }
 
-  /** Ticks for which its oldest component was watched. */
+  /** Ticks for which its first component was watched. */
   int age() {
-    int age = 0;
-    for (int i = 0; i < components.size(); i++) {
-      age = Math.max(age, components.get(i).age());
-    }
-    return age;
+    return components.get(0).age();
   }
 
   /** Probability that one of its components is there. */

@@ -11,6 +11,10 @@ class PresenceTest {
 
   private final Presence presence = new Presence();
 
+  PresenceTest() {
+    presence.begin();
+  }
+
   private static double[] events(double count, double ratio) {
     double[] logs = new double[Presence.DIMMINGS.length];
     for (int i = 0; i < logs.length; i++) {
