@@ -216,9 +216,9 @@ public final class LiveResults implements StreamHandler, Closeable {
     if (message.content() instanceof Record row && !message.from().isEmpty()) {
       output.send(message.from(), messages.result(message.number(), message.from(), row));
     } else if (message.content() instanceof StreamNotification notification) {
-      output.send("notice", messages.notice(message.number(), notification));
+      output.send("notification", messages.notification(message.number(), notification));
     } else {
-      output.send("notice", messages.lost((Long) message.content(), "results came too fast"));
+      output.send("notification", messages.lost((Long) message.content(), "results came too fast"));
     }
   }
 

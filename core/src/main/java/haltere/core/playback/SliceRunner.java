@@ -18,7 +18,7 @@ import java.util.function.Consumer;
  */
 final class SliceRunner {
   /** Runs begin at multiples of this part of the memory. */
-  private static final int RUNS_PER_MEMORY = 4;
+  private static final int RUNS_PER_MEMORY = 16;
 
   private final Playable playable;
   private final FilterChain chain;

@@ -32,7 +32,8 @@ public @interface Column {
   /**
    * Whether the component is a record whose columns stand in its place.
    *
-   * @return true for all of its columns but those whose names stand before already
+   * @return true for all of its columns but those of components whose names, or whose columns,
+   *     stand before already
    */
   boolean joined() default false;
 }

@@ -18,15 +18,15 @@ import java.util.Objects;
  * The layout of live results: each message is one line of JSON that ends in a line feed.
  *
  * <pre>{@code
- * {"number":1,"sent_us":1795278123456789,"notice":"started","source":"fly","width":128,"height":128}
+ * {"number":1,"sent_us":1795278123456789,"notification":"started","source":"fly","width":128,"height":128}
  * {"number":2,"sent_us":1795278123457012,"from":"kalman-tracks/tracks","row":{"t_us":1000,"id":1}}
- * {"sent_us":1795278123459000,"notice":"lost","messages":12,"place":"this receiver is too slow"}
+ * {"sent_us":1795278123459000,"notification":"lost","messages":12,"place":"this receiver is too slow"}
  * }</pre>
  *
  * <p>{@code number} counts the messages of a run from 1: a gap tells how many are missing. {@code
  * sent_us} is the time of sending, microseconds since 1970 (UTC). {@code row} is a result; its
  * names are the columns of its table ({@link CsvSink#columns}), and what a table leaves empty is
- * null, as is infinity, which JSON does not have. A {@code notice} is one of {@code started},
+ * null, as is infinity, which JSON does not have. A {@code notification} is one of {@code started},
  * {@code reset}, {@code data-lost}, {@code device-lost}, {@code end} (the stream's own, see {@link
  * StreamNotification}), or {@code lost}: messages that were not sent because there was no room for
  * them, or {@code refused}: there are too many receivers; those two have no number.
@@ -76,31 +76,31 @@ public final class LiveMessages {
    * @param notification what happened in the stream
    * @return a line in ASCII with its line feed
    */
-  public byte[] notice(long number, StreamNotification notification) {
+  public byte[] notification(long number, StreamNotification notification) {
     begin(number);
     if (notification instanceof StreamStarted started) {
-      text.key("notice").text("started");
+      text.key("notification").text("started");
       text.key("source").text(started.source());
       text.key("width").number(started.geometry().width());
       text.key("height").number(started.geometry().height());
     } else if (notification instanceof Reset reset) {
-      text.key("notice").text("reset");
+      text.key("notification").text("reset");
       text.key("cause").text(reset.cause().name().toLowerCase(Locale.ROOT).replace('_', '-'));
       time("last_us", reset.lastUs());
       time("next_us", reset.nextUs());
     } else if (notification instanceof DataLost lost) {
-      text.key("notice").text("data-lost");
+      text.key("notification").text("data-lost");
       text.key("events");
       known(lost.estimatedEvents(), -1);
       time("from_us", lost.fromUs());
       time("to_us", lost.toUs());
       text.key("place").text(lost.place());
     } else if (notification instanceof DeviceLost lost) {
-      text.key("notice").text("device-lost");
+      text.key("notification").text("device-lost");
       text.key("device").text(lost.device());
       time("last_us", lost.lastUs());
     } else if (notification instanceof EndOfStream end) {
-      text.key("notice").text("end");
+      text.key("notification").text("end");
       time("last_us", end.lastUs());
     }
     return text.close().take();
@@ -116,7 +116,7 @@ public final class LiveMessages {
   public byte[] lost(long messages, String place) {
     text.open();
     sent();
-    text.key("notice").text("lost");
+    text.key("notification").text("lost");
     text.key("messages").number(messages);
     text.key("place").text(place);
     return text.close().take();
@@ -131,7 +131,7 @@ public final class LiveMessages {
   public byte[] refused(String place) {
     text.open();
     sent();
-    text.key("notice").text("refused");
+    text.key("notification").text("refused");
     text.key("place").text(place);
     return text.close().take();
   }

@@ -133,7 +133,7 @@ public final class RowFields {
           OptionalLong.class,
           OptionalDouble.class);
   private static final Pattern WORD_START =
-      Pattern.compile("(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])");
+      Pattern.compile("(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])|(?<=[a-z][XYZ])(?=[A-Z])");
 
   private final List<String> names;
   private final List<Kind> kinds = new ArrayList<>();
@@ -168,7 +168,7 @@ public final class RowFields {
   }
 
   /** A column with the way from a row to its value. */
-  private record Leaf(String name, int decimals, MethodHandle get) {}
+  private record Leaf(String component, String name, int decimals, MethodHandle get) {}
 
   private static List<Leaf> leaves(Class<?> type) {
     Map<String, Leaf> leaves = new LinkedHashMap<>();
@@ -176,12 +176,17 @@ public final class RowFields {
       MethodHandle get = getter(component.getAccessor());
       if (isJoined(component)) {
         for (Leaf leaf : leaves(component.getType())) {
-          MethodHandle inside = MethodHandles.filterReturnValue(get, leaf.get);
-          leaves.putIfAbsent(leaf.name, new Leaf(leaf.name, leaf.decimals, inside));
+          if (leaves.values().stream().noneMatch(there -> there.component.equals(leaf.component))) {
+            MethodHandle inside = MethodHandles.filterReturnValue(get, leaf.get);
+            leaves.putIfAbsent(
+                leaf.name, new Leaf(leaf.component, leaf.name, leaf.decimals, inside));
+          }
         }
       } else {
         Column column = component.getAnnotation(Column.class);
-        Leaf leaf = new Leaf(name(component), column == null ? -1 : column.decimals(), get);
+        Leaf leaf =
+            new Leaf(
+                component.getName(), name(component), column == null ? -1 : column.decimals(), get);
         leaves.put(leaf.name, leaf);
       }
     }

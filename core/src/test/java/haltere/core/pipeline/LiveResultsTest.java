@@ -187,10 +187,10 @@ class LiveResultsTest {
     for (int i = 0; i < 5; i++) {
       assertEquals(i + 1L, messages.get(i).get("number"));
     }
-    assertEquals("started", messages.get(0).get("notice"));
+    assertEquals("started", messages.get(0).get("notification"));
     assertEquals("every-event/spots", messages.get(1).get("from"));
     assertEquals(Map.of("t_us", 102L, "x", 2L), messages.get(3).get("row"));
-    assertEquals("end", messages.get(4).get("notice"));
+    assertEquals("end", messages.get(4).get("notification"));
     assertEquals("every-event/spots", output.topics.get(1));
     assertEquals(0, output.closed.getCount());
   }
@@ -209,7 +209,7 @@ class LiveResultsTest {
     long missing = 0;
     long expected = 1;
     for (Map<?, ?> message : parsed(output)) {
-      if ("lost".equals(message.get("notice"))) {
+      if ("lost".equals(message.get("notification"))) {
         missing += (Long) message.get("messages");
         expected += (Long) message.get("messages");
       } else {
@@ -237,7 +237,8 @@ class LiveResultsTest {
       assertFalse(first.spots.hasSubscribers());
       run(chain, results, events(0, 2));
     }
-    assertEquals(List.of("notice", "inner/spots", "inner/spots", "notice"), output.topics);
+    assertEquals(
+        List.of("notification", "inner/spots", "inner/spots", "notification"), output.topics);
     assertFalse(second.spots.hasSubscribers());
   }
 

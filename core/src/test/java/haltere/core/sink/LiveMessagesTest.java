@@ -80,7 +80,7 @@ class LiveMessagesTest {
 
   @Test
   void whatIsSaidInTheStreamComesToo() {
-    String begin = "{\"number\":2,\"sent_us\":12345678,\"notice\":";
+    String begin = "{\"number\":2,\"sent_us\":12345678,\"notification\":";
     Map<StreamNotification, String> expected =
         Map.of(
             new StreamStarted(new SensorGeometry(128, 64), "fly"),
@@ -98,13 +98,14 @@ class LiveMessagesTest {
             new EndOfStream(4),
             "\"end\",\"last_us\":4}\n");
     expected.forEach(
-        (notification, line) -> assertEquals(begin + line, text(messages.notice(2, notification))));
+        (notification, line) ->
+            assertEquals(begin + line, text(messages.notification(2, notification))));
   }
 
   @Test
   void whatIsMissingIsCounted() {
     assertEquals(
-        "{\"sent_us\":12345678,\"notice\":\"lost\",\"messages\":12,\"place\":\"slow\"}\n",
+        "{\"sent_us\":12345678,\"notification\":\"lost\",\"messages\":12,\"place\":\"slow\"}\n",
         text(messages.lost(12, "slow")));
   }
 

@@ -2,12 +2,16 @@ package haltere.filters.wing;
 
 import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.SettingsSchema;
+import java.lang.reflect.RecordComponent;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Settings of {@link haltere.filters.wing.tracker.WingTracker WingTracker}.
  *
  * @param search how the fly is found
- * @param place what a person says about where it is
+ * @param position what a person says about where it is
  * @param filter the extended Kalman filter
  * @param noise its noise
  * @param average the running average
@@ -15,7 +19,7 @@ import haltere.core.settings.SettingsSchema;
  */
 public record WingTrackerSettings(
     WingSearchSettings search,
-    WingPlaceSettings place,
+    WingPositionSettings position,
     WingFilterSettings filter,
     WingNoiseSettings noise,
     RunningAverageSettings average,
@@ -23,14 +27,14 @@ public record WingTrackerSettings(
     implements AdjustableSettings<WingTrackerSettings> {
   public WingTrackerSettings {
     SettingsSchema.validate(
-        WingTrackerSettings.class, search, place, filter, noise, average, output);
+        WingTrackerSettings.class, search, position, filter, noise, average, output);
   }
 
   /** {@return the settings to start from} */
   public static WingTrackerSettings defaults() {
     return new WingTrackerSettings(
         new WingSearchSettings(35_000, 400, 70, 400, 0),
-        new WingPlaceSettings(0, 0, 0, false, 0, 5, true, true),
+        new WingPositionSettings(0, 0, 0, false, 0, 5, true, true),
         new WingFilterSettings(WingMethod.EKF, WingModel.WINGS, 4, 0, 50, 1, 4, true),
         new WingNoiseSettings(0.005, 0.02, 1e-4, 10, 4e4, 200, 4, 0),
         new RunningAverageSettings(0.1, 0, 0.33, 0.0873, false, false),
@@ -48,10 +52,16 @@ public record WingTrackerSettings(
   public static WingTrackerSettings original() {
     return new WingTrackerSettings(
         new WingSearchSettings(35_000, 2000, 70, 400, 240),
-        new WingPlaceSettings(0, 0, 0, false, 0, 0, false, false),
+        new WingPositionSettings(0, 0, 0, false, 0, 0, false, false),
         new WingFilterSettings(WingMethod.EKF, WingModel.ORIGINAL, 1, 0, 0, 1, 1000, false),
         new WingNoiseSettings(2, 1, 0.5, 2, 0, 0.001, 0, 1000),
         new RunningAverageSettings(0.1, 0, 0.01, 0.1745, true, true),
         defaults().output());
+  }
+
+  static Map<String, String> formerNames() {
+    return Stream.of(WingPositionSettings.class.getRecordComponents())
+        .map(RecordComponent::getName)
+        .collect(Collectors.toMap("place."::concat, "position."::concat));
   }
 }

@@ -8,6 +8,7 @@ import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.core.sink.TableMetadata;
 import haltere.core.sink.TableSink;
 import haltere.core.sink.Tables;
+import haltere.core.sink.internal.Unchecked;
 import haltere.core.stream.StreamHandler;
 import haltere.ui.command.results.FlightFiles;
 import haltere.ui.command.terminal.ProgressBar;
@@ -225,11 +226,7 @@ final class SimulateCommand extends Subcommand {
       full = kept < packet.size();
       packet.truncate(kept);
       events += kept;
-      try {
-        writer.write(packet);
-      } catch (IOException problem) {
-        throw new UncheckedIOException(problem);
-      }
+      Unchecked.write(() -> writer.write(packet));
     }
   }
 }

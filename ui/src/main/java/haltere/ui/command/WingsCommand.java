@@ -208,7 +208,7 @@ final class WingsCommand extends Subcommand {
     options.put("filter.method", method);
     options.put("output.rateHz", rateHz);
     options.put("search.startFrequencyHz", initialHz);
-    options.put("place.flipHeading", flipHeading ? true : null);
+    options.put("position.flipHeading", flipHeading ? true : null);
     return assigned(WingTrackerSettings.class, start, options, assignments);
   }
 

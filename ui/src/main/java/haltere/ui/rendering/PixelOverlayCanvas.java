@@ -22,7 +22,7 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
   private static final double MARGIN = 3;
 
   private final LinePainter painter = new LinePainter();
-  private final TextPlaces positions = new TextPlaces();
+  private final TextPositions positions = new TextPositions();
   private final Letters letters;
   private double density = 1;
   private double scale = 1;

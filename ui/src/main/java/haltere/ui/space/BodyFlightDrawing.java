@@ -5,6 +5,7 @@ import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.OverlayCanvas;
 import haltere.filters.orientation.OrientationEstimate;
 import haltere.filters.orientation.camera.CameraModel;
+import haltere.filters.orientation.camera.Vectors;
 import haltere.ui.plot.Ticks;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -79,14 +80,11 @@ public final class BodyFlightDrawing {
     if (moment == null) {
       return;
     }
-    double[] x = new double[index + 1];
-    double[] y = new double[index + 1];
-    for (int k = 0; k <= index; k++) {
-      double[] at = view.project(place(flight.moments().get(k).estimate()));
-      x[k] = at[0];
-      y[k] = at[1];
-    }
-    canvas.polyline(x, y, x.length, MarkStyle.of(Role.PATH, 0));
+    List<double[]> way =
+        flight.moments().subList(0, index + 1).stream()
+            .map(each -> view.project(place(each.estimate())))
+            .toList();
+    polyline(way, MarkStyle.of(Role.PATH, 0), canvas);
     double[] position = place(moment.estimate());
     line(position, new double[] {position[0], position[1], bounds.least()[2]}, view, canvas);
     drawBody(moment.estimate(), view, canvas);
@@ -123,6 +121,12 @@ public final class BodyFlightDrawing {
     canvas.line(a[0], a[1], b[0], b[1], FLOOR);
   }
 
+  private static void polyline(List<double[]> points, MarkStyle style, OverlayCanvas canvas) {
+    double[] x = points.stream().mapToDouble(point -> point[0]).toArray();
+    double[] y = points.stream().mapToDouble(point -> point[1]).toArray();
+    canvas.polyline(x, y, x.length, style);
+  }
+
   /** A bar of a round length at the lower left, for lengths that lie in the picture's plane. */
   private static void drawScale(SpaceView view, OverlayCanvas canvas) {
     double lengthM = Ticks.of(0, MIN_BAR_PX / view.pixelsPerM(), 1).step();
@@ -152,26 +156,21 @@ public final class BodyFlightDrawing {
     canvas.line(from[0], from[1], to[0], to[1], MarkStyle.of(Role.ESTIMATE));
     canvas.circle(to[0], to[1], 4, MarkStyle.of(Role.ESTIMATE));
     double wide = half * Math.tan(Math.min(1.2, WITHIN_95 * now.sdAxisRad()));
-    double[] side = orthogonal(u);
-    double[] other = {
-      u[1] * side[2] - u[2] * side[1],
-      u[2] * side[0] - u[0] * side[2],
-      u[0] * side[1] - u[1] * side[0]
-    };
-    double[] x = new double[CIRCLE + 1];
-    double[] y = new double[CIRCLE + 1];
+    double[] side = Vectors.orthogonalTo(u);
+    double[] other = new double[3];
+    Vectors.cross(u, side, other);
+    List<double[]> circle = new ArrayList<>();
     double[] middle = view.project(place(now));
     for (int i = 0; i <= CIRCLE; i++) {
       double cos = wide * Math.cos(2 * Math.PI * i / CIRCLE);
       double sin = wide * Math.sin(2 * Math.PI * i / CIRCLE);
       double[] at = view.project(along(along(head, cos, side), sin, other));
-      x[i] = at[0];
-      y[i] = at[1];
+      circle.add(at);
       if (i % (CIRCLE / 4) == 0 && i < CIRCLE) {
         canvas.line(middle[0], middle[1], at[0], at[1], MarkStyle.of(Role.UNCERTAINTY));
       }
     }
-    canvas.polyline(x, y, x.length, MarkStyle.of(Role.UNCERTAINTY));
+    polyline(circle, MarkStyle.of(Role.UNCERTAINTY), canvas);
     canvas.text(
         to[0] + 8,
         to[1] + 8,
@@ -189,24 +188,19 @@ public final class BodyFlightDrawing {
     double height = camera.heightPx() > 0 ? camera.heightPx() - 1 : 479;
     double[] towards = towards(centre);
     double[][] corners = {{0, 0}, {width, 0}, {width, height}, {0, height}};
-    double[] x = new double[5];
-    double[] y = new double[5];
+    List<double[]> picture = new ArrayList<>();
     double[] sight = new double[3];
     for (int i = 0; i < 5; i++) {
       double[] pixel = corners[i % 4];
       camera.sight(pixel[0], pixel[1], sight);
-      double front =
-          sight[0] * towards[0] + sight[1] * towards[1] + sight[2] * towards[2] < 0
-              ? -depth
-              : depth;
+      double front = Vectors.dot(sight, towards) < 0 ? -depth : depth;
       double[] at = view.project(along(centre, front, sight));
-      x[i] = at[0];
-      y[i] = at[1];
+      picture.add(at);
       if (i < 4) {
         canvas.line(corner[0], corner[1], at[0], at[1], MarkStyle.of(Role.REGION));
       }
     }
-    canvas.polyline(x, y, 5, MarkStyle.of(Role.REGION));
+    polyline(picture, MarkStyle.of(Role.REGION), canvas);
     double residual = moment == null ? Double.NaN : moment.lines().get(index).residualDeg();
     boolean isAccepted = moment != null && moment.lines().get(index).isAccepted();
     String words =
@@ -237,10 +231,5 @@ public final class BodyFlightDrawing {
     double[] point = from.clone();
     Arrays.setAll(point, k -> from[k] + length * direction[k]);
     return point;
-  }
-
-  private static double[] orthogonal(double[] u) {
-    double level = Math.hypot(u[0], u[1]);
-    return level > 1e-9 ? new double[] {-u[1] / level, u[0] / level, 0} : new double[] {1, 0, 0};
   }
 }

@@ -1,5 +1,6 @@
 package haltere.ui.viewer;
 
+import haltere.core.settings.Parameter;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.rendering.Gradient;
@@ -10,7 +11,6 @@ import haltere.ui.viewer.feature.DisplayControl;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Function;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
@@ -47,7 +47,12 @@ final class DisplayFeature implements ViewerFeature {
     int number = 1;
     for (DisplayMode mode : DisplayMode.values()) {
       ViewerAction action =
-          choice("show-as", "Show as", display.modeProperty(), mode, mode.words());
+          ViewerAction.choice(
+              "show-as-" + Parameter.text(mode),
+              mode.words(),
+              "View/Show as",
+              display.modeProperty(),
+              mode);
       window.actions().add(action.withKey("Shortcut+" + number++).withHelp(mode.help()));
     }
     keep("showAs", display.modeProperty(), List.of(DisplayMode.values()), DisplayMode::words);
@@ -65,13 +70,14 @@ final class DisplayFeature implements ViewerFeature {
         display.gradientProperty(),
         Gradient.all(),
         Gradient::name);
-    DisplayControl.DECAYS.forEach(
-        (us, words) ->
-            window
-                .actions()
-                .add(
-                    ViewerAction.choice(
-                        "fading-" + us, words, "View/Fading", display.decayUsProperty(), us)));
+    window
+        .actions()
+        .addChoices(
+            "fading-",
+            "View/Fading",
+            display.decayUsProperty(),
+            DisplayControl.DECAYS.keySet(),
+            DisplayControl.DECAYS::get);
     window.settings().keep("fadingUs", display.decayUsProperty(), us -> us, Long.class::cast);
   }
 
@@ -83,8 +89,7 @@ final class DisplayFeature implements ViewerFeature {
       ObjectProperty<T> property,
       List<T> values,
       Function<T, String> words) {
-    values.forEach(
-        value -> window.actions().add(choice(id, menu, property, value, words.apply(value))));
+    window.actions().addChoices(id + "-", "View/" + menu, property, values, words);
     keep(setting, property, values, words);
   }
 
@@ -101,15 +106,5 @@ final class DisplayFeature implements ViewerFeature {
                     .filter(value -> words.apply(value).equals(kept))
                     .findFirst()
                     .orElseThrow());
-  }
-
-  private static <T> ViewerAction choice(
-      String id, String menu, ObjectProperty<T> property, T value, String words) {
-    return ViewerAction.choice(
-        id + "-" + words.toLowerCase(Locale.ROOT).replace(' ', '-'),
-        words,
-        "View/" + menu,
-        property,
-        value);
   }
 }

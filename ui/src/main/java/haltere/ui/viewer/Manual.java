@@ -1,12 +1,9 @@
 package haltere.ui.viewer;
 
 import atlantafx.base.theme.Styles;
+import haltere.core.sink.internal.Unchecked;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Windows;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import javafx.geometry.Insets;
@@ -33,20 +30,12 @@ final class Manual {
   static void show(Stage owner) {
     VBox page = Controls.named(new VBox(8), "manual");
     page.setPadding(new Insets(16));
-    page.getChildren().setAll(nodes(read()));
+    page.getChildren().setAll(nodes(Unchecked.text(Manual.class.getResourceAsStream(PAGE))));
     ScrollPane scroll = new ScrollPane(page);
     scroll.setFitToWidth(true);
     scroll.setFocusTraversable(true);
     scroll.setAccessibleText("Manual");
     Windows.beside(owner, "Manual \u2013 Haltere", scroll, WIDTH, 640).show();
-  }
-
-  private static String read() {
-    try (InputStream page = Manual.class.getResourceAsStream(PAGE)) {
-      return new String(page.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException unreadable) {
-      throw new UncheckedIOException(unreadable);
-    }
   }
 
   /** The parts of a page in their order: blocks are set apart by empty lines. */

@@ -9,10 +9,13 @@ import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
@@ -86,25 +89,30 @@ public final class PresetFeature implements ViewerFeature {
   }
 
   private void list() {
-    window.file(() -> names(folder), this::offer);
+    window.file(() -> read(folder), this::offer);
   }
 
-  private static List<String> names(Path folder) throws IOException {
-    if (!Files.isDirectory(folder)) {
-      return List.of();
+  /** What the files hold by the names of the chains, in alphabetical order. */
+  private static Map<String, String> read(Path folder) throws IOException {
+    Map<String, String> kept = new LinkedHashMap<>();
+    if (Files.isDirectory(folder)) {
+      try (Stream<Path> files = Files.list(folder)) {
+        for (Path file : files.sorted().toList()) {
+          String name = file.getFileName().toString();
+          if (name.endsWith(ENDING)) {
+            // any bytes, so that a file that is no chain spoils nothing
+            String json = Files.readString(file, StandardCharsets.ISO_8859_1);
+            kept.put(name.substring(0, name.length() - ENDING.length()), json);
+          }
+        }
+      }
     }
-    try (Stream<Path> files = Files.list(folder)) {
-      return files
-          .map(file -> file.getFileName().toString())
-          .filter(name -> name.endsWith(ENDING))
-          .map(name -> name.substring(0, name.length() - ENDING.length()))
-          .sorted()
-          .toList();
-    }
+    return kept;
   }
 
-  private void offer(List<String> kept) {
-    names = kept;
+  private void offer(Map<String, String> kept) {
+    names = List.copyOf(kept.keySet());
+    window.editor().setPresetChains(kept);
     window.actions().offer(FOLDER, names.stream().map(this::action).toList());
   }
 

@@ -1,11 +1,10 @@
 package haltere.ui.wing;
 
+import haltere.core.sink.internal.Unchecked;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingMeasurement;
 import haltere.filters.wing.WingMethod;
 import haltere.filters.wing.WingPart;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.util.Arrays;
 import java.util.Locale;
@@ -113,10 +112,6 @@ final class OriginalRows {
   }
 
   private void write(String line) {
-    try {
-      text.write(line);
-    } catch (IOException problem) {
-      throw new UncheckedIOException(problem);
-    }
+    Unchecked.write(() -> text.write(line));
   }
 }

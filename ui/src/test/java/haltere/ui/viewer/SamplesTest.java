@@ -35,9 +35,13 @@ class SamplesTest {
 
   /** Mean of red, green and blue in the middle of the picture, 0 to 1. */
   private double brightness() {
+    return brightness("event-view");
+  }
+
+  private double brightness(String view) {
     return viewer.onFx(
         () -> {
-          WritableImage picture = viewer.picture();
+          WritableImage picture = viewer.picture(view);
           PixelReader pixels = picture.getPixelReader();
           double sum = 0;
           int count = 0;
@@ -62,6 +66,19 @@ class SamplesTest {
     viewer.waitFor("the frame of that moment", () -> brightness() > 0.15);
     viewer.click("frames");
     viewer.waitFor("no frame", () -> brightness() < 0.12);
+  }
+
+  @Test
+  void bothPicturesOfAComparisonHaveTheFrames() {
+    viewer.run(() -> viewer.window.context().actions().run("compare"));
+    viewer.waitFor("a second picture", () -> viewer.isThere("second-event-view"));
+    viewer.waitFor("its frame", () -> brightness("second-event-view") > 0.15);
+    viewer.pause();
+    viewer.run(() -> viewer.window.context().playback().seek(1_000_000));
+    viewer.waitFor("the jump", () -> Math.abs(viewer.status().elapsedUs() - 1_000_000) < 20_000);
+    viewer.waitFor("the frame of that moment", () -> brightness("second-event-view") > 0.15);
+    viewer.click("frames");
+    viewer.waitFor("no frame", () -> brightness("second-event-view") < 0.12);
   }
 
   @Test

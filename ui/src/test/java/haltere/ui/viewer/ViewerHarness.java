@@ -17,7 +17,6 @@ import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.feature.UserSettings;
-import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.session.FirstView;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
@@ -262,7 +261,11 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
 
   /** The part of the window that shows events, as it is drawn. JavaFX thread only. */
   WritableImage picture() {
-    EventView view = window.context().panels().view();
+    return picture("event-view");
+  }
+
+  WritableImage picture(String id) {
+    Node view = node(id, Node.class);
     Bounds place = view.localToScene(view.getLayoutBounds());
     WritableImage all = stage.getScene().snapshot(null);
     return new WritableImage(

@@ -107,9 +107,9 @@ class LineOutputsTest {
       long missing = 0;
       boolean told = false;
       while (!told) {
-        // what it takes makes room, and the next line brings the notice
+        // what it takes makes room, and the next line brings the notification
         Map<?, ?> message = (Map<?, ?>) Json.parse(reader.readLine(), "a line");
-        if (message.get("notice") == null) {
+        if (message.get("notification") == null) {
           whole++;
         } else {
           missing += (Long) message.get("messages");
@@ -121,7 +121,7 @@ class LineOutputsTest {
       output.close();
       for (String line = reader.readLine(); line != null; line = reader.readLine()) {
         Map<?, ?> message = (Map<?, ?>) Json.parse(line, "a line");
-        if (message.get("notice") == null) {
+        if (message.get("notification") == null) {
           whole++;
         } else {
           missing += (Long) message.get("messages");
@@ -205,7 +205,7 @@ class LineOutputsTest {
       sockets.add(late);
       List<String> lines = reader(late).lines().toList();
       assertEquals(1, lines.size());
-      assertTrue(lines.get(0).contains("\"notice\":\"refused\""), lines.get(0));
+      assertTrue(lines.get(0).contains("\"notification\":\"refused\""), lines.get(0));
       assertEquals(1, output.refused());
       assertEquals(TcpLines.MAX_RECEIVERS, output.receivers());
     } finally {

@@ -2,7 +2,7 @@ package haltere.filters.wing.tracker;
 
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.RunningAverageSettings;
-import haltere.filters.wing.WingPlaceSettings;
+import haltere.filters.wing.WingPositionSettings;
 import haltere.filters.wing.WingTrackerSettings;
 
 /**
@@ -74,7 +74,7 @@ final class BodyFollower {
 
   private boolean follow() {
     RunningAverageSettings average = settings.average();
-    WingPlaceSettings said = settings.place();
+    WingPositionSettings said = settings.position();
     ended = 0;
     double share = average.mixingFactor();
     double acrossX = meanX[0] - meanX[1];

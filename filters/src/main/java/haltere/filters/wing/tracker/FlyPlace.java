@@ -3,7 +3,7 @@ package haltere.filters.wing.tracker;
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingPart;
-import haltere.filters.wing.WingPlaceSettings;
+import haltere.filters.wing.WingPositionSettings;
 import haltere.filters.wing.internal.search.FoundFly;
 import haltere.filters.wing.internal.stroke.StrokeFrame;
 
@@ -25,7 +25,7 @@ final class FlyPlace {
   private double regionPx;
 
   /** Takes over what was found, with what a person says of it. */
-  void begin(FoundFly fly, WingPlaceSettings place, long timeUs) {
+  void begin(FoundFly fly, WingPositionSettings place, long timeUs) {
     FlyGeometry found = fly.geometry();
     boolean flip = place.flipHeading();
     double heading = found.headingRad() + (flip ? Math.PI : 0) + place.headingOffsetRad();
@@ -46,7 +46,7 @@ final class FlyPlace {
     settle();
   }
 
-  private static boolean isByHand(WingPlaceSettings place) {
+  private static boolean isByHand(WingPositionSettings place) {
     return place.bodyOffsetXPx() != 0 || place.bodyOffsetYPx() != 0;
   }
 
@@ -59,7 +59,7 @@ final class FlyPlace {
   }
 
   /** Moves by what a person says differently; returns by how much the heading turns, radians. */
-  double move(WingPlaceSettings before, WingPlaceSettings after) {
+  double move(WingPositionSettings before, WingPositionSettings after) {
     double turn = Angles.wrapPi(after.headingOffsetRad() - before.headingOffsetRad());
     regionPx = Math.max(MIN_REGION_PX, regionPx + after.regionOffsetPx() - before.regionOffsetPx());
     for (StrokeFrame frame : frames) {
@@ -88,7 +88,7 @@ final class FlyPlace {
   }
 
   /** Takes a size of the fly for the radius of the region of interest. */
-  void resize(double size, WingPlaceSettings said) {
+  void resize(double size, WingPositionSettings said) {
     sizePx = size;
     regionPx = Math.max(MIN_REGION_PX, size + said.regionOffsetPx());
     for (StrokeFrame frame : frames) {

@@ -5,7 +5,7 @@ import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingMeasurement;
 import haltere.filters.wing.WingMethod;
-import haltere.filters.wing.WingPlaceSettings;
+import haltere.filters.wing.WingPositionSettings;
 import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.WingTrackerState.Phase;
@@ -72,7 +72,7 @@ final class TrackedFly {
     averages = TrackerParts.averages(settings);
     averagePlace = TrackerParts.sharesFrames(settings) ? place : new FlyPlace();
     if (averagePlace != place && fly != null) {
-      averagePlace.begin(fly, settings.place(), foundAtUs);
+      averagePlace.begin(fly, settings.position(), foundAtUs);
     }
     angles = averages ? new PixelAngles(sensor.width(), sensor.height(), averagePlace) : null;
     follower = new BodyFollower(averagePlace, settings);
@@ -91,7 +91,7 @@ final class TrackedFly {
   void begin(FoundFly found, long timeUs) {
     fly = found;
     foundAtUs = timeUs;
-    WingPlaceSettings said = settings.place();
+    WingPositionSettings said = settings.position();
     place.begin(found, said, timeUs);
     if (averagePlace != place) {
       averagePlace.begin(found, said, timeUs);
@@ -184,7 +184,7 @@ final class TrackedFly {
       return;
     }
     if (main[0] instanceof WingEstimator left && main[1] instanceof WingEstimator right) {
-      if (tracked[0] && tracked[1] && settings.place().followsHeading()) {
+      if (tracked[0] && tracked[1] && settings.position().followsHeading()) {
         double by = HEADING_SHARE * (asymmetry() - symmetry);
         left.turnHeading(by);
         right.turnHeading(by);
@@ -220,7 +220,7 @@ final class TrackedFly {
     WingTrackerSettings before = settings;
     settings = changed;
     boolean rebuild = wings.apply(changed) || TrackerParts.averages(changed) != averages;
-    boolean moved = !changed.place().equals(before.place());
+    boolean moved = !changed.position().equals(before.position());
     if (!wings.isTracked()) {
       build();
       return;
@@ -230,13 +230,13 @@ final class TrackedFly {
       return;
     }
     StrokeSeed[] seeds = wings.seeds();
-    boolean flipped = changed.place().flipHeading() != before.place().flipHeading();
+    boolean flipped = changed.position().flipHeading() != before.position().flipHeading();
     double turn = 0;
     for (FlyPlace each : averagePlace == place ? List.of(place) : List.of(averagePlace, place)) {
       if (flipped) {
-        each.exchange(changed.place().innerRadiusPx());
+        each.exchange(changed.position().innerRadiusPx());
       }
-      turn = each.move(before.place(), changed.place());
+      turn = each.move(before.position(), changed.position());
     }
     if (flipped) {
       wings.exchange();

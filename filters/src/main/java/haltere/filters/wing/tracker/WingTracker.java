@@ -214,8 +214,8 @@ public final class WingTracker {
     }
     FlyGeometry now = fly.geometry();
     return settings.with(
-        "place.bodyOffsetXPx=" + (settings.place().bodyOffsetXPx() + x - now.centreX()),
-        "place.bodyOffsetYPx=" + (settings.place().bodyOffsetYPx() + y - now.centreY()));
+        "position.bodyOffsetXPx=" + (settings.position().bodyOffsetXPx() + x - now.centreX()),
+        "position.bodyOffsetYPx=" + (settings.position().bodyOffsetYPx() + y - now.centreY()));
   }
 
   /**
@@ -230,13 +230,13 @@ public final class WingTracker {
     }
     double offset =
         Angles.wrapPi(
-            settings.place().headingOffsetRad() + headingRad - fly.geometry().headingRad());
-    return settings.with("place.headingOffsetRad=" + offset);
+            settings.position().headingOffsetRad() + headingRad - fly.geometry().headingRad());
+    return settings.with("position.headingOffsetRad=" + offset);
   }
 
   /** {@return the present settings with head and tail exchanged} */
   public WingTrackerSettings withHeadingFlipped() {
-    return settings.with("place.flipHeading=" + !settings.place().flipHeading());
+    return settings.with("position.flipHeading=" + !settings.position().flipHeading());
   }
 
   /**
@@ -250,7 +250,8 @@ public final class WingTracker {
       return settings;
     }
     return settings.with(
-        "place.regionOffsetPx=" + (settings.place().regionOffsetPx() + radiusPx - fly.regionPx()));
+        "position.regionOffsetPx="
+            + (settings.position().regionOffsetPx() + radiusPx - fly.regionPx()));
   }
 
   /**

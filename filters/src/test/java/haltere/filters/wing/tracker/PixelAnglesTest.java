@@ -18,7 +18,7 @@ class PixelAnglesTest {
   private static FlyPlace place() {
     FlyPlace place = new FlyPlace();
     place.begin(
-        new FoundFly(FOUND, 42, new StrokeSeed[2]), WingTrackerSettings.defaults().place(), 0);
+        new FoundFly(FOUND, 42, new StrokeSeed[2]), WingTrackerSettings.defaults().position(), 0);
     return place;
   }
 

@@ -234,7 +234,7 @@ class WingBadInputTest {
         new WingTracker(
             Said.SENSOR,
             WingTrackerSettings.defaults()
-                .with(method, "place.innerRadiusPx=0", "place.followsHinges=false"),
+                .with(method, "position.innerRadiusPx=0", "position.followsHinges=false"),
             said);
     int half = fly.size() / 2;
     tracker.track(part(fly, 0, half));

@@ -218,7 +218,7 @@ class WingMethodsTest {
     };
     FlyGeometry plain = Said.with(fly, follow).tracker.geometry().orElseThrow();
     WingTrackerSettings said =
-        WingTrackerSettings.defaults().with(follow).with("place.bodyOffsetXPx=3");
+        WingTrackerSettings.defaults().with(follow).with("position.bodyOffsetXPx=3");
     FlyGeometry put = Said.of(fly, said).tracker.geometry().orElseThrow();
     assertEquals(plain.centreX() + 3, put.centreX(), 0.3);
     assertEquals(plain.centreY(), put.centreY(), 0.3);

@@ -223,7 +223,7 @@ class WingTrackerTest {
   void withHeadAndTailExchangedLeftIsRightAndTheAnglesAreMirrored() {
     EventPacket events = Flies.events(0.15, STEADY);
     Said plain = Said.with(events);
-    Said flipped = Said.with(events, "place.flipHeading=true");
+    Said flipped = Said.with(events, "position.flipHeading=true");
     assertEquals(
         Math.PI,
         Math.abs(Angles.wrapPi(plain.geometry.headingRad() - flipped.geometry.headingRad())),
@@ -256,7 +256,7 @@ class WingTrackerTest {
     WingTracker plain = Said.with(events).tracker;
     FlyGeometry found = plain.geometry().orElseThrow();
     FlyGeometry put =
-        Said.with(events, "place.bodyOffsetXPx=3", "place.bodyOffsetYPx=-2")
+        Said.with(events, "position.bodyOffsetXPx=3", "position.bodyOffsetYPx=-2")
             .tracker
             .geometry()
             .orElseThrow();

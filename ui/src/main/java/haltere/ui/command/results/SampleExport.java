@@ -10,6 +10,7 @@ import haltere.core.sink.CsvSink;
 import haltere.core.sink.TableMetadata;
 import haltere.core.sink.TableSink;
 import haltere.core.sink.Tables;
+import haltere.core.sink.internal.Unchecked;
 import haltere.core.stream.StreamHandler;
 import haltere.ui.command.results.SampleTables.FrameRow;
 import haltere.ui.command.results.SampleTables.SampleRow;
@@ -128,11 +129,7 @@ public record SampleExport(
         StreamHandler.ofSamples(
             sample -> {
               if (kind.isInstance(sample) && sample.timeUs() >= fromUs && sample.timeUs() < toUs) {
-                try {
-                  target.take(kind.cast(sample));
-                } catch (IOException e) {
-                  throw new UncheckedIOException(e);
-                }
+                Unchecked.write(() -> target.take(kind.cast(sample)));
               }
             });
     try {

@@ -11,31 +11,9 @@ final class SampleTables {
   private SampleTables() {}
 
   /** A row of inertial samples; units are in the names of the columns. */
-  record SampleRow(
-      @Column("t_us") long timeUs,
-      @Column("acceleration_x_g") float accelerationXG,
-      @Column("acceleration_y_g") float accelerationYG,
-      @Column("acceleration_z_g") float accelerationZG,
-      float rotationXDegS,
-      float rotationYDegS,
-      float rotationZDegS,
-      float temperatureC,
-      float magneticXMicrotesla,
-      float magneticYMicrotesla,
-      float magneticZMicrotesla) {
+  record SampleRow(@Column("t_us") long timeUs, @Column(joined = true) InertialSample sample) {
     static SampleRow of(InertialSample sample) {
-      return new SampleRow(
-          sample.timeUs(),
-          sample.accelerationXG(),
-          sample.accelerationYG(),
-          sample.accelerationZG(),
-          sample.rotationXDegS(),
-          sample.rotationYDegS(),
-          sample.rotationZDegS(),
-          sample.temperatureC(),
-          sample.magneticXMicrotesla(),
-          sample.magneticYMicrotesla(),
-          sample.magneticZMicrotesla());
+      return new SampleRow(sample.timeUs(), sample);
     }
   }
 

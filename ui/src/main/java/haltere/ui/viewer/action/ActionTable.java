@@ -1,9 +1,6 @@
 package haltere.ui.viewer.action;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
+import haltere.core.sink.internal.Unchecked;
 import java.util.HashMap;
 import java.util.Map;
 
@@ -37,19 +34,15 @@ final class ActionTable {
 
   private static Map<String, Line> read() {
     Map<String, Line> lines = new HashMap<>();
-    try (InputStream table = ActionTable.class.getResourceAsStream("actions.txt")) {
-      String text = new String(table.readAllBytes(), StandardCharsets.UTF_8);
-      int group = 0;
-      for (String line : text.split("\n")) {
-        if (line.isBlank()) {
-          group++;
-        } else if (!line.startsWith("#")) {
-          String[] cell = line.split("\\s*\\|\\s*", -1);
-          lines.put(cell[0], new Line(cell[0], cell[1], cell[2], cell[3], cell[4], group));
-        }
+    String text = Unchecked.text(ActionTable.class.getResourceAsStream("actions.txt"));
+    int group = 0;
+    for (String line : text.split("\n")) {
+      if (line.isBlank()) {
+        group++;
+      } else if (!line.startsWith("#")) {
+        String[] cell = line.split("\\s*\\|\\s*", -1);
+        lines.put(cell[0], new Line(cell[0], cell[1], cell[2], cell[3], cell[4], group));
       }
-    } catch (IOException unreadable) {
-      throw new UncheckedIOException(unreadable);
     }
     return lines;
   }

@@ -1,13 +1,17 @@
 package haltere.ui.viewer.action;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ObjectProperty;
 import javafx.beans.value.ObservableBooleanValue;
 
 /**
@@ -55,6 +59,19 @@ public final class ViewerActions {
   /** Adds a switch of the table whose state somebody else keeps, with why it cannot be used now. */
   public void add(String id, ObservableBooleanValue on, Runnable work, Supplier<String> obstacle) {
     add(ViewerAction.listed(id, work, Optional.of(on), obstacle));
+  }
+
+  /** Adds an action for each value that a property may be given, whose ids begin alike. */
+  public <T> void addChoices(
+      String id,
+      String menu,
+      ObjectProperty<T> property,
+      Collection<T> values,
+      Function<T, String> words) {
+    for (T value : values) {
+      String ending = words.apply(value).toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
+      add(ViewerAction.choice(id + ending, words.apply(value), menu, property, value));
+    }
   }
 
   /** Puts actions in place of those that were offered under the same name before. */

@@ -4,11 +4,11 @@ import haltere.core.chain.ChainFile;
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterProvider;
+import haltere.core.sink.internal.Unchecked;
 import haltere.ui.viewer.controls.Texts;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
@@ -35,6 +35,7 @@ public final class ChainEditor {
   private final ChainEditor outermost;
   private Optional<ChainAccess> player = Optional.empty();
   private BiFunction<String, ChainEditor, List<MenuItem>> presets = (id, chain) -> List.of();
+  private Map<String, String> presetChains = Map.of();
 
   /** An editor without a chain; tells what went wrong in one line. */
   public ChainEditor(Consumer<String> problems) {
@@ -109,6 +110,18 @@ public final class ChainEditor {
   /** What a menu of presets offers. */
   public BiFunction<String, ChainEditor, List<MenuItem>> presets() {
     return outermost.presets;
+  }
+
+  /** Says which presets there are, as JSON by their names. */
+  public void setPresetChains(Map<String, String> chains) {
+    presetChains = chains;
+  }
+
+  /** What a saved chain is called, by its JSON; empty for one that is no preset. */
+  public Optional<String> presetName(String json) {
+    return presetChains.keySet().stream()
+        .filter(name -> presetChains.get(name).equals(json))
+        .findFirst();
   }
 
   /** Adds a filter with default settings at the end. */
@@ -201,13 +214,11 @@ public final class ChainEditor {
   /** Makes the chain what it was when it was written down. */
   private void restore(AtomicReference<String> json) {
     change(
-        chain -> {
-          try {
-            replaceAll(chain, ChainFile.parse(json.get(), "the chain before", chain.geometry()));
-          } catch (IOException impossible) {
-            throw new UncheckedIOException(impossible);
-          }
-        });
+        chain ->
+            replaceAll(
+                chain,
+                Unchecked.read(
+                    () -> ChainFile.parse(json.get(), "the chain before", chain.geometry()))));
   }
 
   void setEnabled(ChainStage stage, boolean enabled) {
@@ -277,6 +288,11 @@ public final class ChainEditor {
   public void applyNow(FilterChain chain, ChainStage stage, Record settings) {
     chain.apply(stage, settings);
     Platform.runLater(() -> adopters.forEach(adopter -> adopter.accept(stage, settings)));
+  }
+
+  /** Does something between two packets on the processing thread. */
+  public void onProcessing(Runnable work) {
+    run(access -> access.read().run(chain -> work.run()));
   }
 
   /** Reads something off the chain between two packets and brings it to the JavaFX thread. */

@@ -3,8 +3,7 @@ package haltere.ui.viewer.chain;
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
-import java.io.IOException;
-import java.io.UncheckedIOException;
+import haltere.core.sink.internal.Unchecked;
 
 /**
  * Moves stages from one chain to another inside of it, or out again. A path is the names of the
@@ -62,12 +61,9 @@ final class StageMoves {
   private static ChainStage copy(ChainStage stage, FilterChain target) {
     FilterChain alone = new FilterChain(target.geometry());
     alone.add(stage.kind(), stage.filter(), stage.isEnabled(), 0);
-    try {
-      return ChainFile.parse(ChainFile.write(alone), stage.name(), target.geometry())
-          .stages()
-          .get(0);
-    } catch (IOException impossible) {
-      throw new UncheckedIOException(impossible);
-    }
+    String json = ChainFile.write(alone);
+    return Unchecked.read(() -> ChainFile.parse(json, stage.name(), target.geometry()))
+        .stages()
+        .get(0);
   }
 }

@@ -16,7 +16,6 @@ import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
-import haltere.ui.viewer.picture.DisplayFrame;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.session.ViewerSession;
@@ -46,12 +45,21 @@ public final class CompareFeature implements ViewerFeature {
   /** What is compared. */
   private record Running(Player player, SecondChain second) {}
 
-  /** What both chains consist of, and their means of the last while. */
-  private record Means(
-      String firstName,
-      String secondName,
-      Map<PlotField, Double> first,
-      Map<PlotField, Double> second) {}
+  /** What a chain consists of, as JSON and in words, and its means of the last while. */
+  private record Numbers(String json, String filters, Map<PlotField, Double> means) {
+    /** Processing thread. */
+    static Numbers of(FilterChain chain, PublishedMeans means) {
+      String filters =
+          chain.stages().stream()
+              .filter(ChainStage::isEnabled)
+              .map(stage -> Texts.title(stage.name()))
+              .collect(Collectors.joining(", "));
+      return new Numbers(
+          ChainFile.write(chain),
+          filters.isEmpty() ? "no filters" : filters,
+          means == null ? Map.of() : means.take());
+    }
+  }
 
   private final EventView view = Controls.named(new EventView(), "second-event-view");
   private final ComparisonTable table = new ComparisonTable();
@@ -183,19 +191,9 @@ public final class CompareFeature implements ViewerFeature {
             });
   }
 
-  /** The filters that are on, in their order; processing thread. */
-  private static String name(FilterChain chain) {
-    String filters =
-        chain.stages().stream()
-            .filter(ChainStage::isEnabled)
-            .map(stage -> Texts.title(stage.name()))
-            .collect(Collectors.joining(", "));
-    return filters.isEmpty() ? "no filters" : filters;
-  }
-
-  private static void show(Label label, String words) {
-    label.setText(words);
-    Controls.help(label, words);
+  private void show(Label label, String which, Numbers of) {
+    label.setText(which + window.editor().presetName(of.json()).orElse(of.filters()));
+    Controls.help(label, which + of.filters());
   }
 
   /** Both chains' numbers are taken from the chains as they are now. */
@@ -217,25 +215,20 @@ public final class CompareFeature implements ViewerFeature {
   }
 
   private void pulse(Running now) {
-    DisplayFrame frame = now.second().display().maker().exchange().fetch();
-    if (frame != null) {
-      view.show(frame);
-    }
+    window.ifOpen(open -> now.second().display().showFrameOf(open.display()));
+    view.show(now.second().display(), window.editor()::onProcessing);
   }
 
   private void showNumbers(Running now) {
     chainPanel.update();
     window.read(
         first ->
-            new Means(
-                name(first),
-                name(now.second().chain()),
-                firstMeans == null ? Map.of() : firstMeans.take(),
-                secondMeans == null ? Map.of() : secondMeans.take()),
-        means -> {
-          show(firstName, "First chain: " + means.firstName());
-          show(secondName, "Second chain: " + means.secondName());
-          List<ComparisonTable.Line> lines = ComparisonTable.lines(means.first(), means.second());
+            List.of(Numbers.of(first, firstMeans), Numbers.of(now.second().chain(), secondMeans)),
+        both -> {
+          show(firstName, "First chain: ", both.get(0));
+          show(secondName, "Second chain: ", both.get(1));
+          List<ComparisonTable.Line> lines =
+              ComparisonTable.lines(both.get(0).means(), both.get(1).means());
           if (!lines.isEmpty()) {
             table.show(lines);
           }

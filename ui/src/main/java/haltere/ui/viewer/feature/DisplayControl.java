@@ -64,7 +64,7 @@ public record DisplayControl(
         new SimpleObjectProperty<>(DisplayOptions.DEFAULT.gradient()),
         new SimpleBooleanProperty(true),
         new SimpleBooleanProperty(true),
-        new SimpleDoubleProperty(0.6),
+        new SimpleDoubleProperty(DisplayOptions.DEFAULT.frameOpacity()),
         new SimpleBooleanProperty(),
         new SimpleObjectProperty<>(Optional.empty()),
         new SimpleObjectProperty<>(Optional.empty()));
@@ -90,13 +90,23 @@ public record DisplayControl(
   /** What the painter of events needs to know. */
   public DisplayOptions options() {
     return new DisplayOptions(
-        modeProperty.get(), coloursProperty.get(), gradientProperty.get(), decayUsProperty.get());
+        modeProperty.get(),
+        coloursProperty.get(),
+        gradientProperty.get(),
+        decayUsProperty.get(),
+        framesProperty.get() ? frameOpacityProperty.get() : 0);
   }
 
   /** Calls something after each change of {@link #options()}. */
   public void onChange(Runnable listener) {
     for (ObservableValue<?> shown :
-        List.of(coloursProperty, modeProperty, gradientProperty, decayUsProperty)) {
+        List.of(
+            coloursProperty,
+            modeProperty,
+            gradientProperty,
+            decayUsProperty,
+            framesProperty,
+            frameOpacityProperty)) {
       shown.subscribe((was, is) -> listener.run());
     }
   }

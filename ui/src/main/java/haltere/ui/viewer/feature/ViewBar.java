@@ -7,6 +7,7 @@ import haltere.ui.viewer.controls.Icons;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.Function;
+import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
@@ -30,6 +31,9 @@ public final class ViewBar extends HBox {
   /** Below this width, pixels, there is room for choices and buttons alone. */
   private static final double WIDE_PX = 460;
 
+  /** Below this width the words on fading may be cut off. */
+  private static final double WHOLE_PX = 410;
+
   private final HBox tools = new HBox(2);
   private final BooleanBinding isWide = widthProperty().greaterThan(WIDE_PX);
 
@@ -40,6 +44,16 @@ public final class ViewBar extends HBox {
     Label words = Controls.whole("Fading", Styles.TEXT_MUTED, Styles.TEXT_SMALL);
     showWhere(isWide, words);
     tools.setAlignment(Pos.CENTER_RIGHT);
+    Region fading =
+        choice(
+            "fading",
+            "How fast events fade, or that only those of the last slice are shown",
+            display.decayUsProperty(),
+            DisplayControl.DECAYS.keySet(),
+            DisplayControl.DECAYS::get);
+    fading
+        .minWidthProperty()
+        .bind(Bindings.when(widthProperty().lessThan(WHOLE_PX)).then(90).otherwise(USE_PREF_SIZE));
     getChildren()
         .addAll(
             choice(
@@ -49,12 +63,7 @@ public final class ViewBar extends HBox {
                 List.of(DisplayMode.values()),
                 DisplayMode::words),
             words,
-            choice(
-                "fading",
-                "How fast events fade, or that only those of the last slice are shown",
-                display.decayUsProperty(),
-                DisplayControl.DECAYS.keySet(),
-                DisplayControl.DECAYS::get),
+            fading,
             Controls.growing(new Region()),
             tools);
   }
@@ -87,7 +96,7 @@ public final class ViewBar extends HBox {
     tools.getChildren().add(button);
   }
 
-  private static <T> Node choice(
+  private static <T> Region choice(
       String id,
       String help,
       Property<T> property,

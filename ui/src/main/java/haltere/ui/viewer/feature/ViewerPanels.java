@@ -8,7 +8,6 @@ import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.chain.ChainPanel;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Texts;
-import haltere.ui.viewer.picture.DisplayFrame;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.playback.PlaybackController;
@@ -56,7 +55,6 @@ public final class ViewerPanels extends BorderPane {
   private final FrameMeter meter = new FrameMeter();
   private final List<Runnable> pulseListeners = new ArrayList<>();
   private PlayerStatus shownStatus;
-  private boolean repaintAsked;
   private long numbersNanos;
 
   /** Panels without anything to show, between the menu above and the status line below. */
@@ -159,7 +157,6 @@ public final class ViewerPanels extends BorderPane {
     chainPanel.startAnew(made.firstStages(), steps);
     plots.startAnew(made.inertial());
     seekBar.clear();
-    repaintAsked = false;
     shownStatus = null;
   }
 
@@ -199,18 +196,8 @@ public final class ViewerPanels extends BorderPane {
   /** Brings all panels up to date with a session; called at each pulse of JavaFX. */
   public void pulse(ViewerSession open, long nowNanos) {
     open.display().maker().setScreenPlace(view.screenPlace());
-    DisplayFrame frame = open.display().maker().exchange().fetch();
-    if (frame != null) {
-      view.show(frame);
+    if (view.show(open.display(), editor::onProcessing)) {
       meter.shown();
-    } else if (open.display().maker().isStale() && !repaintAsked) {
-      repaintAsked = true;
-      editor.read(
-          chain -> {
-            open.display().paint();
-            return open;
-          },
-          painted -> repaintAsked = false);
     }
     pulseListeners.forEach(Runnable::run);
     playback.pulse(System.nanoTime());

@@ -61,11 +61,7 @@ final class FileInfoPanel extends ScrollPane {
             + sensor.origin().name().toLowerCase(Locale.ROOT));
     line(
         "Events",
-        String.format(
-            "%s (%s ON, %s OFF)",
-            Quantities.count(summary.events()),
-            Quantities.count(summary.on()),
-            Quantities.count(summary.off())));
+        Quantities.text("%,d (%,d ON, %,d OFF)", summary.events(), summary.on(), summary.off()));
     line("Frames", Quantities.count(summary.samples().frames()));
     line("Inertial samples", Quantities.count(summary.samples().inertialSamples()));
     line("Triggers", Quantities.count(summary.samples().triggers()));

@@ -57,12 +57,9 @@ public final class SamplesFeature implements ViewerFeature {
         value -> value.doubleValue(),
         kept -> Math.max(0.1, Math.min(1, ((Number) kept).doubleValue())));
     window.actions().add("show-frames", display.framesProperty());
-    display.framesProperty().subscribe((was, is) -> follow());
-    display.frameOpacityProperty().subscribe((was, is) -> follow());
     trigger.setMouseTransparent(true);
     trigger.setVisible(false);
     panels.addOverPicture(trigger, Pos.TOP_RIGHT);
-    window.sessions().sessionProperty().subscribe((was, is) -> follow());
     window
         .sessions()
         .factsProperty()
@@ -78,12 +75,6 @@ public final class SamplesFeature implements ViewerFeature {
                           .toArray());
             });
     panels.onPulse(() -> window.ifOpen(this::pulse));
-  }
-
-  private void follow() {
-    DisplayControl display = window.display();
-    double opacity = display.framesProperty().get() ? display.frameOpacityProperty().get() : 0;
-    window.ifOpen(open -> open.display().setFrameOpacity(opacity));
   }
 
   private void pulse(ViewerSession open) {

@@ -12,8 +12,10 @@ import haltere.ui.rendering.Gradient;
  * @param gradient for ages and counts
  * @param decayUs time constant of the fading; or {@link #FOLLOW_SLICES}, so that slow motion shows
  *     short moments; or {@link #SLICE_ONLY}; or {@link #ACCUMULATE}
+ * @param frameOpacity how much of the camera's frames is seen below the events: 0 nothing, 1 all
  */
-public record DisplayOptions(DisplayMode mode, ColourMap colours, Gradient gradient, long decayUs) {
+public record DisplayOptions(
+    DisplayMode mode, ColourMap colours, Gradient gradient, long decayUs, double frameOpacity) {
   /** The fading follows the length of the slices. */
   public static final long FOLLOW_SLICES = 0;
 
@@ -23,7 +25,11 @@ public record DisplayOptions(DisplayMode mode, ColourMap colours, Gradient gradi
   /** No fading: all events of the last minutes, as far as a picture remembers them. */
   public static final long ACCUMULATE = -2;
 
-  /** Those of a new window: polarities in the dark, fading as fast as slices go by. */
+  /**
+   * Those of a new window: polarities in the dark over faint frames, fading as fast as slices go
+   * by.
+   */
   public static final DisplayOptions DEFAULT =
-      new DisplayOptions(DisplayMode.POLARITY, ColourMap.DARK, Gradient.CIVIDIS, FOLLOW_SLICES);
+      new DisplayOptions(
+          DisplayMode.POLARITY, ColourMap.DARK, Gradient.CIVIDIS, FOLLOW_SLICES, 0.6);
 }

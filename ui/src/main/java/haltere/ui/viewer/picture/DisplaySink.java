@@ -19,8 +19,8 @@ import java.util.function.Consumer;
  * events are gathered and painted by a {@link PictureMaker}, on a {@link PictureThread} of its own
  * or at once.
  *
- * <p>Thread rule: processing thread; {@link #maker()}, {@link #setFrameOpacity} and {@link
- * #setAllEvents} are for the JavaFX thread.
+ * <p>Thread rule: processing thread; {@link #maker()} and {@link #setAllEvents} are for the JavaFX
+ * thread.
  */
 public final class DisplaySink implements SliceSink {
   private final LayerTaps taps;
@@ -59,15 +59,16 @@ public final class DisplaySink implements SliceSink {
     return maker;
   }
 
-  /** Shows frames below the events: 0 not at all, 1 as they are. */
-  public void setFrameOpacity(double opacity) {
-    maker.frames().setOpacity(opacity);
-    maker.setStale(true);
-  }
-
   /** Shows the frame that was there before the place of the last jump. */
   public void giveFrame(Frame frame) {
     if (maker.frames().give(frame)) {
+      maker.setStale(true);
+    }
+  }
+
+  /** Shows the camera's frame that another picture of the same moment shows. */
+  public void showFrameOf(DisplaySink other) {
+    if (maker.frames().follow(other.maker.frames())) {
       maker.setStale(true);
     }
   }

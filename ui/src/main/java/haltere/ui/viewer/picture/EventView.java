@@ -10,6 +10,7 @@ import haltere.ui.viewer.controls.PixelImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import javafx.scene.AccessibleRole;
 import javafx.scene.Cursor;
@@ -49,6 +50,10 @@ public final class EventView extends Region implements ArrowKeys {
   private double dragY;
   private Optional<ViewTool> tool = Optional.empty();
   private final KeyPointer keys = new KeyPointer();
+
+  /** What has been asked for another frame that has not come yet. */
+  private Optional<DisplaySink> asked = Optional.empty();
+
   private final List<Consumer<OverlayCanvas>> layers = new ArrayList<>();
   private final List<Consumer<Optional<ViewTool>>> toolListeners = new ArrayList<>();
   private final List<Consumer<DisplayFrame>> frameListeners = new ArrayList<>();
@@ -93,6 +98,22 @@ public final class EventView extends Region implements ArrowKeys {
       picture.setGeometry(geometry, colours);
       viewpoint.setSensor(geometry);
     }
+  }
+
+  /**
+   * Shows the newest frame of a sink, true if there is one; else has one painted, on the processing
+   * thread, where another one is wanted.
+   */
+  public boolean show(DisplaySink sink, Executor processing) {
+    DisplayFrame frame = sink.maker().exchange().fetch();
+    if (frame != null) {
+      asked = Optional.empty();
+      show(frame);
+    } else if (sink.maker().isStale() && !asked.equals(Optional.of(sink))) {
+      asked = Optional.of(sink);
+      processing.execute(sink::paint);
+    }
+    return frame != null;
   }
 
   /** Shows a frame of the current sensor. */

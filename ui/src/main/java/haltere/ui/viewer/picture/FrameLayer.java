@@ -20,14 +20,8 @@ public final class FrameLayer {
 
   private Frame latest;
   private boolean sought;
-  private volatile double opacity;
   private Frame shown;
   private int[] colours = {};
-
-  /** Shows frames below the events: 0 not at all, 1 as they are. */
-  void setOpacity(double newOpacity) {
-    opacity = newOpacity;
-  }
 
   /** The next frame of the stream. */
   synchronized void take(Frame frame) {
@@ -55,25 +49,33 @@ public final class FrameLayer {
     return wanted;
   }
 
+  /** Shows the frame that another picture of the same moment shows; false if it does already. */
+  synchronized boolean follow(FrameLayer other) {
+    Frame before = latest;
+    latest = other.latest();
+    sought = false;
+    return latest != before;
+  }
+
   private synchronized Frame latest() {
     return latest;
   }
 
   /**
    * Puts the frame below events that have been painted: colours with their ranks, row by row from
-   * the top, are changed where the background stands for no event.
+   * the top, are changed where the background stands for no event; of the frame so much is seen as
+   * the opacity, 0 to 1.
    */
-  void paintUnder(int[] ranked, SensorGeometry geometry, int background) {
+  void paintUnder(int[] ranked, SensorGeometry geometry, int background, double opacity) {
     Frame now = latest();
-    double share = opacity;
-    if (now == null || share == 0) {
+    if (now == null || opacity == 0) {
       return;
     }
     if (now != shown) {
       shown = now;
       colours = colours(now, geometry, colours);
     }
-    int scale = (int) Math.round(share * 256);
+    int scale = (int) Math.round(opacity * 256);
     for (int i = 0; i < geometry.pixels(); i++) {
       if (colours[i] != NONE) {
         ranked[i] = mixed(ranked[i], colours[i], background, scale);

@@ -205,7 +205,7 @@ public final class PictureMaker {
     events.configure(style());
     DisplayFrame frame = exchange.back();
     events.paintRanked(frame.pixels);
-    frames.paintUnder(frame.pixels, frame.geometry, events.style().background());
+    paintFrame(frame.pixels);
     frame.pixel = probes.pixel(events);
     frame.region = probes.region(events.frame().nowUs());
     frame.scale = scale();
@@ -216,6 +216,11 @@ public final class PictureMaker {
     frame.screenPlace.ifPresent(place -> paintScreen(frame, place));
     exchange.publish();
     paintedNanos = System.nanoTime();
+  }
+
+  private void paintFrame(int[] ranked) {
+    SensorGeometry geometry = events.frame().geometry();
+    frames.paintUnder(ranked, geometry, events.style().background(), options.frameOpacity());
   }
 
   private void paintScreen(DisplayFrame frame, ScreenPlace place) {
@@ -233,7 +238,7 @@ public final class PictureMaker {
     SensorGeometry geometry = events.frame().geometry();
     int[] argb = new int[geometry.pixels()];
     events.paintRanked(argb);
-    frames.paintUnder(argb, geometry, events.style().background());
+    paintFrame(argb);
     for (int i = 0; i < argb.length; i++) {
       argb[i] |= 0xFF000000;
     }

@@ -342,7 +342,7 @@ public final class SeekBar extends Region {
       hover.autosize();
       hover.relocate(
           Math.max(2, Math.min(getWidth() - hover.getWidth() - 2, x - hover.getWidth() / 2)),
-          getHeight() - hover.getHeight());
+          getHeight() - RULER_HEIGHT - hover.getHeight());
     }
   }
 

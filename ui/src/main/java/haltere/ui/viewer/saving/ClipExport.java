@@ -111,6 +111,7 @@ final class ClipExport extends PartExport {
   @Override
   public void sample(SensorSample sample) {
     part.chain().sample(sample);
+    display.sample(sample);
   }
 
   @Override

@@ -5,6 +5,7 @@ import haltere.core.event.SensorSample;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
 import haltere.core.format.WriteOptions;
+import haltere.core.sink.internal.Unchecked;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.viewer.controls.Texts;
@@ -40,7 +41,7 @@ final class DataExport extends PartExport {
     long elapsedUs = part.playable().elapsedUs(sample.timeUs());
     if (elapsedUs >= part.fromUs() && elapsedUs < part.toUs()) {
       part.chain().sample(sample);
-      written(() -> writer.write(sample));
+      Unchecked.write(() -> writer.write(sample));
     }
   }
 

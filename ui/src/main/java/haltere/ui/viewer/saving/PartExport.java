@@ -3,6 +3,7 @@ package haltere.ui.viewer.saving;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
 import haltere.core.playback.Playable;
+import haltere.core.sink.internal.Unchecked;
 import haltere.core.stream.StreamHandler;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -76,23 +77,7 @@ abstract class PartExport implements StreamHandler, AutoCloseable {
     if (from < to) {
       cut.clear();
       cut.append(packet, from, to);
-      written(() -> take(cut, offsetUs));
-    }
-  }
-
-  /** What is written to a file. */
-  @FunctionalInterface
-  interface Writing {
-    /** Writes it. */
-    void write() throws IOException;
-  }
-
-  /** Writes from within a handler of the stream. */
-  static void written(Writing writing) {
-    try {
-      writing.write();
-    } catch (IOException problem) {
-      throw new UncheckedIOException(problem);
+      Unchecked.write(() -> take(cut, offsetUs));
     }
   }
 

@@ -54,7 +54,12 @@ public final class LiveFlightFeature implements ViewerFeature {
     window.display().onChange(() -> pane.setOptions(window.display().options()));
     window.sessions().sessionProperty().subscribe((was, is) -> follow(was, is));
     window.display().themeProperty().subscribe((was, is) -> pane.setTheme(is));
-    window.panels().onPulse(() -> flight.ifPresent(live -> pane.update(live.latest())));
+    window
+        .panels()
+        .onPulse(
+            () ->
+                flight.ifPresent(
+                    live -> pane.update(live.latest(), window.editor()::onProcessing)));
   }
 
   /** Opens the simulated flight. */

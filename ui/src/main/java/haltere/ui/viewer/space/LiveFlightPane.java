@@ -10,12 +10,12 @@ import haltere.ui.space.CameraLine;
 import haltere.ui.space.CameraLineOverlay;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Theme;
-import haltere.ui.viewer.picture.DisplayFrame;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.DisplaySink;
 import haltere.ui.viewer.picture.EventView;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.Executor;
 import javafx.beans.property.BooleanProperty;
 import javafx.geometry.Orientation;
 import javafx.scene.control.CheckBox;
@@ -65,8 +65,11 @@ final class LiveFlightPane extends BorderPane {
     setBottom(controls);
   }
 
-  /** Shows the last moment of a flight; null if it is the one that is shown. */
-  void update(BodyFlight flight) {
+  /**
+   * Shows the last moment of a flight, null if it is the one that is shown, and the newest
+   * pictures.
+   */
+  void update(BodyFlight flight, Executor processing) {
     if (flight != null) {
       int last = flight.moments().size() - 1;
       canvas.show(new BodyFlightDrawing(flight), Math.max(0, last));
@@ -75,10 +78,7 @@ final class LiveFlightPane extends BorderPane {
       lines = last < 0 ? List.of() : flight.moments().get(last).lines();
     }
     for (int i = 0; i < views.size(); i++) {
-      DisplayFrame frame = sinks.get(i).maker().exchange().fetch();
-      if (frame != null) {
-        views.get(i).show(frame);
-      }
+      views.get(i).show(sinks.get(i), processing);
     }
   }
 

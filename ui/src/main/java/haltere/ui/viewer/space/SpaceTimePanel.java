@@ -137,8 +137,12 @@ final class SpaceTimePanel extends BorderPane {
       marks.draw(frame);
     }
     image.repaint();
+    String steps = ", traces in steps of " + Texts.duration(SpaceTimeSink.stepUs(view.spanUs()));
     words.setText(
-        Texts.duration(view.spanUs()) + ", " + Texts.count(frame.points.count()) + " events");
+        Texts.duration(view.spanUs())
+            + ", "
+            + Texts.count(frame.points.count())
+            + (frame.traces.isEmpty() ? " events" : " events" + steps));
   }
 
   private void goBack() {

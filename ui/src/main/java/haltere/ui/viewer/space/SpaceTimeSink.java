@@ -56,6 +56,11 @@ final class SpaceTimeSink implements SliceSink {
     taps = new LayerTaps(chain);
   }
 
+  /** Time from one position of a trace to the next, microseconds. */
+  static long stepUs(long ofSpanUs) {
+    return Math.max(1, ofSpanUs / MOMENTS);
+  }
+
   /** How far back events are shown. */
   void setSpan(long newSpanUs) {
     spanUs = newSpanUs;
@@ -75,7 +80,7 @@ final class SpaceTimeSink implements SliceSink {
 
   /** Follows the marks, which move on from what was known of them before. */
   private void advanceTo(long timeUs) {
-    long stepUs = Math.max(1, spanUs / MOMENTS);
+    long stepUs = stepUs(spanUs);
     tracedUs = Math.max(tracedUs, timeUs - spanUs);
     while (tracedUs + stepUs <= timeUs) {
       tracedUs += stepUs;

@@ -7,7 +7,6 @@ import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTracker;
 import haltere.filters.wing.tracker.WingTrackerFilter;
-import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.PanelLayout;
@@ -69,17 +68,8 @@ public final class WingsFeature implements ViewerFeature {
     actions.add("wings-flip", this::flip, obstacle);
     actions.add("wings-search", this::search, obstacle);
     actions.add("wings-log", log.runningProperty(), () -> log.toggle(this::askForLog), obstacle);
-    for (WingLogFormat format : formats()) {
-      window
-          .actions()
-          .add(
-              ViewerAction.choice(
-                  "wings-log-" + format.toString().replace(", ", "-"),
-                  words(format),
-                  MENU + "/Rows of the log",
-                  logFormat,
-                  format));
-    }
+    actions.addChoices(
+        "wings-log-", MENU + "/Rows of the log", logFormat, formats(), WingsFeature::words);
   }
 
   /** Why there is nothing to do with wings, in a few words; empty if there is. */

@@ -2,13 +2,14 @@ package haltere.ui.viewer.wings;
 
 import haltere.core.chain.FilterChain;
 import haltere.core.playback.Player;
+import haltere.core.sink.internal.Unchecked;
 import haltere.core.stream.StreamHandler;
+import haltere.filters.wing.tracker.WingTrackerFilter;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.PlayedOutput;
 import haltere.ui.wing.WingLog;
 import haltere.ui.wing.WingLogFormat;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
@@ -28,11 +29,8 @@ record WrittenLog(WingLog log, Path file, Player player) implements PlayedOutput
   }
 
   private static WingLog open(FilterChain chain, Path file, String source, WingLogFormat format) {
-    try {
-      return WingLog.open(file, source, WingsView.orRefuse(chain).filter(), format, true);
-    } catch (IOException problem) {
-      throw new UncheckedIOException(problem);
-    }
+    WingTrackerFilter filter = WingsView.orRefuse(chain).filter();
+    return Unchecked.read(() -> WingLog.open(file, source, filter, format, true));
   }
 
   private static void onChain(Player player, Consumer<FilterChain> work) {
@@ -52,15 +50,13 @@ record WrittenLog(WingLog log, Path file, Player player) implements PlayedOutput
 
   @Override
   public String finish() {
-    onChain(player, chain -> close());
+    onChain(player, chain -> Unchecked.write(this::close));
     return "Logged " + Texts.count(log.rows()) + " rows of wings";
   }
 
-  private void close() {
+  private void close() throws IOException {
     try (log) {
       log.finish();
-    } catch (IOException problem) {
-      throw new UncheckedIOException(problem);
     }
   }
 }

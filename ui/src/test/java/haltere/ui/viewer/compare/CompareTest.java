@@ -183,6 +183,11 @@ class CompareTest {
     viewer.addNoiseFilters();
     viewer.run(() -> presets().save("usual", viewer.window.context().editor()));
     viewer.waitFor("the file", () -> Files.exists(folder.resolve("presets").resolve("usual.json")));
+    viewer.run(() -> viewer.window.context().actions().run("compare"));
+    viewer.waitFor("a comparison", () -> viewer.isThere("first-chain-name"));
+    viewer.waitFor(
+        "its name in it", () -> viewer.text("first-chain-name").equals("First chain: usual"));
+    viewer.run(() -> viewer.window.context().actions().run("compare"));
     viewer.waitFor(
         "the offer", () -> viewer.window.context().actions().find("preset-usual").isPresent());
     ChainStage last = viewer.session().chain().stages().get(2);

@@ -31,14 +31,16 @@ class FrameLayerTest {
         new byte[] {(byte) left, (byte) right});
   }
 
+  private double opacity = 1;
+
   private int[] painted(int... ranked) {
-    layer.paintUnder(ranked, SENSOR, BACKGROUND);
+    layer.paintUnder(ranked, SENSOR, BACKGROUND, opacity);
     return ranked;
   }
 
   @Test
   void aFrameReplacesTheBackgroundAndNoEvent() {
-    layer.setOpacity(1);
+    opacity = 1;
     layer.take(lowerRow(0xC0, 0xC0));
     assertArrayEquals(
         new int[] {BACKGROUND, EVENT, 0xC0C0C0, EVENT},
@@ -47,18 +49,18 @@ class FrameLayerTest {
 
   @Test
   void opacityMixesTheFrameWithTheBackground() {
-    layer.setOpacity(0.5);
+    opacity = 0.5;
     layer.take(lowerRow(0x30, 0xF0));
     int[] pixels = painted(BACKGROUND, BACKGROUND, BACKGROUND, BACKGROUND);
     assertEquals(0x202020, pixels[2]);
     assertEquals(0x808080, pixels[3]);
-    layer.setOpacity(0);
+    opacity = 0;
     assertEquals(BACKGROUND, painted(BACKGROUND, BACKGROUND, BACKGROUND, BACKGROUND)[2]);
   }
 
   @Test
   void afterAJumpTheFrameBeforeIsWantedUntilOneComes() {
-    layer.setOpacity(1);
+    opacity = 1;
     layer.take(lowerRow(1, 2));
     assertFalse(layer.isSought());
     layer.jump();

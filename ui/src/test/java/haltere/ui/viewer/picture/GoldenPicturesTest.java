@@ -67,7 +67,7 @@ class GoldenPicturesTest {
   }
 
   private static DisplayOptions options(DisplayMode mode, ColourMap colours) {
-    return new DisplayOptions(mode, colours, Gradient.CIVIDIS, 30_000);
+    return new DisplayOptions(mode, colours, Gradient.CIVIDIS, 30_000, 0);
   }
 
   @Test
@@ -125,7 +125,7 @@ class GoldenPicturesTest {
       canvas.rectangle(50, y - 3, 10, 6, style);
       canvas.polyline(new double[] {66, 72, 78}, new double[] {y, y + 3, y - 3}, 3, style);
       canvas.text(84, y - 1, role.name().toLowerCase(Locale.ROOT), style);
-      y += 11;
+      y += 10;
     }
   }
 

@@ -63,7 +63,8 @@ class MomentsTest {
   }
 
   private static DisplayOptions shownAs(DisplayMode mode) {
-    return new DisplayOptions(mode, ColourMap.DARK, Gradient.CIVIDIS, DisplayOptions.FOLLOW_SLICES);
+    return new DisplayOptions(
+        mode, ColourMap.DARK, Gradient.CIVIDIS, DisplayOptions.FOLLOW_SLICES, 0);
   }
 
   /** A player with the sink that makes its pictures, as a session of the viewer has them. */

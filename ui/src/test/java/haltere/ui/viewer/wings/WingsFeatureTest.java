@@ -188,7 +188,7 @@ class WingsFeatureTest {
     viewer.waitFor(
         "head and tail exchanged, and the edge still off",
         () ->
-            wings.seen().get().settings().place().flipHeading()
+            wings.seen().get().settings().position().flipHeading()
                 && !wings.seen().get().settings().output().rightLeading());
   }
 

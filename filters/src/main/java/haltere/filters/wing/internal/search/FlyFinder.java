@@ -235,35 +235,31 @@ final class FlyFinder {
         && isWing(fits[side]);
   }
 
+  /** The fly of what was fitted: of a lone wing, the head is where that wing keeps away from. */
   private FoundFly conclude() {
-    int missing = fitted[0] && fitted[1] ? -1 : fitted[0] ? 1 : 0;
-    if (missing >= 0) {
-      return concludeOne(1 - missing);
-    }
+    StrokeFit first = fits[fitted[0] ? 0 : 1];
+    StrokeFit second = fits[fitted[1] ? 1 : 0];
     double turn =
-        bodyLine.bring(fits, fittedAxis)
+        fitted[0] && fitted[1] && bodyLine.bring(fits, fittedAxis)
             ? bodyLine.turnRad
-            : (fits[0].centre() - fits[1].centre()) / 2;
-    double asymmetry = (backwards(fits[0]) + backwards(fits[1])) / 2;
+            : (first.centre() - second.centre()) / 2;
+    double asymmetry = (backwards(first) + backwards(second)) / 2;
     boolean flipped = asymmetry < 0;
-    double heading = fittedAxis + turn + (flipped ? Math.PI : 0);
+    StrokeFit left = flipped ? second : first;
+    StrokeFit right = flipped ? first : second;
     StrokeSeed[] seeds = new StrokeSeed[2];
-    StrokeFit[] sides = new StrokeFit[2];
     for (int side = 0; side < 2; side++) {
-      sides[side] = fits[flipped ? 1 - side : side];
-      StrokeSeed seed = sides[side].seed(sample.startUs, flipped);
-      seeds[side] = seed.withCentre(seed.centre() + (side == 0 ? -turn : turn));
+      int found = flipped ? 1 - side : side;
+      if (fitted[found]) {
+        StrokeSeed seed = fits[found].seed(sample.startUs, flipped);
+        seeds[side] = seed.withCentre(seed.centre() + (side == 0 ? -turn : turn));
+      }
     }
-    return found(sides[0], sides[1], heading, asymmetry, seeds);
-  }
-
-  private FoundFly found(
-      StrokeFit left, StrokeFit right, double heading, double asymmetry, StrokeSeed[] seeds) {
     FlyGeometry geometry =
         new FlyGeometry(
             (left.hingeX() + right.hingeX()) / 2,
             (left.hingeY() + right.hingeY()) / 2,
-            Angles.wrapTwoPi(heading),
+            Angles.wrapTwoPi(fittedAxis + turn + (flipped ? Math.PI : 0)),
             outerPx,
             left.hingeX(),
             left.hingeY(),
@@ -277,16 +273,5 @@ final class FlyFinder {
   /** How far the stroke is beyond the cross line, by its mean and by its extremes alike. */
   private static double backwards(StrokeFit fit) {
     return (fit.centre() + fit.middle() - Math.PI) / 2;
-  }
-
-  /** One wing alone: the axis is across its mean direction, and the head where it keeps away. */
-  private FoundFly concludeOne(int present) {
-    StrokeFit fit = fits[present];
-    boolean flipped = backwards(fit) < 0;
-    int side = flipped ? 1 - present : present;
-    StrokeSeed[] seeds = new StrokeSeed[2];
-    seeds[side] = fit.seed(sample.startUs, flipped);
-    double heading = fittedAxis + (flipped ? Math.PI : 0);
-    return found(fit, fit, heading, backwards(fit), seeds);
   }
 }

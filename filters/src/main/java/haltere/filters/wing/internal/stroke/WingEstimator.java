@@ -91,7 +91,7 @@ public final class WingEstimator implements SideEstimator {
   public final void apply(WingTrackerSettings changed) {
     settings = changed.noise();
     options = changed.filter();
-    followsHinge = changed.place().followsHinges();
+    followsHinge = changed.position().followsHinges();
     for (int edge = 0; edge < 2; edge++) {
       takes[edge] = changed.output().takes(WingPart.edge(side.sideNumber(), edge));
     }

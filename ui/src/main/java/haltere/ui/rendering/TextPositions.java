@@ -14,7 +14,7 @@ import java.util.List;
  *
  * <p>Lengths are pixels, rows count from the top. Thread rule: one thread at a time.
  */
-public final class TextPlaces {
+public final class TextPositions {
   /** Beside the wanted place: widths to the left, then lines up. */
   private static final int[][] BESIDE = {
     {0, 0}, {0, 1}, {0, -1}, {1, 0}, {1, 1}, {1, -1}, {0, 2}, {0, -2}, {1, 2}, {1, -2}

@@ -13,11 +13,11 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-class TextPlacesTest {
+class TextPositionsTest {
   private static final MarkStyle LABEL = MarkStyle.of(Role.LABEL, 7);
   private static final MarkStyle LINE = MarkStyle.of(Role.REGION);
 
-  private final TextPlaces positions = new TextPlaces();
+  private final TextPositions positions = new TextPositions();
 
   @BeforeEach
   void begin() {

@@ -17,7 +17,7 @@ import haltere.core.settings.Unit;
  * @param followsHinges whether the hinges follow the events
  * @param followsHeading whether the heading follows the symmetry of the strokes
  */
-public record WingPlaceSettings(
+public record WingPositionSettings(
     @Help("Added to the centre that was found, to the right.")
         @Range(min = -1000, max = 1000)
         @Unit("px")
