@@ -130,6 +130,7 @@ public final class Batch {
   private static void writeFailures(List<BatchFailure> failures, Path file) throws IOException {
     if (failures.isEmpty()) {
       Files.deleteIfExists(file);
+      Files.deleteIfExists(file.resolveSibling(file.getFileName() + AtomicFile.PART));
       return;
     }
     List<Object> entries = new ArrayList<>();

@@ -97,7 +97,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
    * is replaced.
    *
    * @param target as it was named to {@link #staged}
-   * @throws IOException if that fails
+   * @throws IOException if that fails; nothing of the file stays
    */
   public static void place(Path target) throws IOException {
     try {
@@ -106,6 +106,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
       }
       move(part(target), target);
     } catch (IOException e) {
+      Files.deleteIfExists(part(target));
       throw RecordingProblem.writing(target, e);
     }
   }
