@@ -33,7 +33,7 @@ public @interface Column {
    * Whether the component is a record whose columns stand in its place.
    *
    * @return true for all of its columns but those of components whose names, or whose columns,
-   *     stand before already
+   *     stand before already; a plain component behind it takes its column to its own place
    */
   boolean joined() default false;
 }

@@ -187,6 +187,7 @@ public final class RowFields {
         Leaf leaf =
             new Leaf(
                 component.getName(), name(component), column == null ? -1 : column.decimals(), get);
+        leaves.remove(leaf.name);
         leaves.put(leaf.name, leaf);
       }
     }

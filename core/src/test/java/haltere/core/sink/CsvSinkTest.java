@@ -251,4 +251,11 @@ class CsvSinkTest {
     assertThrows(IllegalArgumentException.class, () -> CsvSink.create(file, Nested.class, true));
     assertEquals(List.of(file), Files.list(folder).toList());
   }
+
+  @Test
+  void columnsOfAJoinedRecordStandInItsPlaceButThoseThatAPlainComponentTakes() {
+    record Point(int x, int y, int age) {}
+    record Seen(@Column("y") int row, @Column(joined = true) Point point, int lane, int age) {}
+    assertEquals(List.of("y", "x", "lane", "age"), CsvSink.columns(Seen.class));
+  }
 }

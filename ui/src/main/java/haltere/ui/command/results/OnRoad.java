@@ -19,9 +19,18 @@ public record OnRoad(
     @Column(decimals = 3) double speedKmH,
     @Column(decimals = 3) double sdSpeedKmH,
     int lane) {
-  /** A row of the table of objects where there is a road. */
+  /** A row of the table of objects where there is a road: what came later stands at the end. */
   public record OfObject(
-      @Column(joined = true) ObjectTrack inPicture, @Column(joined = true) OnRoad onRoad) {}
+      @Column(joined = true) ObjectTrack inPicture,
+      @Column(joined = true) OnRoad onRoad,
+      @Column(decimals = 1) double eventRateHz,
+      @Column(decimals = 3) double ageS,
+      @Column(decimals = 3) double lowYPx) {
+    /** An object in the picture and on the road at one time. */
+    public OfObject(ObjectTrack object, OnRoad onRoad) {
+      this(object, onRoad, object.eventRateHz(), object.ageS(), object.lowYPx());
+    }
+  }
 
   /** A row of the table of tracks where there is a road. */
   public record OfTrack(
