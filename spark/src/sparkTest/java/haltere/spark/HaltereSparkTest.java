@@ -28,6 +28,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import org.apache.spark.scheduler.SparkListener;
@@ -83,7 +84,8 @@ class HaltereSparkTest {
             ReadOptions.DEFAULT,
             false,
             "test",
-            RowsFormat.ENDING);
+            RowsFormat.ENDING,
+            Set.of());
     new Batch(sensor -> ChainFile.parse(CHAIN, "chain", sensor), options, Throwable::toString)
         .run(inputs.items(), "failed.json", QUIET);
     int columns =

@@ -284,7 +284,7 @@ public final class Batch {
 
     private JobResults open(ResultFolder folder, FilterChain filters, Provenance provenance)
         throws IOException {
-      OutletTables.Naming naming = (stage, outlet) -> folder.path(options.tableName(stage, outlet));
+      OutletTables.Naming naming = options.naming(folder::path);
       folder.begin(OutletTables.files(filters, naming));
       return OutletTables.open(filters, naming, AtomicFile::staged, provenance);
     }

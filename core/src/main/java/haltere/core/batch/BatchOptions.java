@@ -3,8 +3,11 @@ package haltere.core.batch;
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.Outlet;
 import haltere.core.format.ReadOptions;
+import haltere.core.pipeline.OutletTables;
 import java.nio.file.Path;
 import java.util.Objects;
+import java.util.Set;
+import java.util.function.Function;
 
 /**
  * How a batch runs.
@@ -16,6 +19,7 @@ import java.util.Objects;
  * @param strict whether a recording that is cut off or damaged is a failure
  * @param program name and version of the program, a part of what makes a result valid
  * @param tables ending of the tables, one of {@link haltere.core.sink.Tables#endings}
+ * @param outlets names of the outlets whose tables are written; all if empty
  * @since 0.1
  */
 public record BatchOptions(
@@ -25,7 +29,8 @@ public record BatchOptions(
     ReadOptions reading,
     boolean strict,
     String program,
-    String tables) {
+    String tables,
+    Set<String> outlets) {
   /** What happens to results that are there. */
   public enum Existing {
     /** The batch does not start. */
@@ -43,13 +48,24 @@ public record BatchOptions(
     Objects.requireNonNull(reading, "reading");
     Objects.requireNonNull(program, "program");
     Objects.requireNonNull(tables, "tables");
+    outlets = Set.copyOf(outlets);
     if (workers < 1 || workers > 1024) {
       throw new IllegalArgumentException("1 to 1024 workers can run, not " + workers);
     }
   }
 
-  /** Name of the table of an outlet. */
-  String tableName(ChainStage stage, Outlet<?> outlet) {
-    return stage.name() + "." + outlet.name() + "." + tables;
+  /** Which tables are written, and where by their names. */
+  OutletTables.Naming naming(Function<String, Path> place) {
+    return new OutletTables.Naming() {
+      @Override
+      public Path file(ChainStage stage, Outlet<?> outlet) {
+        return place.apply(stage.name() + "." + outlet.name() + "." + tables);
+      }
+
+      @Override
+      public boolean isWritten(ChainStage stage, Outlet<?> outlet) {
+        return outlets.isEmpty() || outlets.contains(outlet.name());
+      }
+    };
   }
 }

@@ -22,6 +22,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 
 /**
  * What is written of a result, and tells whether it is still valid: it is where chain, program, the
@@ -42,16 +44,35 @@ final class ResultRecord {
    */
   ResultRecord(RecordingJob.ChainMaker maker, BatchOptions options) throws IOException {
     try (FilterChain chain = maker.make(SENSOR)) {
-      List<Path> files =
-          OutletTables.files(chain, (stage, outlet) -> Path.of(options.tableName(stage, outlet)));
+      List<Path> files = OutletTables.files(chain, options.naming(Path::of));
       if (files.stream().distinct().count() < files.size()) {
         throw new ChainProblem("two stages of the same name would write one table: " + files);
       }
+      requireOutlets(chain, options.outlets());
       settings.put("chain", json(ChainFile.write(chain)));
     }
     settings.put("program", options.program());
     settings.put("reading", reading(options));
     settings.put("tables", options.tables());
+    if (!options.outlets().isEmpty()) {
+      settings.put("outlets", options.outlets().stream().sorted().toList());
+    }
+  }
+
+  private static void requireOutlets(FilterChain chain, Set<String> named) throws ChainProblem {
+    Set<String> outlets = new TreeSet<>();
+    OutletTables.files(
+        chain,
+        (stage, outlet) -> {
+          outlets.add(outlet.name());
+          return Path.of(outlet.name());
+        });
+    for (String name : named) {
+      if (!outlets.contains(name)) {
+        throw new ChainProblem(
+            "the chain has no outlet \"" + name + "\"; it has " + String.join(", ", outlets));
+      }
+    }
   }
 
   private static Object json(String chain) throws JsonProblem {

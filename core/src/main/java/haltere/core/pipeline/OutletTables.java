@@ -20,7 +20,7 @@ import java.util.List;
  * @since 0.1
  */
 public final class OutletTables {
-  /** Says where the table of an outlet goes. */
+  /** Says which outlets have a table, and where it goes. */
   public interface Naming {
     /**
      * A table's place.
@@ -30,6 +30,17 @@ public final class OutletTables {
      * @return a file
      */
     Path file(ChainStage stage, Outlet<?> outlet);
+
+    /**
+     * Whether there is a table.
+     *
+     * @param stage the stage of the filter
+     * @param outlet an outlet of it whose results are rows
+     * @return true for all of them, if nothing else is said
+     */
+    default boolean isWritten(ChainStage stage, Outlet<?> outlet) {
+      return true;
+    }
   }
 
   private OutletTables() {}
@@ -45,7 +56,7 @@ public final class OutletTables {
     List<Path> files = new ArrayList<>();
     for (ChainStage stage : stages(chain)) {
       for (Outlet<?> outlet : stage.filter().outlets()) {
-        if (CsvSink.isFlat(outlet.type())) {
+        if (CsvSink.isFlat(outlet.type()) && naming.isWritten(stage, outlet)) {
           files.add(naming.file(stage, outlet));
         }
       }
@@ -72,7 +83,7 @@ public final class OutletTables {
         files -> {
           for (ChainStage stage : stages(chain)) {
             for (Outlet<?> outlet : stage.filter().outlets()) {
-              if (CsvSink.isFlat(outlet.type())) {
+              if (CsvSink.isFlat(outlet.type()) && naming.isWritten(stage, outlet)) {
                 write(outlet, naming.file(stage, outlet), files);
               }
             }

@@ -23,6 +23,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
@@ -84,7 +85,8 @@ class PythonExamplesTest {
             ReadOptions.DEFAULT,
             false,
             "haltere test",
-            tables);
+            tables,
+            Set.of());
     int done =
         new Batch(PythonExamplesTest::wings, options, Throwable::toString)
             .run(inputs.items(), "failed.json", QUIET)

@@ -49,6 +49,12 @@ import picocli.CommandLine.Parameters;
 final class BatchCommand extends Subcommand {
   private static final Pattern SHARD = Pattern.compile("(\\d{1,6})/(\\d{1,6})");
 
+  /** Those of the wing tracker without a row for each event. */
+  private static final Set<String> WING_OUTLETS =
+      Set.of(
+          "estimates wings averages differences variances beats pairs geometry initialisation"
+              .split(" "));
+
   @Parameters(
       arity = "0..*",
       paramLabel = "INPUT",
@@ -103,6 +109,7 @@ final class BatchCommand extends Subcommand {
   @Option(
       names = "--shard",
       paramLabel = "I/N",
+      defaultValue = "1/1",
       description =
           "Work on one of N parts of the inputs, 1/N to N/N, which are told by the names of the"
               + " recordings alone; so N machines share the work without a coordinator.")
@@ -114,6 +121,15 @@ final class BatchCommand extends Subcommand {
       defaultValue = Tables.CSV,
       description = "Format of the tables: csv (the default) or parquet.")
   String format;
+
+  @Option(
+      names = "--outlets",
+      split = ",",
+      paramLabel = "NAME",
+      description =
+          "Outlets that get a table, such as wings,beats. If not given, all, but with --wings not"
+              + " measurements, which has a row for each event.")
+  Set<String> outlets;
 
   @Option(
       names = "--resume",
@@ -224,7 +240,8 @@ final class BatchCommand extends Subcommand {
         source.apply(ReadOptions.DEFAULT),
         source.strict,
         new Version().getVersion()[0],
-        format);
+        format,
+        outlets != null ? outlets : work.wings ? WING_OUTLETS : Set.of());
   }
 
   private BatchInputs inputs() throws IOException {
@@ -270,9 +287,6 @@ final class BatchCommand extends Subcommand {
   }
 
   private Part part() {
-    if (shard == null) {
-      return new Part(1, 1);
-    }
     Matcher matcher = SHARD.matcher(shard);
     if (matcher.matches()) {
       Part part = new Part(Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2)));

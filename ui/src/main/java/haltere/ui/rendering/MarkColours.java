@@ -44,15 +44,11 @@ public final class MarkColours {
 
   /** Style of the marks that a curve belongs to by its key: a side of wings, or an identity. */
   public static Optional<MarkStyle> ofCurve(String key) {
-    if (key.startsWith("left")) {
-      return Optional.of(MarkStyle.of(Role.LEFT));
+    if (IDENTITY.matcher(key).matches()) {
+      return Optional.of(MarkStyle.of(Role.OBJECT, Integer.parseInt(key)));
     }
-    if (key.startsWith("right")) {
-      return Optional.of(MarkStyle.of(Role.RIGHT));
-    }
-    return IDENTITY.matcher(key).matches()
-        ? Optional.of(MarkStyle.of(Role.OBJECT, Integer.parseInt(key)))
-        : Optional.empty();
+    Role side = key.startsWith("left") ? Role.LEFT : key.startsWith("right") ? Role.RIGHT : null;
+    return Optional.ofNullable(side).map(MarkStyle::of);
   }
 
   /** Width of a mark's line, pixels of the screen. */

@@ -3,6 +3,8 @@ package haltere.ui.command;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.json.internal.Json;
@@ -204,6 +206,38 @@ class BatchCommandTest {
     Object[] rooted = Stream.concat(Stream.of(both), Stream.of("--root", in)).toArray();
     assertEquals(0, CommandRun.of(rooted).status());
     assertTrue(Files.exists(folder.resolve("out/deep/a.aedat/done.json")));
+  }
+
+  @Test
+  void onlyTheOutletsThatAreNamedGetTables() throws IOException {
+    Path out = folder.resolve("out");
+    assertEquals(0, batch(out, "--outlets", "clusters").status());
+    assertEquals(
+        List.of("a.aedat/cluster-tracker.clusters.csv", "a.aedat/done.json"),
+        files(out).keySet().stream().filter(name -> name.startsWith("a.aedat")).toList());
+    CommandRun same = batch(out, "--outlets", "clusters", "--resume");
+    assertTrue(same.out().contains("4 kept"), same.out());
+    CommandRun all = batch(out, "--resume");
+    assertTrue(all.out().contains("0 kept"), all.out());
+    CommandRun wrong = batch(folder.resolve("other"), "--outlets", "clusters,moons");
+    assertNotEquals(0, wrong.status());
+    assertTrue(
+        wrong.err().contains("the chain has no outlet \"moons\"; it has clusters, shares"),
+        wrong.err());
+  }
+
+  @Test
+  void wingsGiveAllTablesButThatOfEachEvent() throws IOException {
+    Path fly = folder.resolve("fly.aedat");
+    assertEquals(0, CommandRun.of("simulate", "fly", fly, "--duration", "0.1").status());
+    Files.writeString(chain, "{\"filters\": [{\"filter\": \"wing-tracker\"}]}");
+    Path all = folder.resolve("all");
+    assertEquals(0, CommandRun.of("batch", fly, "--chain", chain, "--out", all).status());
+    Path usual = folder.resolve("usual");
+    assertEquals(0, CommandRun.of("batch", fly, "--wings", "--out", usual).status());
+    Map<String, String> tables = files(all);
+    assertNotNull(tables.remove("fly.aedat/wing-tracker.measurements.csv"));
+    assertEquals(tables.keySet(), files(usual).keySet());
   }
 
   @Test
