@@ -16,7 +16,6 @@ import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
-import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.session.ViewerSession;
 import java.util.List;
@@ -122,16 +121,7 @@ public final class CompareFeature implements ViewerFeature {
     window.sessions().sessionProperty().subscribe((was, is) -> follow(is));
     window.editor().onChange(() -> running.ifPresent(this::listen));
     editor.onChange(() -> running.ifPresent(this::listen));
-    window
-        .display()
-        .onChange(
-            () ->
-                running.ifPresent(
-                    now -> {
-                      now.second().display().maker().setOptions(window.display().options());
-                      now.player().refresh();
-                    }));
-    window.panels().onPulse(() -> running.ifPresent(this::pulse));
+    first.onFrame(frame -> frame.beside().ifPresent(view::show));
     window.panels().every(NUMBERS_NANOS, () -> running.ifPresent(this::showNumbers));
   }
 
@@ -155,11 +145,10 @@ public final class CompareFeature implements ViewerFeature {
   }
 
   private void begin(int start, ViewerSession session, String json) {
-    DisplayOptions options = window.display().options();
     window.file(
         () ->
             new SecondChain(
-                ChainFile.parse(json, "the chain", session.chain().geometry()), options),
+                ChainFile.parse(json, "the chain", session.chain().geometry()), session.display()),
         made -> {
           if (start == starts) {
             begin(session, made);
@@ -212,11 +201,6 @@ public final class CompareFeature implements ViewerFeature {
       before.close();
     }
     return new PublishedMeans(chain);
-  }
-
-  private void pulse(Running now) {
-    window.ifOpen(open -> now.second().display().showFrameOf(open.display()));
-    view.show(now.second().display(), window.editor()::onProcessing);
   }
 
   private void showNumbers(Running now) {

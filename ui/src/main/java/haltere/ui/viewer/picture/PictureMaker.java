@@ -24,6 +24,8 @@ import java.util.Optional;
  * then tells the window to ask for the last one. While slices run on, and events fade, one is also
  * painted in the midst of a slice where the window would have none for its next pulse.
  *
+ * <p>A maker {@link #beside} another one is painted when that is, as part of its frame.
+ *
  * <p>Thread rule: {@link #setOptions}, {@link #setScreenPlace}, {@link #point}, {@link #setRegion},
  * {@link #isStale()} and the exchange's showing side from any thread, all else on the thread that
  * paints.
@@ -46,8 +48,14 @@ public final class PictureMaker {
 
   private final EventPicture events;
   private final ViewProbes probes = new ViewProbes();
-  private final FrameLayer frames = new FrameLayer();
+  private final FrameLayer frames;
   private final FrameExchange<DisplayFrame> exchange;
+
+  /** What this one is painted with, and what is painted with this one. */
+  private final Optional<PictureMaker> first;
+
+  private volatile Optional<PictureMaker> second = Optional.empty();
+  private volatile boolean left;
   private volatile DisplayOptions options;
   private final ScreenPainter painter = new ScreenPainter();
   private volatile Optional<ScreenPlace> screenPlace = Optional.empty();
@@ -68,10 +76,40 @@ public final class PictureMaker {
    * A maker without events, which may also paint in the midst of a slice, see the class comment.
    */
   PictureMaker(SensorGeometry geometry, DisplayOptions options, boolean betweenSlices) {
+    this(
+        geometry,
+        options,
+        betweenSlices,
+        new FrameLayer(),
+        new FrameExchange<>(() -> new DisplayFrame(geometry)),
+        Optional.empty());
+  }
+
+  private PictureMaker(
+      SensorGeometry geometry,
+      DisplayOptions options,
+      boolean betweenSlices,
+      FrameLayer frames,
+      FrameExchange<DisplayFrame> exchange,
+      Optional<PictureMaker> first) {
     this.options = options;
     this.betweenSlices = betweenSlices;
+    this.frames = frames;
+    this.exchange = exchange;
+    this.first = first;
     events = new EventPicture(geometry, style());
-    exchange = new FrameExchange<>(() -> new DisplayFrame(geometry));
+  }
+
+  /** One whose pictures are part of this one's frames, from the end of its first slice on. */
+  PictureMaker beside() {
+    SensorGeometry geometry = events.frame().geometry();
+    return new PictureMaker(geometry, options, false, frames, exchange, Optional.of(this));
+  }
+
+  /** Is no longer painted with another one; false if it never was. */
+  boolean leave() {
+    left = true;
+    return first.isPresent();
   }
 
   /** Where finished frames are fetched. */
@@ -139,14 +177,18 @@ public final class PictureMaker {
   }
 
   void packet(EventPacket packet) {
-    if (exposed) {
-      events.beginExposure();
-      exposed = false;
-    }
+    beginExposure();
     events.packet(packet);
     probes.packet(packet);
     if (betweenSlices && runsOn && !events.style().sharp() && isOverdue()) {
       paint(lastMarks);
+    }
+  }
+
+  private void beginExposure() {
+    if (exposed) {
+      events.beginExposure();
+      exposed = false;
     }
   }
 
@@ -173,10 +215,9 @@ public final class PictureMaker {
   /** A slice ends of which no frame is wanted now. */
   void endSlice(long fromUs, long toUs) {
     events.advanceTo(toUs);
-    if (exposed) {
-      events.beginExposure();
-    }
+    beginExposure();
     holds = false;
+    first.ifPresent(maker -> maker.second = Optional.of(this));
     lastSliceUs = toUs - fromUs;
     sliceUs += 0.25 * (lastSliceUs - sliceUs);
     exposed = true;
@@ -198,12 +239,47 @@ public final class PictureMaker {
 
   /** Paints what there is and hands it over. */
   void paint(List<LayerTaps.Marks<?>> marks) {
+    lastMarks = marks;
     stale = holds;
-    if (holds) {
+    if (holds || first.isPresent()) {
       return;
     }
-    events.configure(style());
     DisplayFrame frame = exchange.back();
+    Optional<PictureMaker> other = second.filter(maker -> !maker.left && !maker.holds);
+    other.ifPresent(this::meet);
+    frame.beside =
+        other.map(
+            maker -> {
+              DisplayFrame with = frame.beside.orElseGet(() -> new DisplayFrame(frame.geometry));
+              maker.fill(with);
+              return with;
+            });
+    fill(frame);
+    frame.screenPlace = screenPlace;
+    frame.screenPlace.ifPresent(place -> paintScreen(frame, place));
+    exchange.publish();
+    paintedNanos = System.nanoTime();
+  }
+
+  /** Paints once more with the newest marks; beside another picture with those of its moment. */
+  void paintAgain(List<LayerTaps.Marks<?>> marks) {
+    paint(second.isPresent() ? lastMarks : marks);
+  }
+
+  /** In the midst of a slice each of two may have got events that the other's chain took away. */
+  private void meet(PictureMaker other) {
+    long nowUs = Math.max(events.frame().nowUs(), other.events.frame().nowUs());
+    boolean begun = !exposed || !other.exposed;
+    for (PictureMaker maker : List.of(this, other)) {
+      maker.events.advanceTo(nowUs);
+      if (begun) {
+        maker.beginExposure();
+      }
+    }
+  }
+
+  private void fill(DisplayFrame frame) {
+    events.configure(style());
     events.paintRanked(frame.pixels);
     paintFrame(frame.pixels);
     frame.pixel = probes.pixel(events);
@@ -211,16 +287,12 @@ public final class PictureMaker {
     frame.scale = scale();
     frame.timeUs = events.frame().nowUs();
     frame.dark = events.style().dark();
-    frame.marks = marks;
-    frame.screenPlace = screenPlace;
-    frame.screenPlace.ifPresent(place -> paintScreen(frame, place));
-    exchange.publish();
-    paintedNanos = System.nanoTime();
+    frame.marks = lastMarks;
   }
 
   private void paintFrame(int[] ranked) {
     SensorGeometry geometry = events.frame().geometry();
-    frames.paintUnder(ranked, geometry, events.style().background(), options.frameOpacity());
+    frames.paintUnder(ranked, geometry, events.style().background(), options().frameOpacity());
   }
 
   private void paintScreen(DisplayFrame frame, ScreenPlace place) {
@@ -276,12 +348,16 @@ public final class PictureMaker {
     return Math.max(Math.max(fadingUs, events.memoryUs()), probes.memoryUs());
   }
 
+  private DisplayOptions options() {
+    return first.map(maker -> maker.options).orElse(options);
+  }
+
   private PictureStyle style() {
     return style(lastSliceUs, sliceUs);
   }
 
   private PictureStyle style(long exposureUs, double fadingSliceUs) {
-    DisplayOptions now = options;
+    DisplayOptions now = options();
     if (now.decayUs() == DisplayOptions.ACCUMULATE) {
       return PictureStyle.accumulated(now.mode(), now.colours(), now.gradient());
     }
