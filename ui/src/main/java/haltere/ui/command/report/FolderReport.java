@@ -14,6 +14,7 @@ import haltere.core.pipeline.OnFailure;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.sink.internal.SvgPlot;
+import haltere.core.stream.EndOfStream;
 import haltere.core.stream.EventSource;
 import haltere.ui.command.terminal.Quantities;
 import haltere.ui.plot.EventRate;
@@ -146,6 +147,7 @@ public record FolderReport(Path folder, RecordingJob.ChainMaker chains, ReadOpti
       while (seen.elapsedUs() < PICTURED_US && source.next(runner)) {
         // up to a second of events
       }
+      runner.notified(new EndOfStream(runner.lastUs()));
       return sheet.draw();
     }
   }

@@ -11,7 +11,8 @@ import java.util.function.Supplier;
 /**
  * A thread that gathers and paints, so that the thread of the chain need not. It gets copies of
  * packets by way of a {@link PacketPool} with who takes each, and steps to take between them, in
- * order; an empty packet stands for each step. Where it falls behind by all packets of the pool, who hands one over waits.
+ * order; an empty packet stands for each step. Where it falls behind by all packets of the pool,
+ * who hands one over waits.
  *
  * <p>Thread rule: {@link #packet}, {@link #later} and {@link #now} by one thread at a time, {@link
  * #close} by any.
