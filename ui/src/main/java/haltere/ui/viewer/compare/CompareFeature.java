@@ -100,8 +100,7 @@ public final class CompareFeature implements ViewerFeature {
     settingsShown =
         layout.offer("second-chain", "Second chain", PanelLayout.Position.SIDE, () -> settings);
     shown = layout.offer("compare", "Compare", PanelLayout.Position.BESIDE, () -> named);
-    firstName.visibleProperty().bind(shown);
-    firstName.managedProperty().bind(shown);
+    Controls.showWhere(shown, firstName);
     // both pictures are as wide as the narrower of their places, so that they have one scale
     EventView first = window.panels().view();
     view.maxWidthProperty().bind(((Region) first.getParent()).widthProperty());
