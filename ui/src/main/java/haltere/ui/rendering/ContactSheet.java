@@ -18,7 +18,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 
 /**
  * Pictures of a stream at up to eight moments. The moments are spread evenly over the stream,
@@ -48,14 +47,13 @@ public final class ContactSheet implements StreamHandler {
 
   /**
    * The events of a moment, its time since the start and on the clock of the events, what was known
-   * then with the identities of its objects, and those of its objects that came later.
+   * then, and the rows of its objects that came later.
    */
   private record Panel(
       BufferedImage picture,
       long elapsedUs,
       long timeUs,
       List<LayerTaps.Marks<?>> marks,
-      Set<Integer> known,
       Map<Integer, ObjectTrack> late) {}
 
   private final EventFrame frame;
@@ -64,9 +62,6 @@ public final class ContactSheet implements StreamHandler {
 
   /** How many of the pictures, the first ones, are of a clock that has ended. */
   private int ended;
-
-  /** The newest row of each object, by its identity. */
-  private final Map<Integer, ObjectTrack> objects = new HashMap<>();
 
   private long stepUs = FIRST_STEP_US;
   private final EventPacket piece = new EventPacket(4096);
@@ -90,16 +85,12 @@ public final class ContactSheet implements StreamHandler {
   }
 
   private void take(ObjectTrack row) {
-    objects.put(row.id(), row);
     for (Panel panel : panels.subList(ended, panels.size())) {
-      if (isOf(panel.timeUs, row) && !panel.known.contains(row.id())) {
+      double aheadUs = panel.timeUs - row.timeUs();
+      if (aheadUs >= 0 && aheadUs < Overlay.MAX_AHEAD_S * 1e6) {
         panel.late.put(row.id(), row);
       }
     }
-  }
-
-  private static boolean isOf(long timeUs, ObjectTrack row) {
-    return row.timeUs() <= timeUs && timeUs - row.timeUs() < Overlay.MAX_AHEAD_S * 1e6;
   }
 
   @Override
@@ -137,7 +128,6 @@ public final class ContactSheet implements StreamHandler {
     if (notification.endsContinuity() && !(notification instanceof DataLost)) {
       baseUs = StreamNotification.NO_TIME_US;
       ended = panels.size();
-      objects.clear();
     }
   }
 
@@ -148,10 +138,7 @@ public final class ContactSheet implements StreamHandler {
     int scale = Math.max(1, PANEL_PX / frame.geometry().width());
     FramePainter painter = new FramePainter(ColourMap.DARK, constantUs);
     BufferedImage picture = scaled(Pictures.draw(frame, painter, scale, none -> {}), PANEL_PX);
-    long nowUs = frame.nowUs();
-    objects.values().removeIf(row -> !isOf(nowUs, row));
-    Set<Integer> known = Set.copyOf(objects.keySet());
-    panels.add(new Panel(picture, elapsedUs, nowUs, marks.marks(), known, new HashMap<>()));
+    panels.add(new Panel(picture, elapsedUs, frame.nowUs(), marks.marks(), new HashMap<>()));
     panelElapsedUs = elapsedUs;
     events = 0;
   }

@@ -77,7 +77,6 @@ public final class StatusLine extends HBox {
         Controls.button(
             "details", Icons.MORE, "All that is known of this", this::showDetails, Styles.SMALL);
     getChildren().addAll(message, more, dismiss, live, time, rate, speed, frames, dropped);
-    setMinWidth(0);
     Controls.showWhere(widthProperty().greaterThan(WIDE_PX), frames);
     setLive("");
     clearError();

@@ -42,9 +42,6 @@ final class WarningBanner extends VBox {
   private final Hyperlink more = Controls.named(new Hyperlink(), "warnings-more");
   private final VBox all = new VBox(2);
 
-  /** Room for the longest name of a camera beside the arrow. */
-  private static final double SIZES_PX = 270;
-
   private final ChoiceBox<SensorGeometry> sizes =
       Controls.choice(
           "camera-choice", "Camera that made the recording", List.of(), WarningBanner::words);
@@ -71,7 +68,6 @@ final class WarningBanner extends VBox {
     Button use = Controls.named(new Button("Use and remember"), "camera-use", Styles.SMALL);
     use.setMinWidth(Region.USE_PREF_SIZE);
     use.setOnAction(event -> answer());
-    sizes.setMinWidth(SIZES_PX);
     question = new HBox(8, asked, sizes, use);
     question.setAlignment(Pos.CENTER_LEFT);
     getChildren().addAll(head, all, question);

@@ -155,7 +155,7 @@ public final class DisplaySink implements SliceSink {
   public void paint() {
     List<LayerTaps.Marks<?>> marks = taps.marks();
     maker.setStale(false);
-    steps.execute(() -> maker.paintAgain(marks));
+    steps.execute(() -> maker.paint(marks));
   }
 
   /** A picture of the present moment of usual size, with what lies over it. */

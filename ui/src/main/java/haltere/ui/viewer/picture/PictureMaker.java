@@ -76,39 +76,34 @@ public final class PictureMaker {
    * A maker without events, which may also paint in the midst of a slice, see the class comment.
    */
   PictureMaker(SensorGeometry geometry, DisplayOptions options, boolean betweenSlices) {
-    this(
-        geometry,
-        options,
-        betweenSlices,
-        new FrameLayer(),
-        new FrameExchange<>(() -> new DisplayFrame(geometry)),
-        Optional.empty());
+    this(geometry, options, betweenSlices, Optional.empty());
   }
 
   private PictureMaker(
       SensorGeometry geometry,
       DisplayOptions options,
       boolean betweenSlices,
-      FrameLayer frames,
-      FrameExchange<DisplayFrame> exchange,
       Optional<PictureMaker> first) {
     this.options = options;
     this.betweenSlices = betweenSlices;
-    this.frames = frames;
-    this.exchange = exchange;
     this.first = first;
+    frames = first.map(PictureMaker::frames).orElseGet(FrameLayer::new);
     events = new EventPicture(geometry, style());
+    exchange =
+        first
+            .map(PictureMaker::exchange)
+            .orElseGet(() -> new FrameExchange<>(() -> new DisplayFrame(geometry)));
   }
 
   /** One whose pictures are part of this one's frames, from the end of its first slice on. */
   PictureMaker beside() {
-    SensorGeometry geometry = events.frame().geometry();
-    return new PictureMaker(geometry, options, false, frames, exchange, Optional.of(this));
+    return new PictureMaker(events.frame().geometry(), options, false, Optional.of(this));
   }
 
   /** Is no longer painted with another one; false if it never was. */
   boolean leave() {
     left = true;
+    first.ifPresent(maker -> maker.second = Optional.empty());
     return first.isPresent();
   }
 
@@ -217,7 +212,7 @@ public final class PictureMaker {
     events.advanceTo(toUs);
     beginExposure();
     holds = false;
-    first.ifPresent(maker -> maker.second = Optional.of(this));
+    first.ifPresent(maker -> maker.second = left ? Optional.empty() : Optional.of(this));
     lastSliceUs = toUs - fromUs;
     sliceUs += 0.25 * (lastSliceUs - sliceUs);
     exposed = true;
@@ -240,15 +235,14 @@ public final class PictureMaker {
   /** Paints what there is and hands it over. */
   void paint(List<LayerTaps.Marks<?>> marks) {
     lastMarks = marks;
-    stale = holds;
-    if (holds || first.isPresent()) {
+    // in the midst of a slice two chains have not come equally far
+    stale = holds || second.isPresent() && !exposed;
+    if (stale || first.isPresent()) {
       return;
     }
     DisplayFrame frame = exchange.back();
-    Optional<PictureMaker> other = second.filter(maker -> !maker.left && !maker.holds);
-    other.ifPresent(this::meet);
     frame.beside =
-        other.map(
+        second.map(
             maker -> {
               DisplayFrame with = frame.beside.orElseGet(() -> new DisplayFrame(frame.geometry));
               maker.fill(with);
@@ -259,23 +253,6 @@ public final class PictureMaker {
     frame.screenPlace.ifPresent(place -> paintScreen(frame, place));
     exchange.publish();
     paintedNanos = System.nanoTime();
-  }
-
-  /** Paints once more with the newest marks; beside another picture with those of its moment. */
-  void paintAgain(List<LayerTaps.Marks<?>> marks) {
-    paint(second.isPresent() ? lastMarks : marks);
-  }
-
-  /** In the midst of a slice each of two may have got events that the other's chain took away. */
-  private void meet(PictureMaker other) {
-    long nowUs = Math.max(events.frame().nowUs(), other.events.frame().nowUs());
-    boolean begun = !exposed || !other.exposed;
-    for (PictureMaker maker : List.of(this, other)) {
-      maker.events.advanceTo(nowUs);
-      if (begun) {
-        maker.beginExposure();
-      }
-    }
   }
 
   private void fill(DisplayFrame frame) {

@@ -124,8 +124,6 @@ public final class TransportBar extends HBox {
     getChildren().stream()
         .filter(Separator.class::isInstance)
         .forEach(separator -> Controls.showWhere(isWide, separator));
-    // a bar that is too wide must not push the panels above it out of the window
-    setMinWidth(0);
     setObstacle("Nothing is open.");
   }
 
