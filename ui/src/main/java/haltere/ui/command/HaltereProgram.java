@@ -210,7 +210,11 @@ public final class HaltereProgram {
     }
     String line = Failures.shortened(problem.getMessage().strip());
     surroundings.err().print(command.getCommandSpec().qualifiedName() + ": " + line + "\n");
-    UnmatchedArgumentException.printSuggestions(problem, command.getErr());
+    if (problem instanceof UnmatchedArgumentException unmatched
+        && !unmatched.getSuggestions().isEmpty()) {
+      String similar = String.join(" or ", unmatched.getSuggestions());
+      surroundings.err().print("Did you mean: " + similar + "?\n");
+    }
     command.usage(command.getErr());
     return Subcommand.WRONG_ARGUMENTS;
   }
