@@ -210,10 +210,11 @@ public final class HaltereProgram {
     }
     String line = Failures.shortened(problem.getMessage().strip());
     surroundings.err().print(command.getCommandSpec().qualifiedName() + ": " + line + "\n");
-    if (problem instanceof UnmatchedArgumentException unmatched
-        && !unmatched.getSuggestions().isEmpty()) {
+    if (problem instanceof UnmatchedArgumentException unmatched && unmatched.isUnknownOption()) {
       String similar = String.join(" or ", unmatched.getSuggestions());
-      surroundings.err().print("Did you mean: " + similar + "?\n");
+      surroundings.err().print(similar.isEmpty() ? "" : "Did you mean: " + similar + "?\n");
+    } else {
+      UnmatchedArgumentException.printSuggestions(problem, command.getErr());
     }
     command.usage(command.getErr());
     return Subcommand.WRONG_ARGUMENTS;
