@@ -210,7 +210,12 @@ public final class HaltereProgram {
     }
     String line = Failures.shortened(problem.getMessage().strip());
     surroundings.err().print(command.getCommandSpec().qualifiedName() + ": " + line + "\n");
-    UnmatchedArgumentException.printSuggestions(problem, command.getErr());
+    if (problem instanceof UnmatchedArgumentException unmatched && unmatched.isUnknownOption()) {
+      String similar = String.join(" or ", unmatched.getSuggestions());
+      surroundings.err().print(similar.isEmpty() ? "" : "Did you mean: " + similar + "?\n");
+    } else {
+      UnmatchedArgumentException.printSuggestions(problem, command.getErr());
+    }
     command.usage(command.getErr());
     return Subcommand.WRONG_ARGUMENTS;
   }

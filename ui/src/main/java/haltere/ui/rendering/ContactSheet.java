@@ -1,22 +1,29 @@
 package haltere.ui.rendering;
 
 import haltere.core.chain.FilterChain;
+import haltere.core.chain.Outlet;
 import haltere.core.event.EventPacket;
+import haltere.core.overlay.MarkStyle;
+import haltere.core.overlay.Overlay;
 import haltere.core.overlay.OverlayCanvas;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
+import haltere.filters.object.ObjectTrack;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 
 /**
  * Pictures of a stream at up to eight moments. The moments are spread evenly over the stream,
  * however long it is: where there are too many, each second one is dropped. Events fade so that a
- * picture shows some percent of the pixels.
+ * picture shows some percent of the pixels. Objects that are reported after their moment are drawn
+ * in its picture all the same.
  *
  * <p>Thread rule: one thread at a time. Needs no display.
  */
@@ -38,12 +45,24 @@ public final class ContactSheet implements StreamHandler {
   /** Packets this short are not cut, so that results of the same packet fit their events. */
   private static final long SHORT_US = 2_000;
 
-  /** A picture of a moment and its time since the start. */
-  private record Panel(BufferedImage picture, long elapsedUs) {}
+  /**
+   * The events of a moment, its time since the start and on the clock of the events, what was known
+   * then, and the rows of its objects that came later.
+   */
+  private record Panel(
+      BufferedImage picture,
+      long elapsedUs,
+      long timeUs,
+      List<LayerTaps.Marks<?>> marks,
+      Map<Integer, ObjectTrack> late) {}
 
   private final EventFrame frame;
   private final LayerTaps marks;
   private final List<Panel> panels = new ArrayList<>();
+
+  /** How many of the pictures, the first ones, are of a clock that has ended. */
+  private int ended;
+
   private long stepUs = FIRST_STEP_US;
   private final EventPacket piece = new EventPacket(4096);
 
@@ -58,6 +77,20 @@ public final class ContactSheet implements StreamHandler {
   public ContactSheet(FilterChain chain) {
     frame = new EventFrame(chain.geometry());
     marks = new LayerTaps(chain);
+    for (Outlet<?> outlet : chain.outlets()) {
+      if (outlet.type() == ObjectTrack.class) {
+        outlet.subscribe(row -> take((ObjectTrack) row));
+      }
+    }
+  }
+
+  private void take(ObjectTrack row) {
+    for (Panel panel : panels.subList(ended, panels.size())) {
+      double aheadUs = panel.timeUs - row.timeUs();
+      if (aheadUs >= 0 && aheadUs < Overlay.MAX_AHEAD_S * 1e6) {
+        panel.late.put(row.id(), row);
+      }
+    }
   }
 
   @Override
@@ -82,6 +115,7 @@ public final class ContactSheet implements StreamHandler {
           for (int i = PANELS - 1; i >= 0; i--) {
             panels.remove(2 * i);
           }
+          ended /= 2;
           stepUs *= 2;
         }
       }
@@ -93,6 +127,7 @@ public final class ContactSheet implements StreamHandler {
     frame.notified(notification);
     if (notification.endsContinuity() && !(notification instanceof DataLost)) {
       baseUs = StreamNotification.NO_TIME_US;
+      ended = panels.size();
     }
   }
 
@@ -102,14 +137,24 @@ public final class ContactSheet implements StreamHandler {
     long constantUs = (long) Math.max(MIN_FADING_US, Math.min(MAX_FADING_US, fadingUs));
     int scale = Math.max(1, PANEL_PX / frame.geometry().width());
     FramePainter painter = new FramePainter(ColourMap.DARK, constantUs);
-    BufferedImage picture = scaled(Pictures.draw(frame, painter, scale, this::drawMarks), PANEL_PX);
-    panels.add(new Panel(picture, elapsedUs));
+    BufferedImage picture = scaled(Pictures.draw(frame, painter, scale, none -> {}), PANEL_PX);
+    panels.add(new Panel(picture, elapsedUs, frame.nowUs(), marks.marks(), new HashMap<>()));
     panelElapsedUs = elapsedUs;
     events = 0;
   }
 
-  private void drawMarks(OverlayCanvas canvas) {
-    marks.marks().forEach(layer -> layer.draw(frame.nowUs(), canvas));
+  private void drawMarks(Panel panel) {
+    OverlayCanvas canvas =
+        Pictures.canvas(panel.picture, (double) PANEL_PX / frame.geometry().width(), true);
+    panel.marks.forEach(layer -> layer.draw(panel.timeUs, canvas));
+    for (ObjectTrack row : panel.late.values()) {
+      double aheadS = Overlay.aheadS(row.timeUs(), panel.timeUs);
+      double x = row.xPx() + aheadS * row.vxPxS();
+      double y = row.yPx() + aheadS * row.vyPxS();
+      MarkStyle style = MarkStyle.of(MarkStyle.Role.ESTIMATE, row.id());
+      canvas.ellipse(x, y, row.majorPx(), row.minorPx(), row.angleRad(), style);
+      canvas.text(x, y, Integer.toString(row.id()), MarkStyle.of(MarkStyle.Role.LABEL, row.id()));
+    }
   }
 
   /**
@@ -123,12 +168,13 @@ public final class ContactSheet implements StreamHandler {
     List<BufferedImage> pictures = new ArrayList<>();
     int shown = Math.min(PANELS, panels.size());
     for (int i = 0; i < shown; i++) {
-      pictures.add(stamped(panels.get((int) ((i + 0.5) * panels.size() / shown))));
+      pictures.add(finished(panels.get((int) ((i + 0.5) * panels.size() / shown))));
     }
     return join(pictures, PANEL_PX);
   }
 
-  private static BufferedImage stamped(Panel panel) {
+  private BufferedImage finished(Panel panel) {
+    drawMarks(panel);
     long minutes = panel.elapsedUs / 60_000_000L;
     String words =
         String.format(Locale.ROOT, "%d:%06.3f", minutes, panel.elapsedUs * 1e-6 - 60 * minutes);

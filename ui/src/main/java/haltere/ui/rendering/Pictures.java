@@ -71,12 +71,17 @@ public final class Pictures {
         pixels[y * width + x] = argb[row + x / scale];
       }
     }
+    marks.accept(canvas(image, scale, dark));
+    return image;
+  }
+
+  /** What draws over a picture of the whole sensor, so many pixels for one of the sensor's. */
+  static OverlayCanvas canvas(BufferedImage image, double scale, boolean dark) {
     PixelOverlayCanvas canvas = new PixelOverlayCanvas(FontLetters.OF_PICTURES);
-    canvas.setTarget(pixels, width, image.getHeight());
+    canvas.setTarget(pixels(image), image.getWidth(), image.getHeight());
     canvas.setView(scale, 0, image.getHeight(), 1);
     canvas.setDark(dark);
-    marks.accept(canvas);
-    return image;
+    return canvas;
   }
 
   /** The pixels of a picture of the type INT_RGB, to be drawn into. */

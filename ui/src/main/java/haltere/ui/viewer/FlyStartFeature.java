@@ -19,9 +19,6 @@ final class FlyStartFeature implements ViewerFeature {
   /** Recording time per real time: a stroke of 5 ms takes half a second. */
   static final double SLOW_MOTION = 0.01;
 
-  /** Speed of the search; another one that is chosen meanwhile stays. */
-  private static final double SEARCH_SPEED = 1;
-
   /** The wing tracker searches for 35 ms, then both wings settle. */
   private static final long SEARCH_US = 80_000;
 
@@ -41,6 +38,8 @@ final class FlyStartFeature implements ViewerFeature {
     window.panels().addOverPicture(caption, Pos.BOTTOM_CENTER);
     window.settings().keep("flyCaption", captionWanted);
     window.onSession(this::begin);
+    // a speed that is chosen during the search stays, also where it is the same
+    window.playback().speedProperty().subscribe(() -> searching = false);
     window.panels().onPulse(() -> window.ifOpen(this::pulse));
     captionWanted.subscribe((was, is) -> showCaption());
     window.display().onChange(this::showCaption);
@@ -53,7 +52,7 @@ final class FlyStartFeature implements ViewerFeature {
       speedBefore = speed;
     }
     if (fly || isFly && speed == SLOW_MOTION) {
-      window.playback().setSpeed(fly ? SEARCH_SPEED : speedBefore);
+      window.playback().setSpeed(fly ? 1 : speedBefore);
     }
     isFly = fly;
     searching = fly;
@@ -62,10 +61,7 @@ final class FlyStartFeature implements ViewerFeature {
 
   private void pulse(ViewerSession open) {
     if (searching && open.player().status().elapsedUs() >= SEARCH_US) {
-      searching = false;
-      if (window.playback().speedProperty().get() == SEARCH_SPEED) {
-        window.playback().setSpeed(SLOW_MOTION);
-      }
+      window.playback().setSpeed(SLOW_MOTION);
     }
   }
 

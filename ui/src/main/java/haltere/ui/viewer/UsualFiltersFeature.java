@@ -1,6 +1,7 @@
 package haltere.ui.viewer;
 
 import atlantafx.base.theme.Styles;
+import haltere.core.chain.ChainStage;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.chain.UsualFilter;
@@ -8,7 +9,6 @@ import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.HiddenEvents;
-import haltere.ui.viewer.session.ViewerSession;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
@@ -69,7 +69,7 @@ final class UsualFiltersFeature implements ViewerFeature {
         });
     // a card switches its filter without another word
     window.panels().onPulse(this::showSwitches);
-    window.panels().every(HiddenEvents.BETWEEN_NANOS, () -> window.ifOpen(this::measure));
+    window.panels().every(HiddenEvents.BETWEEN_NANOS, this::measure);
   }
 
   private static String id(UsualFilter filter) {
@@ -113,8 +113,7 @@ final class UsualFiltersFeature implements ViewerFeature {
             window.editor().replaceAll(open.request().start().usualChain(open.chain().geometry())));
   }
 
-  private void measure(ViewerSession open) {
-    boolean any = stages.stream().anyMatch(state -> state.stage().isEnabled());
-    hidden.update(open.player().status(), any);
+  private void measure() {
+    hidden.update(stages.stream().map(StageState::stage).filter(ChainStage::isEnabled).toList());
   }
 }

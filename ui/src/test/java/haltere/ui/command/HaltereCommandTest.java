@@ -174,6 +174,6 @@ class HaltereCommandTest {
     assertTrue(command.err().contains("Did you mean: ") && command.err().contains("haltere track"));
     CommandRun option = CommandRun.of("info", "--jsn", "x.aedat");
     assertEquals(2, option.status());
-    assertTrue(option.err().contains("--json"), option.err());
+    assertTrue(option.err().contains("Did you mean: --json?"), option.err());
   }
 }

@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.ui.viewer.feature.UserSettings;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import javafx.geometry.Bounds;
 import javafx.scene.Node;
 import javafx.scene.control.SplitPane;
 import org.junit.jupiter.api.AfterEach;
@@ -66,6 +68,30 @@ class LayoutTest {
     run("layout-low");
     viewer.waitFor(
         "the size of before", () -> Math.abs(pane.getDividerPositions()[0] - 0.4) < 0.01);
+  }
+
+  @Test
+  void aSmallWindowShowsAllOfItsPanelsWithASidePanel() throws Exception {
+    viewer = ViewerHarness.withRecording(folder, 2_000_000);
+    viewer.run(
+        () -> {
+          viewer.stage.setWidth(ViewerWindow.MIN_WIDTH);
+          viewer.stage.setHeight(ViewerWindow.MIN_HEIGHT);
+        });
+    run("show-file-information");
+    viewer.waitFor("the side", () -> isInWindow("file-info"));
+    for (String id : List.of("event-view", "side-tabs", "seek-bar", "elapsed", "status-line")) {
+      viewer.waitFor(id + " is within the window", () -> isWithinWindow(id));
+    }
+  }
+
+  private boolean isWithinWindow(String id) {
+    Node node = viewer.node(id, Node.class);
+    return viewer.onFx(
+        () -> {
+          Bounds place = node.localToScene(node.getLayoutBounds());
+          return place.getMinX() >= -1 && place.getMaxX() <= viewer.stage.getScene().getWidth() + 1;
+        });
   }
 
   private static SplitPane splitPaneOf(Node node) {

@@ -101,8 +101,10 @@ class PlaybackTest {
     viewer.waitFor("two seconds on", () -> viewer.status().elapsedUs() == 2_000_000);
     viewer.press(KeyCode.LEFT);
     viewer.waitFor("one second back", () -> viewer.status().elapsedUs() == 1_000_000);
+    long slice = viewer.status().sliceUs();
     viewer.press(KeyCode.END);
     viewer.waitFor("the end", () -> viewer.status().elapsedUs() > 3_900_000);
+    viewer.waitFor("a whole slice", () -> viewer.status().sliceUs() >= slice - 1);
   }
 
   @Test

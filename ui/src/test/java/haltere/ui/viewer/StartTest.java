@@ -19,6 +19,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The first minute: the start page, the fly, the manual. */
 class StartTest {
@@ -85,14 +87,15 @@ class StartTest {
         viewer.text("start-problem"));
   }
 
-  @Test
-  void aSpeedThatIsChosenDuringTheSearchForTheFlyStays() {
+  @ParameterizedTest
+  @ValueSource(doubles = {0.5, 1})
+  void aSpeedThatIsChosenDuringTheSearchForTheFlyStays(double chosen) {
     viewer.run(() -> viewer.window.context().actions().run("open-scene"));
     viewer.waitUntilOpen("Fly scene");
-    viewer.run(() -> viewer.window.context().playback().setSpeed(0.5));
+    viewer.run(() -> viewer.window.context().playback().setSpeed(chosen));
     viewer.waitFor("the end of the search", () -> viewer.status().elapsedUs() > 200_000);
     viewer.waitFor("a picture", () -> viewer.window.context().panels().framesShown() > 1);
-    assertEquals(0.5, viewer.onFx(viewer.window.context().playback().speedProperty()::get));
+    assertEquals(chosen, viewer.onFx(viewer.window.context().playback().speedProperty()::get));
   }
 
   @Test

@@ -90,6 +90,18 @@ class UsualFiltersTest {
   }
 
   @Test
+  void theShareOfHiddenEventsIsSaidInAPauseToo() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, 4_000_000);
+    viewer.waitFor("some events", () -> viewer.status().elapsedUs() > 500_000);
+    viewer.pause();
+    FilterChain refractory = new FilterChain(BlobSource.GEOMETRY);
+    refractory.add(Filters.named("refractory"));
+    viewer.run(() -> viewer.window.context().editor().replaceAll(refractory));
+    viewer.waitFor(
+        "the share", () -> viewer.text("hidden-share").endsWith("of the events hidden,"));
+  }
+
+  @Test
   void eachRecordingHasItsOwnChainAlsoInTheNextWindow() throws IOException {
     Path first = ViewerHarness.recording(folder, "first.aedat");
     Path second = ViewerHarness.recording(folder, "second.aedat");

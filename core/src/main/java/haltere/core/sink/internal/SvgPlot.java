@@ -16,6 +16,9 @@ import java.util.Locale;
  * <p>Thread rule: one thread at a time.
  */
 public final class SvgPlot {
+  /** Round numbers on an axis at most. */
+  private static final int MAX_TICKS = 11;
+
   private static final int WIDTH = 640;
   private static final int HEIGHT = 300;
   private static final int LEFT = 60;
@@ -222,28 +225,15 @@ public final class SvgPlot {
   private void grid(StringBuilder svg) {
     svg.append("<g stroke=\"#ddd\">\n");
     StringBuilder labels = new StringBuilder();
-    for (double x : ticks(fromX, toX)) {
+    for (double x : Ticks.of(fromX, toX, MAX_TICKS).values()) {
       svg.append(segment(atX(x), TOP, atX(x), HEIGHT - BOTTOM));
       labels.append(label(atX(x), HEIGHT - BOTTOM + 15, "middle", number(x)));
     }
-    for (double y : ticks(fromY, toY)) {
+    for (double y : Ticks.of(fromY, toY, MAX_TICKS).values()) {
       svg.append(segment(LEFT, atY(y), WIDTH - RIGHT, atY(y)));
       labels.append(label(LEFT - 6, atY(y) + 4, "end", number(y)));
     }
     svg.append("</g>\n").append(labels);
-  }
-
-  /** Four to ten round numbers. */
-  private static List<Double> ticks(double from, double to) {
-    double step = Math.pow(10, Math.floor(Math.log10((to - from) / 4)));
-    while ((to - from) / step > 10) {
-      step *= (to - from) / step > 20 ? 5 : 2;
-    }
-    List<Double> ticks = new ArrayList<>();
-    for (long k = (long) Math.ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; k++) {
-      ticks.add(k * step);
-    }
-    return ticks;
   }
 
   private String points(double[] x, double[] y) {

@@ -8,15 +8,16 @@ import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
 import haltere.core.format.internal.csv.CsvTable;
+import haltere.core.format.summary.EventRate;
 import haltere.core.json.internal.Json;
 import haltere.core.pipeline.ChainRunner;
 import haltere.core.pipeline.OnFailure;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.sink.internal.SvgPlot;
+import haltere.core.stream.EndOfStream;
 import haltere.core.stream.EventSource;
 import haltere.ui.command.terminal.Quantities;
-import haltere.ui.plot.EventRate;
 import haltere.ui.plot.PlotField;
 import haltere.ui.plot.PlotSet;
 import haltere.ui.rendering.ContactSheet;
@@ -146,6 +147,7 @@ public record FolderReport(Path folder, RecordingJob.ChainMaker chains, ReadOpti
       while (seen.elapsedUs() < PICTURED_US && source.next(runner)) {
         // up to a second of events
       }
+      runner.notified(new EndOfStream(runner.lastUs()));
       return sheet.draw();
     }
   }

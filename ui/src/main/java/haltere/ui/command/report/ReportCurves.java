@@ -1,8 +1,8 @@
 package haltere.ui.command.report;
 
+import haltere.core.format.summary.TimeBins;
 import haltere.core.sink.internal.SvgPlot;
 import haltere.ui.plot.PlotField;
-import haltere.ui.plot.TimeBins;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;

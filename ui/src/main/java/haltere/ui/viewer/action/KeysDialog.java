@@ -1,8 +1,12 @@
 package haltere.ui.viewer.action;
 
+import static java.util.stream.Collectors.groupingBy;
+import static java.util.stream.Collectors.toList;
+
 import atlantafx.base.theme.Styles;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Windows;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import javafx.geometry.Insets;
@@ -32,18 +36,16 @@ public final class KeysDialog {
     GridPane grid = new GridPane(18, 4);
     grid.setPadding(new Insets(12));
     int row = 0;
-    String menu = "";
-    for (ViewerAction action : actions.all()) {
-      if (action.key().isEmpty()) {
-        continue;
+    Map<String, List<ViewerAction>> menus =
+        actions.all().stream()
+            .filter(action -> !action.key().isEmpty())
+            .collect(groupingBy(ViewerAction::menu, LinkedHashMap::new, toList()));
+    for (Map.Entry<String, List<ViewerAction>> menu : menus.entrySet()) {
+      String name = menu.getKey().isEmpty() ? "Other" : menu.getKey().replace("/", " > ");
+      grid.add(Controls.label(name, Styles.TEXT_MUTED), 0, row++, 2, 1);
+      for (ViewerAction action : menu.getValue()) {
+        row = add(grid, row, ViewerKeys.words(action.key()), action.words());
       }
-      String own = action.menu().isEmpty() ? "Other" : action.menu();
-      if (!own.equals(menu)) {
-        menu = own;
-        Label heading = Controls.label(menu.replace("/", " > "), Styles.TEXT_MUTED);
-        grid.add(heading, 0, row++, 2, 1);
-      }
-      row = add(grid, row, ViewerKeys.words(action.key()), action.words());
     }
     for (Map.Entry<String, String> other : OTHERS) {
       row = add(grid, row, other.getKey(), other.getValue());

@@ -16,7 +16,6 @@ import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
-import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.session.ViewerSession;
 import java.util.List;
@@ -101,8 +100,7 @@ public final class CompareFeature implements ViewerFeature {
     settingsShown =
         layout.offer("second-chain", "Second chain", PanelLayout.Position.SIDE, () -> settings);
     shown = layout.offer("compare", "Compare", PanelLayout.Position.BESIDE, () -> named);
-    firstName.visibleProperty().bind(shown);
-    firstName.managedProperty().bind(shown);
+    Controls.showWhere(shown, firstName);
     // both pictures are as wide as the narrower of their places, so that they have one scale
     EventView first = window.panels().view();
     view.maxWidthProperty().bind(((Region) first.getParent()).widthProperty());
@@ -122,16 +120,7 @@ public final class CompareFeature implements ViewerFeature {
     window.sessions().sessionProperty().subscribe((was, is) -> follow(is));
     window.editor().onChange(() -> running.ifPresent(this::listen));
     editor.onChange(() -> running.ifPresent(this::listen));
-    window
-        .display()
-        .onChange(
-            () ->
-                running.ifPresent(
-                    now -> {
-                      now.second().display().maker().setOptions(window.display().options());
-                      now.player().refresh();
-                    }));
-    window.panels().onPulse(() -> running.ifPresent(this::pulse));
+    first.onFrame(frame -> frame.beside().ifPresent(view::show));
     window.panels().every(NUMBERS_NANOS, () -> running.ifPresent(this::showNumbers));
   }
 
@@ -155,11 +144,10 @@ public final class CompareFeature implements ViewerFeature {
   }
 
   private void begin(int start, ViewerSession session, String json) {
-    DisplayOptions options = window.display().options();
     window.file(
         () ->
             new SecondChain(
-                ChainFile.parse(json, "the chain", session.chain().geometry()), options),
+                ChainFile.parse(json, "the chain", session.chain().geometry()), session.display()),
         made -> {
           if (start == starts) {
             begin(session, made);
@@ -212,11 +200,6 @@ public final class CompareFeature implements ViewerFeature {
       before.close();
     }
     return new PublishedMeans(chain);
-  }
-
-  private void pulse(Running now) {
-    window.ifOpen(open -> now.second().display().showFrameOf(open.display()));
-    view.show(now.second().display(), window.editor()::onProcessing);
   }
 
   private void showNumbers(Running now) {

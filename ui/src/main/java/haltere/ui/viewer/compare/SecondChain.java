@@ -5,7 +5,6 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorSample;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.StreamNotification;
-import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.DisplaySink;
 
 /**
@@ -16,12 +15,12 @@ import haltere.ui.viewer.picture.DisplaySink;
  * rules of their own.
  *
  * @param chain its filters
- * @param display where its pictures are made
+ * @param display makes its pictures, with those of the first chain
  * @param copy the packet that it works on
  */
 record SecondChain(FilterChain chain, DisplaySink display, EventPacket copy) implements SliceSink {
-  SecondChain(FilterChain chain, DisplayOptions options) {
-    this(chain, DisplaySink.direct(chain.geometry(), chain, options), new EventPacket(4096));
+  SecondChain(FilterChain chain, DisplaySink first) {
+    this(chain, first.beside(chain), new EventPacket(4096));
   }
 
   @Override

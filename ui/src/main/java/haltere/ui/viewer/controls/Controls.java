@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import javafx.beans.value.ObservableBooleanValue;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -211,6 +212,14 @@ public final class Controls {
     for (Node control : controls) {
       control.setDisable(!obstacle.isEmpty());
       help(control.getParent(), obstacle);
+    }
+  }
+
+  /** Shows nodes while a condition holds; else they take no room. */
+  public static void showWhere(ObservableBooleanValue condition, Node... nodes) {
+    for (Node node : nodes) {
+      node.visibleProperty().bind(condition);
+      node.managedProperty().bind(node.visibleProperty());
     }
   }
 

@@ -71,7 +71,8 @@ public final class Texts {
   public static String reached(PlayerStatus status) {
     double now = status.achievedSpeed();
     double rounded = Math.abs(now - 1) < 0.015 ? 1 : now >= 1 ? Math.round(now * 100) / 100.0 : now;
-    return speed(rounded) + (isSlowed(status) ? " of " + speed(status.speed()) : "");
+    String words = now >= 0.1 && rounded < 1 ? digits(rounded) + "\u00d7" : speed(rounded);
+    return words + (isSlowed(status) ? " of " + speed(status.speed()) : "");
   }
 
   private static boolean isSlowed(PlayerStatus status) {

@@ -1,15 +1,22 @@
 package haltere.ui.viewer.controls;
 
 import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javafx.animation.PauseTransition;
+import javafx.geometry.Dimension2D;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.scene.control.Alert;
 import javafx.scene.control.ButtonType;
+import javafx.scene.control.Dialog;
+import javafx.scene.control.DialogPane;
 import javafx.scene.control.TextInputDialog;
 import javafx.stage.Modality;
 import javafx.stage.Stage;
 import javafx.stage.Window;
+import javafx.stage.WindowEvent;
+import javafx.util.Duration;
 
 /**
  * Opens windows and questions beside the viewer's own window, in its style.
@@ -17,6 +24,9 @@ import javafx.stage.Window;
  * <p>Thread rule: JavaFX thread only; nothing here waits.
  */
 public final class Windows {
+  /** A window may be smaller than wanted by this. */
+  private static final double TOLERANCE_PX = 20;
+
   private Windows() {}
 
   /** A window that is closed with its owner, and not shown yet. */
@@ -26,7 +36,9 @@ public final class Windows {
     stage.setTitle(title);
     Scene scene = new Scene(root, width, height);
     scene.getStylesheets().setAll(owner.getScene().getStylesheets());
+    scene.setFill(owner.getScene().getFill());
     stage.setScene(scene);
+    keepSize(stage, () -> new Dimension2D(width, height));
     stage.setMinWidth(width / 2);
     stage.setMinHeight(height / 2);
     return stage;
@@ -39,7 +51,33 @@ public final class Windows {
     alert.getDialogPane().setContent(content);
     alert.initOwner(owner);
     alert.initModality(Modality.NONE);
-    alert.show();
+    show(alert);
+  }
+
+  private static void show(Dialog<?> dialog) {
+    DialogPane pane = dialog.getDialogPane();
+    keepSize(
+        pane.getScene().getWindow(),
+        () -> new Dimension2D(pane.prefWidth(-1), pane.prefHeight(-1)));
+    dialog.show();
+  }
+
+  /**
+   * Asks once more for the size of what a window shows where a window manager has made it small.
+   */
+  private static void keepSize(Window window, Supplier<Dimension2D> size) {
+    PauseTransition managed = new PauseTransition(Duration.millis(300));
+    managed.setOnFinished(
+        over -> {
+          double wider = size.get().getWidth() - window.getScene().getWidth();
+          double higher = size.get().getHeight() - window.getScene().getHeight();
+          if (wider > TOLERANCE_PX || higher > TOLERANCE_PX) {
+            window.setWidth(window.getWidth() + Math.max(0, wider));
+            window.setHeight(window.getHeight() + Math.max(0, higher));
+            window.centerOnScreen();
+          }
+        });
+    window.addEventHandler(WindowEvent.WINDOW_SHOWN, event -> managed.play());
   }
 
   /**
@@ -64,6 +102,6 @@ public final class Windows {
                 answer.accept(is.strip());
               }
             });
-    dialog.show();
+    show(dialog);
   }
 }

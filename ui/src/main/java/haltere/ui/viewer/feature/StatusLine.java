@@ -26,6 +26,9 @@ import javafx.scene.layout.Priority;
 public final class StatusLine extends HBox {
   private static final PseudoClass ERROR = PseudoClass.getPseudoClass("error");
 
+  /** Below this width, pixels, how often the screen is drawn gives way. */
+  private static final double WIDE_PX = 760;
+
   /** A run-up that takes longer than this is said. */
   private static final long RUN_UP_NANOS = 300_000_000;
 
@@ -74,6 +77,7 @@ public final class StatusLine extends HBox {
         Controls.button(
             "details", Icons.MORE, "All that is known of this", this::showDetails, Styles.SMALL);
     getChildren().addAll(message, more, dismiss, live, time, rate, speed, frames, dropped);
+    Controls.showWhere(widthProperty().greaterThan(WIDE_PX), frames);
     setLive("");
     clearError();
   }

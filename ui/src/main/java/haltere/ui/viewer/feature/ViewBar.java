@@ -13,7 +13,6 @@ import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.Property;
 import javafx.beans.value.ObservableBooleanValue;
 import javafx.geometry.Pos;
-import javafx.scene.Node;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
@@ -41,7 +40,7 @@ public final class ViewBar extends HBox {
     getStyleClass().add("view-bar");
     setAlignment(Pos.CENTER_LEFT);
     Label words = Controls.whole("Fading", Styles.TEXT_MUTED, Styles.TEXT_SMALL);
-    showWhere(isWide, words);
+    Controls.showWhere(isWide, words);
     tools.setAlignment(Pos.CENTER_RIGHT);
     Region mode =
         choice(
@@ -76,14 +75,9 @@ public final class ViewBar extends HBox {
     slider.setMinWidth(40);
     slider.valueProperty().bindBidirectional(opacity);
     slider.disableProperty().bind(on.not());
-    showWhere(seen, button);
-    showWhere(isWide.and(seen), slider);
+    Controls.showWhere(seen, button);
+    Controls.showWhere(isWide.and(seen), slider);
     getChildren().addAll(getChildren().indexOf(tools) - 1, List.of(button, slider));
-  }
-
-  private static void showWhere(ObservableBooleanValue condition, Node node) {
-    node.visibleProperty().bind(condition);
-    node.managedProperty().bind(node.visibleProperty());
   }
 
   /** Adds the button of a tool or a panel. */

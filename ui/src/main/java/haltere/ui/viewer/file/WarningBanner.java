@@ -41,6 +41,7 @@ final class WarningBanner extends VBox {
   private final Label first = Controls.named(new Label(), "warning-first");
   private final Hyperlink more = Controls.named(new Hyperlink(), "warnings-more");
   private final VBox all = new VBox(2);
+
   private final ChoiceBox<SensorGeometry> sizes =
       Controls.choice(
           "camera-choice", "Camera that made the recording", List.of(), WarningBanner::words);

@@ -34,6 +34,9 @@ public final class DisplayFrame {
   /** What the ends of the colours mean, empty where colours stand for polarities. */
   String scale = "";
 
+  /** The same moment behind the second chain, where two are compared. */
+  Optional<DisplayFrame> beside = Optional.empty();
+
   long timeUs = StreamNotification.NO_TIME_US;
   boolean dark = true;
 
@@ -45,6 +48,11 @@ public final class DisplayFrame {
   /** What the region of interest is doing; empty where there is none. */
   public Optional<RegionReading> region() {
     return region;
+  }
+
+  /** The same moment behind the second chain; empty where no two are compared. */
+  public Optional<DisplayFrame> beside() {
+    return beside;
   }
 
   /**

@@ -17,7 +17,8 @@ import java.util.function.Consumer;
 /**
  * The end of the chain that makes pictures: the newest snapshot of each overlay is kept here,
  * events are gathered and painted by a {@link PictureMaker}, on a {@link PictureThread} of its own
- * or at once.
+ * or at once. Where two chains are compared, the second one's pictures come {@link #beside} the
+ * first one's, never alone.
  *
  * <p>Thread rule: processing thread; {@link #maker()} and {@link #setAllEvents} are for the JavaFX
  * thread.
@@ -33,25 +34,37 @@ public final class DisplaySink implements SliceSink {
 
   private volatile boolean allEvents;
 
-  private DisplaySink(
-      SensorGeometry geometry, FilterChain chain, DisplayOptions options, boolean apart) {
+  private DisplaySink(FilterChain chain, PictureMaker maker, Optional<PictureThread> thread) {
+    this.maker = maker;
+    this.thread = thread;
     taps = new LayerTaps(chain);
-    maker = new PictureMaker(geometry, options, apart);
-    thread = apart ? Optional.of(new PictureThread(maker::packet)) : Optional.empty();
-    packets = thread.<Consumer<EventPacket>>map(own -> own::packet).orElse(maker::packet);
-    steps = thread.<Executor>map(own -> own::later).orElse(Runnable::run);
+    Consumer<EventPacket> paints = maker::packet;
+    packets =
+        thread
+            .<Consumer<EventPacket>>map(apart -> packet -> apart.packet(packet, paints))
+            .orElse(paints);
+    steps = thread.<Executor>map(apart -> apart::later).orElse(Runnable::run);
   }
 
   /** One that paints on the thread of the chain. */
   public static DisplaySink direct(
       SensorGeometry geometry, FilterChain chain, DisplayOptions options) {
-    return new DisplaySink(geometry, chain, options, false);
+    return new DisplaySink(chain, new PictureMaker(geometry, options, false), Optional.empty());
   }
 
   /** One that paints on a thread of its own. */
   public static DisplaySink apart(
       SensorGeometry geometry, FilterChain chain, DisplayOptions options) {
-    return new DisplaySink(geometry, chain, options, true);
+    PictureMaker maker = new PictureMaker(geometry, options, true);
+    return new DisplaySink(chain, maker, Optional.of(new PictureThread()));
+  }
+
+  /**
+   * One whose pictures come with those of this one, of the same moments: it takes the same packets,
+   * slices and notifications, each before this one does.
+   */
+  public DisplaySink beside(FilterChain chain) {
+    return new DisplaySink(chain, maker.beside(), thread);
   }
 
   /** What paints, for whoever shows its frames or wants them otherwise. */
@@ -62,13 +75,6 @@ public final class DisplaySink implements SliceSink {
   /** Shows the frame that was there before the place of the last jump. */
   public void giveFrame(Frame frame) {
     if (maker.frames().give(frame)) {
-      maker.setStale(true);
-    }
-  }
-
-  /** Shows the camera's frame that another picture of the same moment shows. */
-  public void showFrameOf(DisplaySink other) {
-    if (maker.frames().follow(other.maker.frames())) {
       maker.setStale(true);
     }
   }
@@ -163,6 +169,8 @@ public final class DisplaySink implements SliceSink {
   /** Ends all subscriptions; the processing thread has ended or calls this. */
   public void close() {
     taps.close();
-    thread.ifPresent(PictureThread::close);
+    if (!maker.leave()) {
+      thread.ifPresent(PictureThread::close);
+    }
   }
 }

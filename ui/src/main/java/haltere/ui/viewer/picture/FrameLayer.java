@@ -49,14 +49,6 @@ public final class FrameLayer {
     return wanted;
   }
 
-  /** Shows the frame that another picture of the same moment shows; false if it does already. */
-  synchronized boolean follow(FrameLayer other) {
-    Frame before = latest;
-    latest = other.latest();
-    sought = false;
-    return latest != before;
-  }
-
   private synchronized Frame latest() {
     return latest;
   }

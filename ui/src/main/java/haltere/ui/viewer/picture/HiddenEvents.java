@@ -1,7 +1,11 @@
 package haltere.ui.viewer.picture;
 
-import haltere.core.playback.PlayerStatus;
+import haltere.core.chain.ChainStage;
+import haltere.core.chain.FilterTiming;
 import haltere.ui.viewer.controls.Controls;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.OptionalInt;
 import javafx.beans.property.BooleanProperty;
 import javafx.geometry.Pos;
@@ -25,7 +29,7 @@ public final class HiddenEvents extends HBox {
   private final BooleanProperty shown;
   private final Label share = Controls.named(new Label(), "hidden-share");
   private final Hyperlink change = Controls.named(new Hyperlink(), "show-hidden");
-  private PlayerStatus from;
+  private Map<ChainStage, FilterTiming> from = Map.of();
   private OptionalInt percent = OptionalInt.empty();
 
   /**
@@ -47,21 +51,31 @@ public final class HiddenEvents extends HBox {
 
   /** Forgets what was measured, for another recording. */
   public void clear() {
-    from = null;
+    from = Map.of();
     percent = OptionalInt.empty();
     say();
   }
 
-  /** Measures the share of events that the filters removed since the last call, if any is on. */
-  public void update(PlayerStatus now, boolean anyFilter) {
-    if (!anyFilter) {
-      clear();
-    } else if (from == null || now.eventsIn() < from.eventsIn()) {
-      from = now;
-    } else if (now.eventsIn() - from.eventsIn() >= MIN_EVENTS) {
-      long in = now.eventsIn() - from.eventsIn();
-      long hidden = in - (now.eventsOut() - from.eventsOut());
-      percent = OptionalInt.of((int) Math.round(100.0 * Math.max(0, hidden) / in));
+  /**
+   * Measures the share of events that the stages that are on removed since the last call, also in
+   * the run to a moment that is shown in a pause.
+   */
+  public void update(List<ChainStage> on) {
+    if (on.isEmpty()) {
+      percent = OptionalInt.empty();
+      say();
+    }
+    long in = 0;
+    long hidden = 0;
+    Map<ChainStage, FilterTiming> now = new HashMap<>(from);
+    for (ChainStage stage : on) {
+      now.put(stage, stage.timing());
+      FilterTiming since = now.get(stage).since(from.getOrDefault(stage, FilterTiming.NONE));
+      in = Math.max(in, since.eventsIn());
+      hidden += since.eventsIn() - since.eventsOut();
+    }
+    if (in >= MIN_EVENTS) {
+      percent = OptionalInt.of((int) Math.round(100.0 * Math.min(in, hidden) / in));
       from = now;
       say();
     }

@@ -24,6 +24,8 @@ import java.util.Optional;
  * then tells the window to ask for the last one. While slices run on, and events fade, one is also
  * painted in the midst of a slice where the window would have none for its next pulse.
  *
+ * <p>A maker {@link #beside} another one is painted when that is, as part of its frame.
+ *
  * <p>Thread rule: {@link #setOptions}, {@link #setScreenPlace}, {@link #point}, {@link #setRegion},
  * {@link #isStale()} and the exchange's showing side from any thread, all else on the thread that
  * paints.
@@ -46,8 +48,14 @@ public final class PictureMaker {
 
   private final EventPicture events;
   private final ViewProbes probes = new ViewProbes();
-  private final FrameLayer frames = new FrameLayer();
+  private final FrameLayer frames;
   private final FrameExchange<DisplayFrame> exchange;
+
+  /** What this one is painted with, and what is painted with this one. */
+  private final Optional<PictureMaker> first;
+
+  private volatile Optional<PictureMaker> second = Optional.empty();
+  private volatile boolean left;
   private volatile DisplayOptions options;
   private final ScreenPainter painter = new ScreenPainter();
   private volatile Optional<ScreenPlace> screenPlace = Optional.empty();
@@ -68,10 +76,35 @@ public final class PictureMaker {
    * A maker without events, which may also paint in the midst of a slice, see the class comment.
    */
   PictureMaker(SensorGeometry geometry, DisplayOptions options, boolean betweenSlices) {
+    this(geometry, options, betweenSlices, Optional.empty());
+  }
+
+  private PictureMaker(
+      SensorGeometry geometry,
+      DisplayOptions options,
+      boolean betweenSlices,
+      Optional<PictureMaker> first) {
     this.options = options;
     this.betweenSlices = betweenSlices;
+    this.first = first;
+    frames = first.map(PictureMaker::frames).orElseGet(FrameLayer::new);
     events = new EventPicture(geometry, style());
-    exchange = new FrameExchange<>(() -> new DisplayFrame(geometry));
+    exchange =
+        first
+            .map(PictureMaker::exchange)
+            .orElseGet(() -> new FrameExchange<>(() -> new DisplayFrame(geometry)));
+  }
+
+  /** One whose pictures are part of this one's frames, from the end of its first slice on. */
+  PictureMaker beside() {
+    return new PictureMaker(events.frame().geometry(), options, false, Optional.of(this));
+  }
+
+  /** Is no longer painted with another one; false if it never was. */
+  boolean leave() {
+    left = true;
+    first.ifPresent(maker -> maker.second = Optional.empty());
+    return first.isPresent();
   }
 
   /** Where finished frames are fetched. */
@@ -139,14 +172,18 @@ public final class PictureMaker {
   }
 
   void packet(EventPacket packet) {
-    if (exposed) {
-      events.beginExposure();
-      exposed = false;
-    }
+    beginExposure();
     events.packet(packet);
     probes.packet(packet);
     if (betweenSlices && runsOn && !events.style().sharp() && isOverdue()) {
       paint(lastMarks);
+    }
+  }
+
+  private void beginExposure() {
+    if (exposed) {
+      events.beginExposure();
+      exposed = false;
     }
   }
 
@@ -173,10 +210,9 @@ public final class PictureMaker {
   /** A slice ends of which no frame is wanted now. */
   void endSlice(long fromUs, long toUs) {
     events.advanceTo(toUs);
-    if (exposed) {
-      events.beginExposure();
-    }
+    beginExposure();
     holds = false;
+    first.ifPresent(maker -> maker.second = left ? Optional.empty() : Optional.of(this));
     lastSliceUs = toUs - fromUs;
     sliceUs += 0.25 * (lastSliceUs - sliceUs);
     exposed = true;
@@ -198,12 +234,29 @@ public final class PictureMaker {
 
   /** Paints what there is and hands it over. */
   void paint(List<LayerTaps.Marks<?>> marks) {
-    stale = holds;
-    if (holds) {
+    lastMarks = marks;
+    // in the midst of a slice two chains have not come equally far
+    stale = holds || second.isPresent() && !exposed;
+    if (stale || first.isPresent()) {
       return;
     }
-    events.configure(style());
     DisplayFrame frame = exchange.back();
+    frame.beside =
+        second.map(
+            maker -> {
+              DisplayFrame with = frame.beside.orElseGet(() -> new DisplayFrame(frame.geometry));
+              maker.fill(with);
+              return with;
+            });
+    fill(frame);
+    frame.screenPlace = screenPlace;
+    frame.screenPlace.ifPresent(place -> paintScreen(frame, place));
+    exchange.publish();
+    paintedNanos = System.nanoTime();
+  }
+
+  private void fill(DisplayFrame frame) {
+    events.configure(style());
     events.paintRanked(frame.pixels);
     paintFrame(frame.pixels);
     frame.pixel = probes.pixel(events);
@@ -211,16 +264,12 @@ public final class PictureMaker {
     frame.scale = scale();
     frame.timeUs = events.frame().nowUs();
     frame.dark = events.style().dark();
-    frame.marks = marks;
-    frame.screenPlace = screenPlace;
-    frame.screenPlace.ifPresent(place -> paintScreen(frame, place));
-    exchange.publish();
-    paintedNanos = System.nanoTime();
+    frame.marks = lastMarks;
   }
 
   private void paintFrame(int[] ranked) {
     SensorGeometry geometry = events.frame().geometry();
-    frames.paintUnder(ranked, geometry, events.style().background(), options.frameOpacity());
+    frames.paintUnder(ranked, geometry, events.style().background(), options().frameOpacity());
   }
 
   private void paintScreen(DisplayFrame frame, ScreenPlace place) {
@@ -276,12 +325,16 @@ public final class PictureMaker {
     return Math.max(Math.max(fadingUs, events.memoryUs()), probes.memoryUs());
   }
 
+  private DisplayOptions options() {
+    return first.map(maker -> maker.options).orElse(options);
+  }
+
   private PictureStyle style() {
     return style(lastSliceUs, sliceUs);
   }
 
   private PictureStyle style(long exposureUs, double fadingSliceUs) {
-    DisplayOptions now = options;
+    DisplayOptions now = options();
     if (now.decayUs() == DisplayOptions.ACCUMULATE) {
       return PictureStyle.accumulated(now.mode(), now.colours(), now.gradient());
     }

@@ -10,8 +10,9 @@ import java.util.function.Supplier;
 
 /**
  * A thread that gathers and paints, so that the thread of the chain need not. It gets copies of
- * packets by way of a {@link PacketPool}, and steps to take between them, in order; an empty packet
- * stands for each step. Where it falls behind by all packets of the pool, who hands one over waits.
+ * packets by way of a {@link PacketPool} with who takes each, and steps to take between them, in
+ * order; an empty packet stands for each step. Where it falls behind by all packets of the pool,
+ * who hands one over waits.
  *
  * <p>Thread rule: {@link #packet}, {@link #later} and {@link #now} by one thread at a time, {@link
  * #close} by any.
@@ -19,16 +20,15 @@ import java.util.function.Supplier;
 final class PictureThread implements AutoCloseable {
   private static final int PACKETS = 64;
   private static final int PACKET_EVENTS = 4096;
+  private static final EventPacket NONE = new EventPacket(0);
 
   private final PacketPool pool = new PacketPool(PACKETS, PACKET_EVENTS);
-  private final ConcurrentLinkedQueue<Runnable> steps = new ConcurrentLinkedQueue<>();
-  private final Consumer<EventPacket> consumer;
+  private final ConcurrentLinkedQueue<Consumer<EventPacket>> takers = new ConcurrentLinkedQueue<>();
   private final Thread thread = new Thread(this::work, "haltere-picture");
   private volatile RuntimeException failure;
 
   /** Begins; packets are taken on the new thread. */
-  PictureThread(Consumer<EventPacket> consumer) {
-    this.consumer = consumer;
+  PictureThread() {
     thread.setDaemon(true);
     thread.start();
   }
@@ -37,11 +37,7 @@ final class PictureThread implements AutoCloseable {
     try {
       while (true) {
         EventPacket packet = pool.receive();
-        if (packet.isEmpty()) {
-          guarded(steps.remove());
-        } else {
-          guarded(() -> consumer.accept(packet));
-        }
+        guarded(() -> takers.remove().accept(packet));
         pool.release(packet);
       }
     } catch (InterruptedException closed) {
@@ -61,21 +57,20 @@ final class PictureThread implements AutoCloseable {
   }
 
   /**
-   * Hands over a copy of a packet, or throws what was thrown on the other thread since the last
-   * call.
+   * Hands over a copy of a packet to who takes it, or throws what was thrown on the other thread
+   * since the last call.
    */
-  void packet(EventPacket packet) {
+  void packet(EventPacket packet, Consumer<EventPacket> taker) {
     tellFailure();
     if (!packet.isEmpty()) {
-      hand(packet);
+      hand(packet, taker);
     }
   }
 
   /** Does something behind the packets that were handed over, and does not wait for it. */
   void later(Runnable step) {
     tellFailure();
-    steps.add(step);
-    hand(null);
+    hand(NONE, empty -> step.run());
   }
 
   private void tellFailure() {
@@ -86,12 +81,11 @@ final class PictureThread implements AutoCloseable {
     }
   }
 
-  private void hand(EventPacket source) {
+  private void hand(EventPacket source, Consumer<EventPacket> taker) {
     try {
       EventPacket copy = pool.take();
-      if (source != null) {
-        copy.append(source, 0, source.size());
-      }
+      copy.append(source, 0, source.size());
+      takers.add(taker);
       pool.hand(copy);
     } catch (InterruptedException ending) {
       Thread.currentThread().interrupt();

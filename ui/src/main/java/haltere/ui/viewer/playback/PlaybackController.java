@@ -340,7 +340,10 @@ public final class PlaybackController {
       return;
     }
     Player open = player.get();
-    aimUs = open.playable().nearestUs(elapsedUs);
+    long endUs = open.playable().durationUs().orElse(Long.MAX_VALUE);
+    // at the end is the last whole slice, not the last event alone
+    long backUs = elapsedUs >= endUs - 1 ? endUs - open.status().sliceUs() : elapsedUs;
+    aimUs = open.playable().nearestUs(backUs);
     if (seeking) {
       nextSeekUs = OptionalLong.of(aimUs);
       return;

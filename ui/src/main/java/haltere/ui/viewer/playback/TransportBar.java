@@ -8,6 +8,7 @@ import haltere.ui.viewer.controls.Texts;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import javafx.beans.binding.BooleanBinding;
 import javafx.geometry.Orientation;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -34,6 +35,13 @@ public final class TransportBar extends HBox {
   private final Button play;
   private final Node playIcon = Icons.PLAY.node();
   private final Node pauseIcon = Icons.PAUSE.node();
+
+  /** Below this width, pixels, the time until the end and the lines between groups give way. */
+  private static final double WIDE_PX = 880;
+
+  /** Below this width, pixels, so do buttons whose work is in menus and on keys. */
+  private static final double NARROW_PX = 740;
+
   private final MenuButton speed = Controls.named(new MenuButton(), "speed");
   private final ToggleButton loop = Controls.toggle("loop", Icons.LOOP, "Repeat at the end (L)");
   private final Button back;
@@ -74,6 +82,11 @@ public final class TransportBar extends HBox {
     for (Region kept : List.of(speed, elapsed, remaining)) {
       kept.setMinWidth(Region.USE_PREF_SIZE);
     }
+    BooleanBinding isWide = widthProperty().greaterThan(WIDE_PX);
+    Controls.showWhere(isWide, remaining);
+    Button slower = Controls.button("slower", Icons.SLOWER, "Slower (S)", playback::slower);
+    Button faster = Controls.button("faster", Icons.FASTER, "Faster (F)", playback::faster);
+    Controls.showWhere(widthProperty().greaterThan(NARROW_PX), slower, faster, markIn, markOut);
     loop.setOnAction(event -> playback.setLooping(loop.isSelected()));
     playback.loopProperty().subscribe(now -> loop.setSelected(now.on()));
     Controls.help(elapsed, "Time since the start");
@@ -88,9 +101,9 @@ public final class TransportBar extends HBox {
             Controls.button(
                 "step-forward", Icons.STEP_FORWARD, "One slice on (.)", () -> playback.step(1)),
             separator(),
-            Controls.button("slower", Icons.SLOWER, "Slower (S)", playback::slower),
+            slower,
             speed,
-            Controls.button("faster", Icons.FASTER, "Faster (F)", playback::faster),
+            faster,
             separator(),
             new SlicingField(playback),
             separator(),
@@ -108,6 +121,9 @@ public final class TransportBar extends HBox {
             space,
             elapsed,
             remaining);
+    getChildren().stream()
+        .filter(Separator.class::isInstance)
+        .forEach(separator -> Controls.showWhere(isWide, separator));
     setObstacle("Nothing is open.");
   }
 

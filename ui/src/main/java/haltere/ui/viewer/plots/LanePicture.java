@@ -1,8 +1,8 @@
 package haltere.ui.viewer.plots;
 
+import haltere.core.sink.internal.Ticks;
 import haltere.ui.plot.Curve;
 import haltere.ui.plot.Lane;
-import haltere.ui.plot.Ticks;
 import haltere.ui.plot.TimeWindow;
 import haltere.ui.rendering.LinePainter;
 import haltere.ui.viewer.controls.PixelImage;

@@ -1,6 +1,6 @@
 package haltere.ui.viewer.plots;
 
-import haltere.ui.plot.Ticks;
+import haltere.core.sink.internal.Ticks;
 import haltere.ui.plot.TimeWindow;
 import javafx.geometry.VPos;
 import javafx.scene.canvas.Canvas;

@@ -4,7 +4,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.OverlayCanvas;
-import haltere.ui.plot.Ticks;
+import haltere.core.sink.internal.Ticks;
 import haltere.ui.rendering.Letters;
 import haltere.ui.rendering.SpaceTimeProjection;
 import java.util.List;

@@ -13,6 +13,7 @@ import haltere.ui.viewer.PresetFeature;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.feature.UserSettings;
+import haltere.ui.viewer.picture.EventView;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -20,6 +21,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Collectors;
 import javafx.geometry.Dimension2D;
 import javafx.scene.Parent;
@@ -95,6 +97,28 @@ class CompareTest {
       Set<String> texts = tableTexts();
       assertTrue(texts.stream().noneMatch(text -> text.endsWith("%")), texts.toString());
     }
+  }
+
+  @Test
+  void bothPicturesAreOfTheSameMomentWhilePlaying() {
+    viewer = ViewerHarness.withBlobAndNoiseFilters();
+    viewer.run(() -> viewer.window.context().actions().run("compare"));
+    viewer.waitFor("the second picture", () -> viewer.isThere("second-event-view"));
+    EventView first = viewer.node("event-view", EventView.class);
+    EventView second = viewer.node("second-event-view", EventView.class);
+    long[] shownUs = new long[2];
+    List<Long> apartUs = new CopyOnWriteArrayList<>();
+    viewer.run(
+        () -> {
+          first.onFrame(frame -> shownUs[0] = frame.timeUs());
+          second.onFrame(frame -> shownUs[1] = frame.timeUs());
+          // a listener of the window's pulse comes when both have been shown, or neither
+          viewer.window.context().panels().onPulse(() -> apartUs.add(shownUs[0] - shownUs[1]));
+        });
+    viewer.waitFor("both", () -> shownUs[0] > 0 && shownUs[1] > 0);
+    apartUs.clear();
+    viewer.waitFor("pictures", () -> apartUs.size() > 200);
+    assertEquals(Set.of(0L), Set.copyOf(apartUs), "times between both pictures, microseconds");
   }
 
   private Dimension2D size(String view) {

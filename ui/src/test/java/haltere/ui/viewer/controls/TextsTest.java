@@ -31,7 +31,7 @@ class TextsTest {
 
   @Test
   void aSpeedThatIsNotReachedStandsBesideTheOneThatIs() {
-    assertEquals("1/2\u00d7 of 1\u00d7", Texts.reached(late("dawdler", 0.2)));
+    assertEquals("0.50\u00d7 of 1\u00d7", Texts.reached(late("dawdler", 0.2)));
     assertEquals("Most of the time goes to Dawdler.", Texts.limit(late("dawdler", 0.2)));
     assertEquals("", Texts.limit(late("", 0)));
     String source = Texts.limit(late("dawdler", 0.8));

@@ -26,11 +26,11 @@ class PictureThreadTest {
   @Test
   void packetsAndStepsAreTakenInTheOrderInWhichTheyCame() {
     List<Long> seen = new ArrayList<>();
-    try (PictureThread thread = new PictureThread(packet -> seen.add(packet.firstTimeUs()))) {
+    try (PictureThread thread = new PictureThread()) {
       List<Long> expected = new ArrayList<>();
       for (long i = 0; i < MANY; i++) {
         long time = i;
-        thread.packet(packet(time));
+        thread.packet(packet(time), packet -> seen.add(packet.firstTimeUs()));
         thread.later(() -> seen.add(-time));
         expected.addAll(List.of(time, -time));
       }
@@ -41,9 +41,9 @@ class PictureThreadTest {
   @Test
   void aPacketThatComesOnIsACopy() {
     List<Long> seen = new ArrayList<>();
-    try (PictureThread thread = new PictureThread(packet -> seen.add(packet.firstTimeUs()))) {
+    try (PictureThread thread = new PictureThread()) {
       EventPacket reused = packet(7);
-      thread.packet(reused);
+      thread.packet(reused, packet -> seen.add(packet.firstTimeUs()));
       reused.clear();
       assertEquals(List.of(7L), thread.now(() -> List.copyOf(seen)));
     }
@@ -52,7 +52,7 @@ class PictureThreadTest {
   @Test
   void whatFailsIsToldAtTheNextCallAndTheThreadGoesOn() {
     for (Throwable fault : List.of(new IllegalArgumentException("bad"), new StackOverflowError())) {
-      try (PictureThread thread = new PictureThread(packet -> {})) {
+      try (PictureThread thread = new PictureThread()) {
         thread.later(() -> rethrow(fault));
         assertThrows(
             RuntimeException.class,
@@ -68,7 +68,7 @@ class PictureThreadTest {
 
   @Test
   void whoWaitsForAStepIsToldThatItFailed() {
-    try (PictureThread thread = new PictureThread(packet -> {})) {
+    try (PictureThread thread = new PictureThread()) {
       IllegalStateException fault = new IllegalStateException("no room");
       assertSame(
           fault,

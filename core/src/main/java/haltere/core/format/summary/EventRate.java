@@ -1,4 +1,4 @@
-package haltere.ui.plot;
+package haltere.core.format.summary;
 
 import haltere.core.event.EventPacket;
 import haltere.core.stream.DataLost;
@@ -10,6 +10,8 @@ import java.util.stream.IntStream;
  * Event rate over time, for one line of block characters or a plot, however long the stream is.
  *
  * <p>Thread rule: one thread.
+ *
+ * @since 0.1
  */
 public final class EventRate implements StreamHandler {
   private static final String BLOCKS = "\u2581\u2582\u2583\u2584\u2585\u2586\u2587\u2588";
@@ -20,25 +22,38 @@ public final class EventRate implements StreamHandler {
   private long firstUs = StreamNotification.NO_TIME_US;
   private long lastUs;
 
-  /** A rate of nothing yet, in at most so many stretches of time, an even number. */
+  /**
+   * A rate of nothing yet.
+   *
+   * @param bins stretches of time at most, an even number
+   */
   public EventRate(int bins) {
     this.bins = new TimeBins(bins, 1_000);
   }
 
   /**
-   * Time since the first event, microseconds, without what lies between a clock's end and its next
-   * start.
+   * Time since the first event, without what lies between a clock's end and its next start.
+   *
+   * @return microseconds
    */
   public long elapsedUs() {
     return elapsedUs;
   }
 
-  /** Time of the first event, microseconds on the stream's clock. */
+  /**
+   * Time of the first event.
+   *
+   * @return microseconds on the stream's clock
+   */
   public long firstUs() {
     return firstUs;
   }
 
-  /** Time of the last event, microseconds on the stream's clock. */
+  /**
+   * Time of the last event.
+   *
+   * @return microseconds on the stream's clock
+   */
   public long lastUs() {
     return lastUs;
   }
@@ -46,6 +61,8 @@ public final class EventRate implements StreamHandler {
   /**
    * Events in stretches of time since the first event, which grow with the stream; a clock that
    * restarts goes on.
+   *
+   * @return these bins as they are, not a copy
    */
   public TimeBins bins() {
     return bins;
@@ -72,7 +89,11 @@ public final class EventRate implements StreamHandler {
     }
   }
 
-  /** A line with a block for each stretch of time, a space where nothing happened. */
+  /**
+   * The rate as block characters.
+   *
+   * @return one for each stretch of time, a space where nothing happened
+   */
   public String line() {
     StringBuilder line = new StringBuilder();
     for (int bin = 0; bin < bins.size(); bin++) {
@@ -83,7 +104,11 @@ public final class EventRate implements StreamHandler {
     return line.toString();
   }
 
-  /** The highest rate of any of the bins, events per second. */
+  /**
+   * The highest rate of any of the bins.
+   *
+   * @return events per second
+   */
   public double highestHz() {
     return IntStream.range(0, bins.size()).mapToDouble(bins::rateHz).max().orElse(0);
   }

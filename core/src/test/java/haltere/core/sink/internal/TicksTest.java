@@ -1,4 +1,4 @@
-package haltere.ui.plot;
+package haltere.core.sink.internal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

@@ -1,4 +1,4 @@
-package haltere.ui.plot;
+package haltere.core.format.summary;
 
 import java.util.Arrays;
 
@@ -7,6 +7,8 @@ import java.util.Arrays;
  * so memory is bounded and the length of a stream need not be known.
  *
  * <p>Thread rule: one thread.
+ *
+ * @since 0.1
  */
 public final class TimeBins {
   private final long[] counts;
@@ -16,7 +18,10 @@ public final class TimeBins {
   private long endUs;
 
   /**
-   * Empty bins: at most so many, an even number, and the length of each at first in microseconds.
+   * Empty bins.
+   *
+   * @param bins how many at most, an even number
+   * @param firstBinUs length of each at first, microseconds
    */
   public TimeBins(int bins, long firstBinUs) {
     counts = new long[bins];
@@ -25,7 +30,12 @@ public final class TimeBins {
     binUs = firstBinUs;
   }
 
-  /** Takes a sample at a time of 0 or more microseconds since the first. */
+  /**
+   * Takes a sample.
+   *
+   * @param elapsedUs its time since the first, microseconds, at least 0
+   * @param value its value
+   */
   public void add(long elapsedUs, double value) {
     while (elapsedUs / binUs >= counts.length) {
       merge();
@@ -50,17 +60,30 @@ public final class TimeBins {
     binUs *= 2;
   }
 
-  /** Number of bins up to the last sample, 0 before the first. */
+  /**
+   * Number of bins up to the last sample.
+   *
+   * @return 0 before the first sample
+   */
   public int size() {
     return (int) ((endUs + binUs - 1) / binUs);
   }
 
-  /** Length of a bin, microseconds. */
+  /**
+   * Length of a bin.
+   *
+   * @return microseconds
+   */
   public long binUs() {
     return binUs;
   }
 
-  /** How many samples are in a bin. */
+  /**
+   * How many samples are in a bin.
+   *
+   * @param bin 0 to {@link #size()} - 1
+   * @return at least 0
+   */
   public long count(int bin) {
     return counts[bin];
   }
@@ -68,17 +91,30 @@ public final class TimeBins {
   /**
    * Samples per second in a bin; of the last one over what it covers of time, and at least half of
    * its length.
+   *
+   * @param bin 0 to {@link #size()} - 1
+   * @return hertz
    */
   public double rateHz(int bin) {
     return counts[bin] * 1e6 / Math.min(binUs, Math.max(binUs / 2, endUs - bin * binUs));
   }
 
-  /** Lowest value in a bin, NaN without samples. */
+  /**
+   * Lowest value in a bin.
+   *
+   * @param bin 0 to {@link #size()} - 1
+   * @return NaN without samples
+   */
   public double lowest(int bin) {
     return counts[bin] == 0 ? Double.NaN : lowest[bin];
   }
 
-  /** Highest value in a bin, NaN without samples. */
+  /**
+   * Highest value in a bin.
+   *
+   * @param bin 0 to {@link #size()} - 1
+   * @return NaN without samples
+   */
   public double highest(int bin) {
     return counts[bin] == 0 ? Double.NaN : highest[bin];
   }

@@ -1,4 +1,4 @@
-package haltere.ui.plot;
+package haltere.core.sink.internal;
 
 import java.util.ArrayList;
 import java.util.List;
