@@ -59,8 +59,9 @@ public interface JobResults extends Closeable {
     return List.of();
   }
 
+  /** Closes what is open: nothing, unless an implementation has files or sockets. */
   @Override
-  void close() throws IOException;
+  default void close() throws IOException {}
 
   /** Opens results. */
   interface Opener {

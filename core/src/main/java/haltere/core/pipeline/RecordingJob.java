@@ -216,11 +216,11 @@ public final class RecordingJob {
       pace.apply(reader).drainTo(runner);
       requireWhole(reader, strict);
       written.finish();
+      // a chain filters events: what else a recording holds is missing only where there are none
+      boolean hasEvents = counters.get(Counter.EVENTS_IN) > 0;
       List<String> warnings = new ArrayList<>(reader.remarks());
       warnings.addAll(
-          reader
-              .violations()
-              .describe(watch.samples.isEmpty() ? Set.of() : Set.of(Violation.OTHER_DATA)));
+          reader.violations().describe(hasEvents ? Set.of(Violation.OTHER_DATA) : Set.of()));
       return new JobReport(
           recording,
           reader.formatName(),

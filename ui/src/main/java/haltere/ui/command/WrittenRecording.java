@@ -5,6 +5,7 @@ import haltere.core.event.SensorSample;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.SampleCounts;
+import haltere.core.format.Violation;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.OverflowPolicy;
 import haltere.core.pipeline.Recorder;
@@ -18,7 +19,7 @@ import java.util.List;
 /** The events that a chain left of a recording, written to another one. */
 final class WrittenRecording implements JobResults, StreamHandler {
   private final Subcommand command;
-  private final Path input;
+  private final RecordingReader reader;
   private final Path file;
   private final RecordingWriter writer;
   private final Recorder recorder;
@@ -26,7 +27,7 @@ final class WrittenRecording implements JobResults, StreamHandler {
 
   WrittenRecording(Subcommand command, RecordingReader reader, Path file, RecordingWriter writer) {
     this.command = command;
-    this.input = reader.path();
+    this.reader = reader;
     this.file = file;
     this.writer = writer;
     recorder = new Recorder(writer, reader.geometry(), OverflowPolicy.BLOCK);
@@ -55,9 +56,11 @@ final class WrittenRecording implements JobResults, StreamHandler {
     RecorderReport report = recorder.finish();
     writer.losses().forEach(loss -> command.warning(file + ": " + loss));
     SampleCounts leftOut = report.samplesLeftOut();
-    if (!leftOut.isEmpty()) {
-      command.warning(
-          input + ": " + leftOut + " were left out: the format of " + file + " cannot hold them");
+    long words = reader.violations().count(Violation.OTHER_DATA);
+    if (!leftOut.isEmpty() || samples.isEmpty() && words > 0) {
+      String what = leftOut.isEmpty() ? words + " words of other data" : leftOut.toString();
+      String why = " were left out: the format of " + file + " cannot hold them";
+      command.warning(reader.path() + ": " + what + why);
     }
     SampleCounts kept = samples.minus(leftOut);
     String beside = kept.isEmpty() ? "" : ", " + kept;

@@ -85,6 +85,22 @@ class SamplesCommandTest {
   }
 
   @Test
+  void whatTracksAreNotMadeOfIsNoWarning() {
+    String tracked = succeed("track", davis, "--out", out("tracks.csv"), "--quiet");
+    assertEquals("", tracked);
+  }
+
+  @Test
+  void runSaysThatWordsOfAnotherKindWereLeftBehind() throws IOException {
+    Path recording = Recorded.file("imx636-evt3.raw");
+    Path chain = out("chain.json");
+    Files.writeString(chain, "{\"filters\": []}");
+    String left = succeed("run", recording, "--chain", chain, "--out", out("left.csv"), "--quiet");
+    assertTrue(left.contains("457639 words of other data were left out"), left);
+    assertEquals(1, left.lines().count(), left);
+  }
+
+  @Test
   void samplesAndTriggersBecomeTables() throws IOException {
     succeed("convert", davis, out("imu.csv"), "--stream", "imu");
     List<String> imu = Files.readAllLines(out("imu.csv"));

@@ -1,6 +1,8 @@
 package haltere.core.sink.internal;
 
 import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -25,6 +27,9 @@ public final class SvgPlot {
   private static final int RIGHT = 12;
   private static final int TOP = 28;
   private static final int BOTTOM = 42;
+
+  /** Longest number below the plot that leaves a gap to the next one, in characters. */
+  private static final int MAX_DIGITS = 8;
 
   private final double fromX;
   private final double toX;
@@ -197,7 +202,11 @@ public final class SvgPlot {
     svg.append(label(WIDTH / 2.0, 16, "middle", title));
     grid(svg);
     svg.append(marks);
-    svg.append(label((LEFT + WIDTH - RIGHT) / 2.0, HEIGHT - 8, "middle", xLabel));
+    String after =
+        originX() == 0
+            ? ""
+            : " after " + new BigDecimal(originX(), MathContext.DECIMAL64).toPlainString();
+    svg.append(label((LEFT + WIDTH - RIGHT) / 2.0, HEIGHT - 8, "middle", xLabel + after));
     svg.append(
         text(
             "<g transform=\"translate(14 %d) rotate(-90)\">%n%s</g>%n",
@@ -225,15 +234,27 @@ public final class SvgPlot {
   private void grid(StringBuilder svg) {
     svg.append("<g stroke=\"#ddd\">\n");
     StringBuilder labels = new StringBuilder();
-    for (double x : Ticks.of(fromX, toX, MAX_TICKS).values()) {
+    Ticks across = Ticks.of(fromX, toX, MAX_TICKS);
+    for (double x : across.values()) {
       svg.append(segment(atX(x), TOP, atX(x), HEIGHT - BOTTOM));
-      labels.append(label(atX(x), HEIGHT - BOTTOM + 15, "middle", number(x)));
+      String words = number(across, x - originX());
+      labels.append(label(atX(x), HEIGHT - BOTTOM + 15, "middle", words));
     }
-    for (double y : Ticks.of(fromY, toY, MAX_TICKS).values()) {
+    Ticks up = Ticks.of(fromY, toY, MAX_TICKS);
+    for (double y : up.values()) {
       svg.append(segment(LEFT, atY(y), WIDTH - RIGHT, atY(y)));
-      labels.append(label(LEFT - 6, atY(y) + 4, "end", number(y)));
+      labels.append(label(LEFT - 6, atY(y) + 4, "end", number(up, y)));
     }
     svg.append("</g>\n").append(labels);
+  }
+
+  /** What the numbers below the plot count from: a round number where they are too long from 0. */
+  private double originX() {
+    if (Ticks.of(fromX, toX, MAX_TICKS).label(toX).length() <= MAX_DIGITS) {
+      return 0;
+    }
+    double round = Math.pow(10, Math.ceil(Math.log10(toX - fromX)));
+    return Math.floor(fromX / round) * round;
   }
 
   private String points(double[] x, double[] y) {
@@ -256,9 +277,8 @@ public final class SvgPlot {
     return HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * share;
   }
 
-  private static String number(double value) {
-    String shown = text("%.4f", value).replaceAll("0+$", "").replaceAll("\\.$", "");
-    return shown.equals("-0") ? "0" : shown.replace('-', '−');
+  private static String number(Ticks ticks, double value) {
+    return ticks.label(value).replace('-', '−');
   }
 
   private static String segment(double x1, double y1, double x2, double y2) {

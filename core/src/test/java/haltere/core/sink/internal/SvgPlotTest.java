@@ -1,6 +1,7 @@
 package haltere.core.sink.internal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 
@@ -16,6 +17,25 @@ class SvgPlotTest {
     assertEquals(1, marks("<circle", 3, Double.NaN));
     assertEquals(1, marks("<polyline", 3, Double.NaN, 4));
     assertEquals(0, marks("<circle", Double.NaN));
+  }
+
+  @Test
+  void timesOfAnEpochCountFromARoundTimeThatTheLabelSays() {
+    String svg = plot(1_605_116_853.9, 1_605_116_855.4);
+    assertTrue(svg.contains(">4.0<"), svg);
+    assertTrue(svg.contains(">5.4<"), svg);
+    assertTrue(svg.contains(">time (s) after 1605116850<"), svg);
+  }
+
+  @Test
+  void shortNumbersAreAsTheyAre() {
+    String svg = plot(100, 101.5);
+    assertTrue(svg.contains(">100.2<"), svg);
+    assertTrue(svg.contains(">time (s)<"), svg);
+  }
+
+  private static String plot(double fromX, double toX) {
+    return new SvgPlot(fromX, toX, 0, 1).draw("title", "time (s)", "y");
   }
 
   private static int marks(String kind, double... y) {

@@ -83,11 +83,6 @@ public final class RunReport implements JobResults {
     stages = ChainTable.rows(chain);
   }
 
-  @Override
-  public void close() {
-    // nothing is open
-  }
-
   /**
    * Adds what was gathered to a page, with the recording's SHA-256 (hexadecimal) and lines for a
    * person.
