@@ -1,5 +1,6 @@
 package haltere.testing;
 
+import com.code_intelligence.jazzer.api.BugDetectors;
 import com.code_intelligence.jazzer.junit.FuzzTest;
 import java.io.IOException;
 
@@ -32,6 +33,7 @@ class TextFuzzTest {
 
   @FuzzTest(maxDuration = TIME)
   void subscriber(byte[] bytes) throws IOException {
+    BugDetectors.allowNetworkConnections();
     TextFuzzer.checkSubscriber(bytes);
   }
 }

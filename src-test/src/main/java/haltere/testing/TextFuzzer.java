@@ -30,9 +30,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What holds for any bytes whatever, given as a chain, settings, cameras, an address of live results
- * or by a peer at such an address: they are understood, and what is understood can be written and
- * read again, or they are refused in one line. Nothing else may be thrown.
+ * What holds for any bytes whatever, given as a chain, settings, cameras, an address of live
+ * results or by a peer at such an address: they are understood, and what is understood can be
+ * written and read again, or they are refused in one line. Nothing else may be thrown.
  *
  * <p>{@code ./gradlew fuzz -Pformat=NAME} has a fuzzer that is guided by coverage look for bytes
  * for which that does not hold (TextFuzzTest).

@@ -2,6 +2,7 @@ package haltere.core.sink.internal;
 
 import java.io.IOException;
 import java.net.Socket;
+import java.util.function.Consumer;
 
 /**
  * What is said on the TCP connections of an output.
@@ -25,28 +26,39 @@ interface LineProtocol {
      */
     void greet() throws IOException;
 
-    /** Takes what the peer says from now on, until it leaves; empty if it says nothing. */
-    default void listen(Answers answers) throws IOException {}
+    /**
+     * Takes what the peer says from now on, until it leaves; nothing if it does not speak.
+     *
+     * @param answers sends what the peer asked for, in turn with the lines and if there is room
+     */
+    default void listen(Consumer<byte[]> answers) throws IOException {}
 
-    /** Whether there is anything to listen to. */
+    /**
+     * Whether there is anything to listen to.
+     *
+     * @return the same at all times
+     */
     default boolean speaks() {
       return false;
     }
 
-    /** Whether lines on a topic are for this peer. */
+    /**
+     * Whether lines on a topic are for this peer.
+     *
+     * @param topic as it goes over the connection
+     * @return whether it asked for them
+     */
     default boolean wants(byte[] topic) {
       return true;
     }
 
-    /** Whether any lines are for this peer. */
+    /**
+     * Whether any lines are for this peer.
+     *
+     * @return whether it asked for some
+     */
     default boolean receives() {
       return true;
     }
-  }
-
-  /** Sends what a peer asked for, in turn with the lines. */
-  interface Answers {
-    /** Sends some bytes if there is room. */
-    void send(byte[] bytes);
   }
 }

@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
 
 /**
  * A subscriber of ZeroMQ. It may say no more than who it is and what it wants: a greeting that
@@ -95,14 +96,14 @@ final class ZmtpPeer implements LineProtocol.Peer {
   }
 
   @Override
-  public void listen(LineProtocol.Answers answers) throws IOException {
+  public void listen(Consumer<byte[]> answers) throws IOException {
     while (true) {
       ZmtpInput.Frame frame = in.readFrame();
       byte[] data = frame.data();
       switch (frame.command()) {
         case "SUBSCRIBE" -> subscribe(data);
         case "CANCEL" -> cancel(data);
-        case "PING" -> answers.send(ZmtpProtocol.command("PONG", behind(data, PING_TTL_BYTES)));
+        case "PING" -> answers.accept(ZmtpProtocol.command("PONG", behind(data, PING_TTL_BYTES)));
         case "" -> message(data);
         default -> {}
       }
