@@ -8,14 +8,6 @@ import haltere.core.settings.Unit;
 
 /**
  * Settings of {@link BodyLineFilter}.
- *
- * @param rateHz how often the line is reported
- * @param turns how many outlines' worth of events it is made of
- * @param gateRadii which events are the body's
- * @param leastEvents how many of them a report needs
- * @param leastRadiusPx smallest half axis of a body
- * @param greatestRadiusPx largest half axis of a body
- * @param forgetUs when a body without events is forgotten
  */
 public record BodyLineSettings(
     @Help("Reports in a second of recording time; there is none while the body makes no events.")

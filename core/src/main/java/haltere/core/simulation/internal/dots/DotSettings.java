@@ -7,12 +7,6 @@ import haltere.core.settings.Unit;
 
 /**
  * The dots of {@link MovingDotsScene}: dark discs before a bright background.
- *
- * @param path how they move
- * @param count number of dots
- * @param radiusPx radius, pixels
- * @param speedPxS speed along the path, pixels a second
- * @param eventsPerPixel events that a pixel makes when an edge passes, mean
  */
 public record DotSettings(
     @Help("How the dots move.") DotPath path,

@@ -7,14 +7,6 @@ import haltere.core.settings.Unit;
 
 /**
  * The body of {@link FlightScene} and how it flies.
- *
- * @param lengthM its length
- * @param widthM its width
- * @param speedMS how fast it flies on average
- * @param saccadesPerS how often it turns in a saccade
- * @param saccadeDeg how far at most
- * @param saccadeS how long that takes
- * @param pitchDeg how far its head is up on average
  */
 public record FlightBodySettings(
     @Help("Length of the body, an ellipsoid.")
