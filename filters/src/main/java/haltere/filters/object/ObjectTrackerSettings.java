@@ -6,9 +6,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * Settings of {@link ObjectTrackerFilter}.
- */
+/** Settings of {@link ObjectTrackerFilter}. */
 public record ObjectTrackerSettings(
     @Help(
             "Usual size of an object; a larger value joins pieces over wider gaps. 0: the sizes of"

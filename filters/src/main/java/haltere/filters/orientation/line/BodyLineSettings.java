@@ -6,9 +6,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * Settings of {@link BodyLineFilter}.
- */
+/** Settings of {@link BodyLineFilter}. */
 public record BodyLineSettings(
     @Help("Reports in a second of recording time; there is none while the body makes no events.")
         @Range(min = 0.1, max = 100000, logarithmic = true)

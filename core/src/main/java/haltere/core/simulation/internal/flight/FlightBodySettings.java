@@ -5,9 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * The body of {@link FlightScene} and how it flies.
- */
+/** The body of {@link FlightScene} and how it flies. */
 public record FlightBodySettings(
     @Help("Length of the body, an ellipsoid.")
         @Range(min = 1e-4, max = 1, logarithmic = true)

@@ -5,9 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * What a detector makes of the pictures of {@link FlightScene}.
- */
+/** What a detector makes of the pictures of {@link FlightScene}. */
 public record FlightDetectionSettings(
     @Help("Pictures in a second.") @Range(min = 1, max = 100000, logarithmic = true) @Unit("Hz")
         double rateHz,

@@ -5,9 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * The camera on the bridge of {@link RoadScene}: what maps the road to pixels.
- */
+/** The camera on the bridge of {@link RoadScene}: what maps the road to pixels. */
 public record RoadCameraSettings(
     @Help("Height of the camera above the road.")
         @Range(min = 4.5, max = 100, logarithmic = true)
