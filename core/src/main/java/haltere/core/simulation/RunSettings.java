@@ -9,10 +9,6 @@ import java.util.OptionalLong;
 /**
  * The run of a scene.
  *
- * @param seed the same seed makes the same scene
- * @param startUs time of the beginning, microseconds
- * @param durationS length, seconds, 0 for endless
- * @param truthRateHz rows of ground truth a second
  * @since 0.1
  */
 public record RunSettings(

@@ -6,13 +6,7 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 import haltere.filters.selection.PolaritySettings.Keep;
 
-/**
- * Which events a cluster takes, and what those at its edge do.
- *
- * @param polarity polarity of the events that count
- * @param inhibition mass that an event in the surround takes away
- * @param edgeThickness thickness of the edge whose events move a cluster, as a share of its radius
- */
+/** Which events a cluster takes, and what those at its edge do. */
 public record ClusterEventSettings(
     @Help("Polarity of the events that count; the others are ignored.") Keep polarity,
     @Help("An event in the surround takes this mass away instead of adding one; 0: it adds one.")

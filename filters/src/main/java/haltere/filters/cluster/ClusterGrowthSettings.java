@@ -8,11 +8,6 @@ import haltere.core.settings.Unit;
 /**
  * Adaptation of the shape to the second moments of the events, which are averaged with the weights
  * of the location.
- *
- * @param size whether the radius adapts
- * @param aspect whether the ratio of the half axes adapts
- * @param maxScale largest ratio of a radius to the a-priori one, and of that to the radius
- * @param surround capture region over cluster, while the size adapts
  */
 public record ClusterGrowthSettings(
     @Help(value = "The radius adapts to the spread of the events.", label = "Adaptive size")

@@ -5,17 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * Support, visibility and death of clusters.
- *
- * @param massTimeUs time constant of the mass
- * @param lifetimeUs how long a cluster lives without support
- * @param supportedBy what counts as support
- * @param visibleMass mass that is support
- * @param visibleRateHz event rate of a pixel that is support
- * @param minSpeedPxS slower clusters are not visible
- * @param border when a cluster dies at the sensor's border
- */
+/** Support, visibility and death of clusters. */
 public record ClusterLifeSettings(
     @Help("Mass: events of a cluster, each of which decays with this time constant.")
         @Range(min = 2000, max = 10_000_000, logarithmic = true)

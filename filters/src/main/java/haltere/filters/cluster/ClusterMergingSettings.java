@@ -5,14 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * Which clusters merge.
- *
- * @param allowed whether any do
- * @param overlap nearness of two clusters that merge
- * @param differentAngleDeg difference of two directions of motion from which on they do not
- * @param joinSize whether the merged cluster has the size of both together
- */
+/** Which clusters merge. */
 public record ClusterMergingSettings(
     @Help("Clusters merge.") boolean allowed,
     @Help("Clusters merge when their boxes, scaled by this, overlap.")

@@ -7,15 +7,6 @@ import haltere.core.settings.Unit;
 
 /**
  * How events move a cluster, x ← (1 − m) x + m z, and its velocity: its motion, low-pass filtered.
- *
- * @param weight what decides the weight m
- * @param mixingFactor m, where it is constant
- * @param mixingTimeUs time constant of the location, where that is constant
- * @param predict whether clusters move by their velocity at each update
- * @param velocityTimeUs time constant of the velocity
- * @param frictionTimeUs time constant with which the velocity decays, 0 for no decay
- * @param startVelocity velocity at birth
- * @param neighbourRadii neighbourhood whose fastest cluster limits the speed, 0 for no limit
  */
 public record ClusterMotionSettings(
     @Help("Weight of an event: constant, lower at high event rates, or of a time constant.")

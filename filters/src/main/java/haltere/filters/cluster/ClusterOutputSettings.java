@@ -5,15 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * Bounds and results of a cluster tracker.
- *
- * @param maxClusters largest number of clusters
- * @param updateIntervalUs time between two updates
- * @param reportRateHz reports a second of recording time
- * @param pathPoints positions of a path
- * @param onlyClustered whether events outside visible clusters are removed from the stream
- */
+/** Bounds and results of a cluster tracker. */
 public record ClusterOutputSettings(
     @Help("Largest number of clusters at a time; at this number none is born.")
         @Range(min = 1, max = 200, logarithmic = true)

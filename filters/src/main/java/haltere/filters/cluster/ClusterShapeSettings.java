@@ -5,15 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * The a-priori shape of clusters.
- *
- * @param size radius as a share of the sensor's longer side
- * @param aspect height over width
- * @param angleDeg rotation, counterclockwise, degrees
- * @param angle source of the angle after birth
- * @param type which events are inside
- */
+/** The a-priori shape of clusters. */
 public record ClusterShapeSettings(
     @Help("A-priori radius of a cluster as a share of the longer side of the sensor.")
         @Range(min = 0.005, max = 0.5, logarithmic = true)

@@ -8,11 +8,6 @@ import haltere.core.settings.Unit;
 /**
  * How the size of clusters depends on where they are: a camera above a road sees objects the
  * smaller the nearer they are to the vanishing point.
- *
- * @param enabled whether it does
- * @param vanishingX column of the vanishing point as a share of the sensor's width
- * @param vanishingY row of the vanishing point as a share of the sensor's height, 1 at the top
- * @param minScale the smallest scale, at the vanishing point
  */
 public record PerspectiveSettings(
     @Help("Clusters are the smaller the nearer they are to the vanishing point.") boolean enabled,

@@ -8,10 +8,6 @@ import haltere.core.settings.Unit;
 /**
  * Settings of {@link FrequencyMap}.
  *
- * @param minFrequencyHz lowest frequency that is told
- * @param maxFrequencyHz highest frequency that is told
- * @param tolerance relative difference up to which two periods count as equal
- * @param reportRateHz reports a second of event time
  * @since 0.1
  */
 public record FrequencyMapSettings(

@@ -8,9 +8,6 @@ import haltere.core.settings.Unit;
 /**
  * Settings of {@link BackgroundActivityFilter}.
  *
- * @param correlationUs how long an event supports its neighbours; 0: from the measured noise
- * @param neighbours how many of the eight must have fired
- * @param samePolarity whether only neighbours of the event's own polarity count
  * @since 0.1
  */
 public record BackgroundActivitySettings(

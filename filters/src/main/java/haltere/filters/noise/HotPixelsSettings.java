@@ -8,11 +8,6 @@ import haltere.core.settings.Unit;
 /**
  * Settings of {@link HotPixelsFilter}.
  *
- * @param periodUs length of a learning period of event time
- * @param rateHz rate above which a pixel may be hot
- * @param ratio multiple of its neighbours' mean rate above which it is
- * @param calmPeriods learning periods after which a pixel that is no longer hot passes again
- * @param mostBlocked how many pixels may be blocked
  * @since 0.1
  */
 public record HotPixelsSettings(

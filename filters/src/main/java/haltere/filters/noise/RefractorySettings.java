@@ -8,8 +8,6 @@ import haltere.core.settings.Unit;
 /**
  * Settings of {@link RefractoryFilter}.
  *
- * @param periodUs how long a pixel must have been silent
- * @param silence from which event on silence counts
  * @since 0.1
  */
 public record RefractorySettings(

@@ -6,15 +6,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * Settings of {@link ObjectTrackerFilter}.
- *
- * @param scalePx usual size of an object; 0: each object's own
- * @param confirmS how long an object is watched before it is reported
- * @param rememberS how long the identity of an object that makes no events is kept
- * @param reportRateHz how often objects are reported
- * @param pathS how long a piece of an object's path is drawn
- */
+/** Settings of {@link ObjectTrackerFilter}. */
 public record ObjectTrackerSettings(
     @Help(
             "Usual size of an object; a larger value joins pieces over wider gaps. 0: the sizes of"

@@ -9,7 +9,6 @@ import haltere.core.settings.Unit;
 /**
  * Settings of {@link BodyOrientationEstimator}.
  *
- * @param form which filter follows the axis
  * @param gate which observations are used
  * @param turning how the axis turns
  * @param line noise of observed angles
@@ -71,14 +70,7 @@ public record OrientationSettings(
             "line.calibrate=false");
   }
 
-  /**
-   * Which observations are used.
-   *
-   * @param angleDeg largest angle between what is seen and what is expected
-   * @param minAreaPx smallest area
-   * @param minEccentricity smallest ratio of the axes
-   * @param outlierShare share of observations that have nothing to do with the body
-   */
+  /** Which observations are used. */
   public record ObservationGate(
       @Help(
               "Largest angle between an observed line and the expected one; a larger value accepts"
@@ -108,16 +100,7 @@ public record OrientationSettings(
     }
   }
 
-  /**
-   * How the axis turns: at rates that decay and are driven by noise, calmly or in saccades.
-   *
-   * @param calmRateRadS standard deviation of a rate in calm flight
-   * @param saccadeRateRadS standard deviation of a rate in a saccade
-   * @param decayS time constant of the rates
-   * @param saccadesPerS how often a saccade begins
-   * @param saccadeS how long it lasts
-   * @param updateNoise variance that Straw et al. (2011) add at each update
-   */
+  /** How the axis turns: at rates that decay and are driven by noise, calmly or in saccades. */
   public record Turning(
       @Help("Standard deviation of the rate of turning about one axis, in calm flight.")
           @Range(min = 0.001, max = 1000, logarithmic = true)
@@ -159,12 +142,7 @@ public record OrientationSettings(
     }
   }
 
-  /**
-   * Noise of observed angles.
-   *
-   * @param angleSdDeg initial standard deviation
-   * @param calibrate whether that of each camera is learnt
-   */
+  /** Noise of observed angles. */
   public record AngleNoise(
       @Help("Initial standard deviation of an observed angle; a larger value trusts lines less.")
           @Range(min = 0.01, max = 1000, logarithmic = true)
@@ -176,12 +154,8 @@ public record OrientationSettings(
   /**
    * How the body moves, and when it is lost.
    *
-   * @param pixelSd standard deviation of an observed position
-   * @param accelerationDensity how much the velocity wanders
-   * @param gateSigmas which positions are used
    * @param togetherS how far apart in time cameras may look and still be taken together at the
    *     start
-   * @param longestGapS when a body that nobody saw is lost
    */
   public record BodyMotion(
       @Help("Standard deviation of a detection's position in the picture, in each coordinate.")
@@ -205,14 +179,7 @@ public record OrientationSettings(
           @Unit("s")
           double longestGapS) {}
 
-  /**
-   * How head and tail are resolved.
-   *
-   * @param memoryS how long the way flown counts
-   * @param doubtSigmas how clear the opposite must be before the decision is changed
-   * @param certaintySigmas how clear the decision can become
-   * @param slipSdDeg how far the head is off the direction of flight
-   */
+  /** How head and tail are resolved. */
   public record HeadTail(
       @Help("Time constant with which the way that the body has flown along its axis is forgotten.")
           @Range(min = 0.01, max = 1000, logarithmic = true)

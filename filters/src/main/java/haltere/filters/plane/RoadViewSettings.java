@@ -9,9 +9,6 @@ import haltere.core.settings.Unit;
 /**
  * How a camera on a bridge sees the road below it; see {@link RoadMapping}.
  *
- * @param bridgeHeightM height of the camera above the road
- * @param nearestM distance along the road, from below the camera, that the bottom row sees
- * @param farthestM distance along the road that the row of the vanishing point sees
  * @param vanishingPoint where the road vanishes in the picture
  */
 public record RoadViewSettings(

@@ -6,13 +6,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * Where a road vanishes in the picture.
- *
- * @param marked whether it is the marked one; else it is the middle of the top row
- * @param xPx column of the mark, pixels; may lie beside the sensor
- * @param yPx row of the mark above the bottom row, pixels; may lie above the sensor
- */
+/** Where a road vanishes in the picture. */
 public record VanishingPoint(
     @Help("On, the vanishing point is the marked one; off, the middle of the top row.")
         boolean marked,

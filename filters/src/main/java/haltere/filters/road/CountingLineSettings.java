@@ -5,13 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * Lines across a road at which vehicles are counted, at equal distances.
- *
- * @param lines their number
- * @param firstM distance of the nearest one along the road, metres
- * @param apartM distance from one to the next, metres
- */
+/** Lines across a road at which vehicles are counted, at equal distances. */
 public record CountingLineSettings(
     @Help("Number of lines across the road at which vehicles are counted, 0 for none.")
         @Range(min = 0, max = 32)

@@ -5,13 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * The lanes of a road, side by side, all of one width.
- *
- * @param lanes their number
- * @param leftEdgeM left edge of the leftmost one, metres to the right of the camera's axis
- * @param widthM width of each, metres
- */
+/** The lanes of a road, side by side, all of one width. */
 public record LaneSettings(
     @Help("Number of lanes of both directions together, 0 for none.")
         @Range(min = 0, max = 20)

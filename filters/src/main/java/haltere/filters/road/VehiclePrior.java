@@ -21,13 +21,6 @@ import haltere.core.settings.Unit;
  *       off-road vehicle (category M1G: Regulation (EU) 2018/858, Annex I, Part A).
  * </ul>
  *
- * @param speedMS root mean square of the velocity along the road
- * @param accelerationMS2 usual acceleration along the road, which lasts for about a second
- * @param brakingMS2 acceleration of hard braking
- * @param driftMS usual velocity across the road
- * @param widthM greatest width of a vehicle
- * @param lengthM usual length of a vehicle; its standard deviation is half of it
- * @param heightM usual height of a vehicle; its standard deviation is half of it
  * @param lowEdgeM usual height above the road of the lowest edge that is seen of a vehicle, and its
  *     standard deviation
  */

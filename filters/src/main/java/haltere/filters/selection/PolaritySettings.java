@@ -6,7 +6,6 @@ import haltere.core.settings.SettingsSchema;
 /**
  * Settings of {@link PolarityFilter}.
  *
- * @param keep which events pass
  * @since 0.1
  */
 public record PolaritySettings(

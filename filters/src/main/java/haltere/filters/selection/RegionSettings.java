@@ -8,11 +8,6 @@ import haltere.core.settings.Unit;
 /**
  * Settings of {@link RegionFilter}.
  *
- * @param leftPx first column of the rectangle
- * @param bottomPx first row of the rectangle
- * @param widthPx columns of the rectangle
- * @param heightPx rows of the rectangle
- * @param keep which events pass
  * @since 0.1
  */
 public record RegionSettings(

@@ -9,9 +9,7 @@ import haltere.filters.plane.RoadViewSettings;
 /**
  * Tracks on a road, in metres.
  *
- * @param mapToRoad whether tracks are on a road
  * @param view how the camera sees the road
- * @param processVariance process noise on the road: as a density m²/s³; per update m² and m²/s²
  */
 public record RoadTracksSettings(
     @Help("The state of a track is on the road, in metres, instead of in the picture.")

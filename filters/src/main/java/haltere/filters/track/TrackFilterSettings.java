@@ -8,14 +8,10 @@ import haltere.core.settings.Unit;
 /**
  * Variances of the Kalman filters of tracks.
  *
- * @param noise how the process noise grows
  * @param minProcessVariance process noise in the picture: as a density px²/s³; per update px² for
  *     positions and px²/s² for velocities
- * @param maxMeasurementVariance variance of a cluster's location
- * @param dynamicVariances whether the variances depend on the age of a track
  * @param varianceMixingFactor share of the way to their ends that dynamic variances go at each
  *     update
- * @param launchSpeedPxS standard deviation of the velocity of a new track
  */
 public record TrackFilterSettings(
     @Help("Process noise as a density per second, or the same at every update.") Noise noise,

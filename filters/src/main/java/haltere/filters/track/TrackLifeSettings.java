@@ -5,16 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * When tracks start, are updated and end.
- *
- * @param trackIntervalUs how often tracks look at their clusters
- * @param eventsTillTrack events until a track starts, and then until it is updated
- * @param eventsOf whose events these are
- * @param feedbackToCluster whether a cluster is moved to the estimate of its track
- * @param coastTimeS how long a track goes on without a visible cluster
- * @param gateSigmas largest distance of a new cluster from a track that takes it
- */
+/** When tracks start, are updated and end. */
 public record TrackLifeSettings(
     @Help("Tracks look at their clusters at this interval, at updates of the clusters.")
         @Range(min = 100, max = 1_000_000, logarithmic = true)

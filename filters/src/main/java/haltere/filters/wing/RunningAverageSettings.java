@@ -4,16 +4,7 @@ import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.Unit;
 
-/**
- * The weighted running average.
- *
- * @param mixingFactor weight of each event
- * @param timeConstantUs time constant instead of a weight of each event; 0 for the weight
- * @param hysteresis share of the amplitude that a wing has to go past its centre
- * @param leastHysteresisRad least hysteresis
- * @param bodyUpdate whether the body follows the events after each beat
- * @param headingUpdate whether the heading follows after each beat
- */
+/** The weighted running average. */
 public record RunningAverageSettings(
     @Help("Each event moves its edge by this share of the difference.")
         @Range(min = 0.0001, max = 1, logarithmic = true)

@@ -4,18 +4,7 @@ import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.Unit;
 
-/**
- * The extended Kalman filter.
- *
- * @param method which method gives the estimates
- * @param model what the filter's object is
- * @param harmonics of the stroke
- * @param latencyUs constant delay of the camera; 0 for estimates of the time that events carry
- * @param averagingUs events within this time go into one update
- * @param averagedEvents events that each edge's filter averages before an update (models of edges)
- * @param gateSd innovations beyond this are not taken in
- * @param firstOfRun whether only the first of a pixel's events of one polarity in a row counts
- */
+/** The extended Kalman filter. */
 public record WingFilterSettings(
     @Help("Which method gives the estimates.") WingMethod method,
     @Help("A filter for each wing, for each edge, or the tracker of Cardinale (2006).")

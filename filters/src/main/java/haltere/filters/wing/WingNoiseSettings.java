@@ -8,15 +8,8 @@ import haltere.core.settings.Unit;
  * Noise of the extended Kalman filter. Process noise is a density per second, or, with {@link
  * WingModel#ORIGINAL}, what is added at each update.
  *
- * @param centre of the centre
- * @param amplitude of the amplitude
- * @param phase of the phase
- * @param frequency of the angular frequency in steady flight
  * @param manoeuvre most that is added to it while the phase runs away; a filter of each edge, which
  *     does not notice that, always has a twentieth of it
- * @param rateSd standard deviation of the rate of change of the angular frequency
- * @param hingePx2PerS of the hinges
- * @param measurement variance of a measurement; 0 to learn it from the events
  */
 public record WingNoiseSettings(
     @Help("Process noise of the centre.")

@@ -4,15 +4,7 @@ import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.Unit;
 
-/**
- * What the tracker publishes, and which edges it takes.
- *
- * @param rateHz estimates a second of recording time
- * @param leftLeading whether events of the left leading edge are taken
- * @param leftTrailing whether events of the left trailing edge are taken
- * @param rightLeading whether events of the right leading edge are taken
- * @param rightTrailing whether events of the right trailing edge are taken
- */
+/** What the tracker publishes, and which edges it takes. */
 public record WingOutputSettings(
     @Help("Estimates are published at this rate of recording time.")
         @Range(min = 1, max = 100_000, logarithmic = true)

@@ -7,15 +7,6 @@ import haltere.core.settings.Unit;
 /**
  * What a person says about where the fly is, as offsets from what was found, so that it holds when
  * the fly is found again or moves.
- *
- * @param bodyOffsetXPx added to the found centre
- * @param bodyOffsetYPx added to the found centre
- * @param headingOffsetRad added to the found heading
- * @param flipHeading whether head and tail are to be exchanged
- * @param regionOffsetPx added to the found radius of the region of interest
- * @param innerRadiusPx events nearer to the hinge are left out
- * @param followsHinges whether the hinges follow the events
- * @param followsHeading whether the heading follows the symmetry of the strokes
  */
 public record WingPositionSettings(
     @Help("Added to the centre that was found, to the right.")

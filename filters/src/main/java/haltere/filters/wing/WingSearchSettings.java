@@ -4,15 +4,7 @@ import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.Unit;
 
-/**
- * How the fly is searched for.
- *
- * @param windowUs length of the stretch of events that the fly is searched in
- * @param leastEvents events that the search begins with
- * @param leastFrequencyHz slowest beat that is looked for
- * @param mostFrequencyHz fastest beat that is looked for
- * @param startFrequencyHz the beat frequency, if it is known; 0 to find it
- */
+/** How the fly is searched for. */
 public record WingSearchSettings(
     @Help("Length of the stretch of events that the fly is searched in.")
         @Range(min = 25_000, max = 100_000)

@@ -65,7 +65,7 @@ class ArchitectureTest {
 
   @Test
   void allModulesAreLookedAt() {
-    List.of("core", "device", "filters", "zeromq", "columnar", "ui")
+    List.of("core", "device", "filters", "columnar", "ui")
         .forEach(name -> exists("haltere." + name));
   }
 
@@ -355,22 +355,6 @@ class ArchitectureTest {
             .should()
             .dependOnClassesThat()
             .resideInAPackage("org.usb4java.."));
-    check(
-        noClasses()
-            .that()
-            .resideOutsideOfPackage("haltere.zeromq..")
-            .should()
-            .dependOnClassesThat()
-            .resideInAPackage("org.zeromq..")
-            .because("nobody gets a library for messages who did not ask for it"));
-    check(
-        classes()
-            .that()
-            .resideInAPackage("haltere.zeromq..")
-            .should()
-            .onlyDependOnClassesThat(
-                resideInAnyPackage(
-                    "java..", "haltere.core..", "haltere.zeromq..", "org.zeromq..")));
     check(
         noClasses()
             .that()

@@ -112,7 +112,7 @@ public final class HaltereProgram {
     return status;
   }
 
-  private CommandLine commandLine(String... args) {
+  CommandLine commandLine(String... args) {
     CommandLine program = inOrder(new HaltereCommand());
     String wanted = firstWord(args);
     boolean known = COMMANDS.contains(wanted);

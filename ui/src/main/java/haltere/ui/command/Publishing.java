@@ -60,7 +60,7 @@ record Publishing(Subcommand command, List<LiveResults> open) implements JobResu
       results.close();
       if (results.refused() > 0) {
         command.warning(
-            "%s: %,d receivers were turned away, because there were too many",
+            "%s: %,d connections were turned away, because there were too many",
             results.address(), results.refused());
       }
       if (results.lost() > 0) {

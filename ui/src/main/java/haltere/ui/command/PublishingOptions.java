@@ -32,7 +32,7 @@ final class PublishingOptions extends OptionGroup {
       names = "--receivers",
       paramLabel = "N",
       defaultValue = "0",
-      description = "Wait until so many programs have connected to each tcp:// address.")
+      description = "Wait until so many programs have connected to each tcp:// or zmq:// address.")
   int receivers;
 
   /**

@@ -26,7 +26,6 @@ final class HelpFeature implements ViewerFeature {
       AtlantaFX: MIT
       picocli, EJML, Jackson, lz4-java, Commons Compress, Commons Statistics: Apache-2.0
       usb4java: MIT; libusb: LGPL-2.1
-      JeroMQ: MPL-2.0
       zstd-jni, LZ4: BSD-2-Clause""";
 
   @Override

@@ -2,6 +2,7 @@ package haltere.ui.viewer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.format.ReadOptions;
@@ -68,6 +69,19 @@ class StartTest {
     assertEquals("blob.aedat", viewer.text("start-recent-1"));
     viewer.click("start-back");
     viewer.waitFor("the recording again", () -> !viewer.isThere("start-page"));
+  }
+
+  @Test
+  void aClickDuringTheSearchForCamerasIsNotLost() throws IOException {
+    Path file = folder.resolve("blob.aedat");
+    ViewerHarness.writeRecording(file, 500_000);
+    viewer.openRecording(file);
+    showStartPage();
+    for (String id : List.of("start-scene-dots", "start-recent-1")) {
+      Node before = viewer.node(id, Node.class);
+      viewer.run(() -> viewer.window.context().actions().offer("cameras", List.of()));
+      assertSame(before, viewer.node(id, Node.class), "a button that is pressed is let go there");
+    }
   }
 
   @Test

@@ -2,14 +2,14 @@ package haltere.core.sink.internal;
 
 import haltere.core.sink.LineAddress;
 import haltere.core.sink.LineOutput;
-import haltere.core.sink.LiveMessages;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
-import java.time.Clock;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 
@@ -25,6 +25,7 @@ final class TcpLines implements LineOutput {
   private static final long REST_NANOS = 10_000_000;
 
   private final LineAddress address;
+  private final LineProtocol protocol;
   private final int roomLines;
   private final ServerSocket server;
   private final List<TcpReceiver> receivers = new CopyOnWriteArrayList<>();
@@ -32,7 +33,8 @@ final class TcpLines implements LineOutput {
   private final AtomicLong refused = new AtomicLong();
   private volatile boolean closed;
 
-  TcpLines(LineAddress address, int roomLines) throws IOException {
+  TcpLines(LineAddress address, LineProtocol protocol, int roomLines) throws IOException {
+    this.protocol = protocol;
     this.roomLines = roomLines;
     server = new ServerSocket();
     try {
@@ -56,9 +58,7 @@ final class TcpLines implements LineOutput {
       try {
         Socket socket = server.accept();
         if (receivers.size() < MAX_RECEIVERS) {
-          TcpReceiver receiver = new TcpReceiver(socket, roomLines, this::left);
-          receivers.add(receiver);
-          receiver.start();
+          take(socket);
         } else {
           refuse(socket);
         }
@@ -69,11 +69,22 @@ final class TcpLines implements LineOutput {
     }
   }
 
+  private void take(Socket socket) throws IOException {
+    try {
+      TcpReceiver receiver = new TcpReceiver(socket, protocol, roomLines, this::left);
+      receivers.add(receiver);
+      receiver.start();
+    } catch (IOException gone) {
+      socket.close();
+      throw gone;
+    }
+  }
+
   private void refuse(Socket socket) throws IOException {
     refused.incrementAndGet();
     try (socket) {
       String place = MAX_RECEIVERS + " receivers are connected, and there may be no more";
-      socket.getOutputStream().write(new LiveMessages(Clock.systemUTC()).refused(place));
+      socket.getOutputStream().write(protocol.refusal(place));
     }
   }
 
@@ -95,14 +106,20 @@ final class TcpLines implements LineOutput {
 
   @Override
   public void send(String topic, byte[] line) {
+    byte[] topicBytes = topic.getBytes(StandardCharsets.UTF_8);
+    OutgoingLine outgoing = null;
     for (TcpReceiver receiver : receivers) {
-      receiver.offer(line);
+      if (receiver.wants(topicBytes)) {
+        outgoing =
+            outgoing == null ? new OutgoingLine(protocol.frame(topicBytes, line), true) : outgoing;
+        receiver.offer(outgoing);
+      }
     }
   }
 
   @Override
   public int receivers() {
-    return receivers.size();
+    return (int) receivers.stream().filter(TcpReceiver::receives).count();
   }
 
   @Override
@@ -122,8 +139,27 @@ final class TcpLines implements LineOutput {
     } catch (IOException nothingToSave) {
       // nobody can connect any more
     }
-    for (TcpReceiver receiver : receivers) {
-      receiver.finish(PATIENCE_MS);
+    receivers.forEach(TcpReceiver::finish);
+    try {
+      await();
+    } catch (InterruptedException hurried) {
+      Thread.currentThread().interrupt();
     }
+    receivers.forEach(TcpReceiver::abandon);
+  }
+
+  /** Waits for as long as any receiver takes anything. */
+  private void await() throws InterruptedException {
+    long before;
+    long now = Long.MAX_VALUE;
+    do {
+      before = now;
+      now = 0;
+      long endNanos = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(PATIENCE_MS);
+      for (TcpReceiver receiver : receivers) {
+        long leftMs = TimeUnit.NANOSECONDS.toMillis(endNanos - System.nanoTime());
+        now += receiver.await(Math.max(1, leftMs));
+      }
+    } while (now > 0 && now < before);
   }
 }

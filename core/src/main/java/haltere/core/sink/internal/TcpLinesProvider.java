@@ -22,6 +22,6 @@ public final class TcpLinesProvider implements LineOutputProvider {
 
   @Override
   public LineOutput open(LineAddress address) throws IOException {
-    return new TcpLines(address, TcpReceiver.ROOM_LINES);
+    return new TcpLines(address, new PlainProtocol(), TcpReceiver.ROOM_LINES);
   }
 }

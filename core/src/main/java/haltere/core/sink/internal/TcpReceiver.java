@@ -1,14 +1,14 @@
 package haltere.core.sink.internal;
 
 import haltere.core.sink.LiveMessages;
-import java.io.BufferedOutputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.Socket;
+import java.nio.charset.StandardCharsets;
 import java.time.Clock;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /**
@@ -20,25 +20,42 @@ final class TcpReceiver {
   /** Lines that wait for a receiver at the most: about 2 MB. */
   static final int ROOM_LINES = 8192;
 
-  private static final byte[] END = {};
+  static final byte[] NOTIFICATION = "notification".getBytes(StandardCharsets.US_ASCII);
+
+  private static final int BATCH_BYTES = 1 << 15;
+  private static final OutgoingLine END = new OutgoingLine(new byte[0], false);
 
   private final Socket socket;
+  private final LineProtocol protocol;
+  private final LineProtocol.Peer peer;
   private final Consumer<TcpReceiver> left;
-  private final BlockingQueue<byte[]> waiting;
+  private final BlockingQueue<OutgoingLine> waiting;
   private final LiveMessages messages = new LiveMessages(Clock.systemUTC());
   private final Thread thread;
   private final Object counts = new Object();
   private long lost;
   private long untold;
+
+  /** Lines that were taken out of the queue and not yet by the system. */
+  private volatile long underway;
+
   private volatile boolean ending;
 
-  TcpReceiver(Socket socket, int roomLines, Consumer<TcpReceiver> left) throws IOException {
+  TcpReceiver(Socket socket, LineProtocol protocol, int roomLines, Consumer<TcpReceiver> left)
+      throws IOException {
     this.socket = socket;
+    this.protocol = protocol;
     this.left = left;
+    peer = protocol.meet(socket);
     waiting = new ArrayBlockingQueue<>(roomLines);
     socket.setTcpNoDelay(true);
-    thread = new Thread(this::work, "haltere-publish-" + socket.getRemoteSocketAddress());
+    thread = thread(this::work, "haltere-publish-" + socket.getRemoteSocketAddress());
+  }
+
+  private static Thread thread(Runnable work, String name) {
+    Thread thread = new Thread(work, name);
     thread.setDaemon(true);
+    return thread;
   }
 
   /** Begins to write. */
@@ -46,18 +63,39 @@ final class TcpReceiver {
     thread.start();
   }
 
+  /** Whether lines on a topic are for this one. */
+  boolean wants(byte[] topic) {
+    return peer.wants(topic);
+  }
+
+  /** Whether any lines are for this one. */
+  boolean receives() {
+    return peer.receives();
+  }
+
   /** Takes a line if there is room for it, and counts it if not. */
-  void offer(byte[] line) {
+  void offer(OutgoingLine line) {
     synchronized (counts) {
       // what is missing is told before anything newer
       if (untold > 0 && waiting.remainingCapacity() > 1) {
-        waiting.add(messages.lost(untold, "this receiver was too slow"));
-        untold = 0;
+        waiting.add(new OutgoingLine(takeNotice(), false));
       }
       if (untold > 0 || !waiting.offer(line)) {
         lost++;
         untold++;
       }
+    }
+  }
+
+  private byte[] takeNotice() {
+    synchronized (counts) {
+      boolean told = untold > 0 && peer.wants(NOTIFICATION);
+      byte[] notice =
+          told
+              ? protocol.frame(NOTIFICATION, messages.lost(untold, "this receiver was too slow"))
+              : END.bytes();
+      untold = 0;
+      return notice;
     }
   }
 
@@ -69,21 +107,12 @@ final class TcpReceiver {
   }
 
   private void work() {
-    try (socket;
-        OutputStream out = new BufferedOutputStream(socket.getOutputStream(), 1 << 15)) {
-      while (true) {
-        // asked for before the queue: what was put there before the end began is still written
-        boolean nothingFollows = ending;
-        byte[] line = waiting.poll();
-        if (line == null) {
-          out.flush();
-          if (nothingFollows) {
-            return;
-          }
-          line = waiting.take();
-        }
-        out.write(line);
+    try (socket) {
+      peer.greet();
+      if (peer.speaks()) {
+        thread(this::listen, thread.getName() + "-in").start();
       }
+      write(socket.getOutputStream());
     } catch (IOException | InterruptedException gone) {
       // it does not want any more, or is not waited for
     } finally {
@@ -91,36 +120,68 @@ final class TcpReceiver {
     }
   }
 
-  /**
-   * Ends when all that waits is written, or when the receiver has taken nothing for a while: what
-   * it did not take is counted as lost.
-   */
-  void finish(long patienceMs) {
-    try {
-      synchronized (counts) {
-        if (untold > 0) {
-          byte[] line = messages.lost(untold, "this receiver was too slow");
-          waiting.offer(line, patienceMs, TimeUnit.MILLISECONDS);
+  private void write(OutputStream out) throws IOException, InterruptedException {
+    ByteArrayOutputStream batch = new ByteArrayOutputStream(2 * BATCH_BYTES);
+    while (true) {
+      // asked for before the queue: what was put there before the end began is still written
+      boolean nothingFollows = ending;
+      OutgoingLine line = batch.size() < BATCH_BYTES ? waiting.poll() : null;
+      if (line == null && batch.size() == 0) {
+        if (nothingFollows) {
+          out.write(takeNotice());
+          return;
         }
+        line = waiting.take();
       }
-      ending = true;
-      waiting.offer(END);
-      int left;
-      do {
-        left = waiting.size();
-        thread.join(patienceMs);
-      } while (thread.isAlive() && waiting.size() < left);
-    } catch (InterruptedException hurried) {
-      Thread.currentThread().interrupt();
+      if (line != null) {
+        batch.write(line.bytes());
+        underway = line.counted() ? underway + 1 : underway;
+      } else {
+        batch.writeTo(out);
+        batch.reset();
+        underway = 0;
+      }
     }
-    synchronized (counts) {
-      lost += waiting.stream().filter(line -> line != END).count();
+  }
+
+  private void listen() {
+    try {
+      peer.listen(bytes -> waiting.offer(new OutgoingLine(bytes, false)));
+    } catch (IOException gone) {
+      stop();
     }
+  }
+
+  private void stop() {
     try {
       socket.close();
     } catch (IOException nothingToSave) {
       // it has gone
     }
     thread.interrupt();
+  }
+
+  /** Has it end when all that waits is written. */
+  void finish() {
+    ending = true;
+    waiting.offer(END);
+  }
+
+  /**
+   * Waits for the end, for so long at the most, and says how many lines are still to be written.
+   */
+  int await(long patienceMs) throws InterruptedException {
+    thread.join(patienceMs);
+    return thread.isAlive() ? waiting.size() + 1 : 0;
+  }
+
+  /** Ends at once; what was not taken is counted as lost. */
+  void abandon() {
+    if (thread.isAlive()) {
+      synchronized (counts) {
+        lost += underway + waiting.stream().filter(OutgoingLine::counted).count();
+      }
+    }
+    stop();
   }
 }

@@ -52,7 +52,7 @@ class LineOutputsTest {
         ServiceFiles.registered(LineOutputProvider.class)
             .containsAll(
                 ServiceFiles.implementations(LineOutputProvider.class, LineOutputs.class)));
-    assertTrue(LineOutputs.all().keySet().containsAll(List.of("tcp", "udp")));
+    assertTrue(LineOutputs.all().keySet().containsAll(List.of("tcp", "udp", "zmq")));
     LineOutputs.all().forEach((scheme, way) -> assertTrue(way.description().endsWith(".")));
   }
 
@@ -94,7 +94,7 @@ class LineOutputsTest {
 
   @Test
   void aReceiverThatIsTooSlowLosesCountedLinesAndIsTold() throws IOException {
-    TcpLines output = new TcpLines(LineAddress.parse("tcp://127.0.0.1:0"), 16);
+    TcpLines output = new TcpLines(LineAddress.parse("tcp://127.0.0.1:0"), new PlainProtocol(), 16);
     try (Socket socket = connect(output);
         BufferedReader reader = reader(socket)) {
       int sent = 0;
@@ -147,7 +147,7 @@ class LineOutputsTest {
 
   @Test
   void closingDoesNotWaitForOneWhoTakesNothing() throws IOException {
-    TcpLines output = new TcpLines(LineAddress.parse("tcp://127.0.0.1:0"), 16);
+    TcpLines output = new TcpLines(LineAddress.parse("tcp://127.0.0.1:0"), new PlainProtocol(), 16);
     try (Socket socket = connect(output)) {
       while (output.lost() == 0) {
         output.send("a/b", new byte[4096]);

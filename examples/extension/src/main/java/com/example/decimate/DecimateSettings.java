@@ -7,8 +7,6 @@ import haltere.core.settings.Unit;
 
 /**
  * Settings of {@link DecimateFilter}.
- *
- * @param keepEvery one of so many events is kept, from 1 to 1000
  */
 public record DecimateSettings(
     @Range(min = 1, max = 1000) @Unit("events") @Help("One of so many events is kept; 1 keeps all.")

@@ -6,17 +6,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * Settings of {@link BodyLineFilter}.
- *
- * @param rateHz how often the line is reported
- * @param turns how many outlines' worth of events it is made of
- * @param gateRadii which events are the body's
- * @param leastEvents how many of them a report needs
- * @param leastRadiusPx smallest half axis of a body
- * @param greatestRadiusPx largest half axis of a body
- * @param forgetUs when a body without events is forgotten
- */
+/** Settings of {@link BodyLineFilter}. */
 public record BodyLineSettings(
     @Help("Reports in a second of recording time; there is none while the body makes no events.")
         @Range(min = 0.1, max = 100000, logarithmic = true)

@@ -24,7 +24,7 @@ public final class StartFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     window.actions().add("start-page", () -> show(""));
-    window.actions().onChange(() -> page.ifPresent(this::offer));
+    window.actions().onChange(() -> page.ifPresent(this::offerCameras));
     window.sessions().sessionProperty().subscribe((was, is) -> hide());
     window
         .sessions()
@@ -47,18 +47,19 @@ public final class StartFeature implements ViewerFeature {
     if (page.isEmpty()) {
       StartPage made = new StartPage(() -> actions.run("open"), this::hide);
       page = Optional.of(made);
-      offer(made);
+      made.setScenes(actions.inMenu(SCENES));
+      offerCameras(made);
       window.panels().showPage(Optional.of(made));
       actions.run("list-cameras");
     }
+    page.get().setRecent(actions.inMenu(RECENT));
     page.get().setProblem(problem);
     page.get().setBack(window.sessions().session().map(open -> open.player().playable().name()));
   }
 
-  private void offer(StartPage made) {
+  /** The other links stay while cameras are looked for, so that a click on them is not lost. */
+  private void offerCameras(StartPage made) {
     ViewerActions actions = window.actions();
-    made.setRecent(actions.inMenu(RECENT));
-    made.setScenes(actions.inMenu(SCENES));
     made.setCameras(actions.inMenu(CAMERAS), () -> actions.run("list-cameras"));
   }
 

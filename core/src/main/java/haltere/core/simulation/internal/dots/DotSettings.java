@@ -5,15 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * The dots of {@link MovingDotsScene}: dark discs before a bright background.
- *
- * @param path how they move
- * @param count number of dots
- * @param radiusPx radius, pixels
- * @param speedPxS speed along the path, pixels a second
- * @param eventsPerPixel events that a pixel makes when an edge passes, mean
- */
+/** The dots of {@link MovingDotsScene}: dark discs before a bright background. */
 public record DotSettings(
     @Help("How the dots move.") DotPath path,
     @Help("Number of dots.") @Range(min = 1, max = 50) @Unit("dots") int count,

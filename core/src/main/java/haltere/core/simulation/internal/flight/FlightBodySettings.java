@@ -5,17 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * The body of {@link FlightScene} and how it flies.
- *
- * @param lengthM its length
- * @param widthM its width
- * @param speedMS how fast it flies on average
- * @param saccadesPerS how often it turns in a saccade
- * @param saccadeDeg how far at most
- * @param saccadeS how long that takes
- * @param pitchDeg how far its head is up on average
- */
+/** The body of {@link FlightScene} and how it flies. */
 public record FlightBodySettings(
     @Help("Length of the body, an ellipsoid.")
         @Range(min = 1e-4, max = 1, logarithmic = true)

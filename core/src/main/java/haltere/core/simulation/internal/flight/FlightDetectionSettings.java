@@ -5,16 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * What a detector makes of the pictures of {@link FlightScene}.
- *
- * @param rateHz how often the cameras look
- * @param angleSdDeg noise of an angle
- * @param placeSdPx noise of a place
- * @param outlierShare share of angles that have nothing to do with the body
- * @param outlierDeg how far off these are at least
- * @param missingShare share of detections that there are not
- */
+/** What a detector makes of the pictures of {@link FlightScene}. */
 public record FlightDetectionSettings(
     @Help("Pictures in a second.") @Range(min = 1, max = 100000, logarithmic = true) @Unit("Hz")
         double rateHz,

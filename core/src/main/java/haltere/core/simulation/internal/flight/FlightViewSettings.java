@@ -8,11 +8,6 @@ import haltere.core.settings.Unit;
 /**
  * The cameras of {@link FlightScene}: in a ring around the place of flight, all looking at its
  * middle.
- *
- * @param cameras how many
- * @param camera which one's events are made
- * @param distanceM how far away they are
- * @param roomM radius of the room that they all see
  */
 public record FlightViewSettings(
     @Help("How many cameras there are.") @Range(min = 1, max = 16) @Unit("cameras") int cameras,

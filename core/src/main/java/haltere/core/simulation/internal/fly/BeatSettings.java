@@ -8,11 +8,6 @@ import haltere.core.settings.Unit;
 /**
  * What the two wings have in common.
  *
- * @param waveform stroke angle over the cycle
- * @param frequencyHz mean wing beat frequency, hertz
- * @param frequencySdHz standard deviation of the frequency over time, hertz
- * @param amplitudeSdRad standard deviation of each amplitude over time
- * @param timescaleS period of the fastest part of these slow changes, seconds
  * @param clapAndFling whether the wings nearly meet behind the body at each upstroke; sets both
  *     centres
  * @param harmonics second and third harmonic of the free waveform

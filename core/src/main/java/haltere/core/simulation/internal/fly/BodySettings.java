@@ -7,15 +7,6 @@ import haltere.core.settings.Unit;
 
 /**
  * Where the fly is and how its body moves. The body centre is the middle between the two hinges.
- *
- * @param offsetXPx mean place of the body centre, to the right of the middle of the sensor, pixels
- * @param offsetYPx mean place of the body centre, above the middle of the sensor, pixels
- * @param headingRad direction from tail to head, counterclockwise from +x
- * @param lengthPx body from the front of the head to the tip of the abdomen, pixels
- * @param hingeOffsetPx distance of each hinge from the body axis, pixels
- * @param wobblePx standard deviation of the fast motion (1 to 8 Hz) per axis, pixels
- * @param driftPx standard deviation of the slow motion (0.02 to 0.2 Hz) per axis, pixels
- * @param contrast darkness of the body before its background, natural logarithm of the light
  */
 public record BodySettings(
     @Help("Mean place of the body centre, to the right of the middle of the sensor.")

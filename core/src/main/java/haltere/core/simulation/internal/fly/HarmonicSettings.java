@@ -8,11 +8,6 @@ import haltere.core.settings.Unit;
 /**
  * Harmonics of the free waveform, relative to the first: sin p + second sin(2 p + secondPhaseRad) +
  * third sin(3 p + thirdPhaseRad).
- *
- * @param second second harmonic, share of the first
- * @param secondPhaseRad phase of the second harmonic
- * @param third third harmonic, share of the first
- * @param thirdPhaseRad phase of the third harmonic
  */
 public record HarmonicSettings(
     @Help("Second harmonic of the free waveform, as a share of the first.")

@@ -5,13 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * The light behind the fly.
- *
- * @param vignetting share of the light that the corners of the sensor lack
- * @param flickerShare amplitude of the flicker, as a share of the light
- * @param flickerHz frequency of the flicker, hertz
- */
+/** The light behind the fly. */
 public record LightSettings(
     @Help("Share of the light that the corners of the picture lack.")
         @Range(min = 0, max = 0.9)

@@ -11,12 +11,8 @@ import haltere.core.settings.Unit;
  *
  * @param everyS mean time between manoeuvres, seconds, 0 for none; at least the hold and 16 time
  *     constants
- * @param frequencyStepHz height of the step of the frequency, hertz
- * @param asymmetryRad amplitude of one wing over the other in a step of the amplitudes
  * @param turnRad turn of the heading in a saccade of 80 ms, to and fro in turn; a rigid tether has
  *     0
- * @param timeConstantS time constant of the steps, seconds
- * @param holdS how long a step is held, seconds
  */
 public record ManoeuvreSettings(
     @Help(

@@ -8,15 +8,6 @@ import haltere.core.settings.Unit;
 /**
  * The wings of a rendered fly: half-transparent membranes with veins. The chord at a share u of the
  * length is proportional to u^root (1 - u)^tip, the beta distribution of Ellington (1984, part II).
- *
- * @param lengthPx hinge to tip, pixels
- * @param chordShare largest chord as a share of the length
- * @param rootExponent exponent of the beta distribution at the hinge
- * @param tipExponent exponent of the beta distribution at the tip
- * @param axisShare where the axis of pitch is, as a share of the chord behind the leading edge
- * @param transmission share of the light that passes the membrane
- * @param veins number of veins along the wing, the first of which is the leading edge
- * @param veinTransmission share of the light that passes a vein
  */
 public record MembraneSettings(
     @Help("Length of a wing from hinge to tip.")

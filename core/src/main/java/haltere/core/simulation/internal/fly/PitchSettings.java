@@ -8,11 +8,6 @@ import haltere.core.settings.Unit;
 /**
  * How the wings pitch about their long axes. In mid stroke the leading edge is in front; at each
  * reversal the wing flips over.
- *
- * @param towardsTailRad angle between chord and stroke plane while the wing moves to the tail
- * @param towardsHeadRad the same while it moves to the head
- * @param flipShare length of a flip, as a share of the beat
- * @param flipAdvanceRad phase by which the middle of a flip is before the reversal
  */
 public record PitchSettings(
     @Help("Angle between chord and stroke plane towards the tail; at 0 the whole chord is seen.")

@@ -8,9 +8,6 @@ import haltere.core.settings.Unit;
 /**
  * The two wings as the sensor sees them: dark sectors about their hinges.
  *
- * @param lengthPx hinge to tip, pixels
- * @param rootShare where the visible wing begins, as a share of the length
- * @param widthRad width of the wing as seen from the hinge
  * @param contrast darkness of the wing before its background, natural logarithm of the light,
  *     median over its veins and folds
  * @param contrastSpread spread of the contrast from pixel to pixel and pass to pass, standard

@@ -5,14 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * The stroke of one wing. Angles from the heading, 0 at the head, pi at the tail.
- *
- * @param amplitudeRad mean half of peak to peak
- * @param centreRad mean stroke angle over the cycle
- * @param phaseLagRad how far the wing is behind the common beat
- * @param frequencyOffsetHz how much faster than the common beat the wing beats, hertz
- */
+/** The stroke of one wing. Angles from the heading, 0 at the head, pi at the tail. */
 public record WingStrokeSettings(
     @Help("Mean stroke amplitude, half of peak to peak.") @Range(min = 0, max = 1.5) @Unit("rad")
         double amplitudeRad,

@@ -5,13 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * A straight dark wire before the fly, such as its tether. It hides what is behind it.
- *
- * @param widthPx width, pixels, 0 for none
- * @param angleRad direction, counterclockwise from +x
- * @param offsetPx distance from the middle of the sensor, to the left of the direction, pixels
- */
+/** A straight dark wire before the fly, such as its tether. It hides what is behind it. */
 public record WireSettings(
     @Help("Width of the wire, 0 for none.") @Range(min = 0, max = 20) @Unit("px") double widthPx,
     @Help("Direction of the wire, counterclockwise from the x axis.")

@@ -9,14 +9,10 @@ import haltere.core.settings.Unit;
  * What the groups of vehicles of {@link RoadScene} do. The weights are relative to one another; if
  * all are 0 every vehicle keeps its lane and its speed.
  *
- * @param cruise weight of one or two vehicles that keep their lanes and speeds
  * @param overtake weight of a slow vehicle and a fast one that pulls out, passes and comes back;
  *     wants two lanes
- * @param sideBySide weight of a lorry with a motorcycle beside it; wants two lanes
  * @param stop weight of a vehicle that brakes, stands and starts again, with or without another
  *     behind it
- * @param speedChange weight of a vehicle that slows down and speeds up
- * @param stopS how long a vehicle stands, seconds
  */
 public record EncounterSettings(
     @Help("Weight of one or two vehicles that keep their lanes and speeds.")

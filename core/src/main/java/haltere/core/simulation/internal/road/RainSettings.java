@@ -8,11 +8,6 @@ import haltere.core.settings.Unit;
 /**
  * Rain before the camera: bright drops that fall through the picture, each a short streak of ON
  * events with OFF events behind.
- *
- * @param streaksPerS streaks a second, 0 for dry weather
- * @param lengthPx mean length of a streak, pixels
- * @param speedPxS mean speed of a drop, pixels a second
- * @param slant how far a drop moves to the right while it falls by 1
  */
 public record RainSettings(
     @Help("Streaks of rain in a second, 0 for dry weather.")

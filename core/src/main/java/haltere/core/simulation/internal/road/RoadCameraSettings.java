@@ -5,15 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * The camera on the bridge of {@link RoadScene}: what maps the road to pixels.
- *
- * @param bridgeHeightM height of the camera above the road, metres
- * @param bottomRowM ground distance of the bottom row, metres
- * @param vanishingRowM ground distance of the row of the vanishing point, metres
- * @param vanishingX column of the vanishing point, 0 for the first and 1 for the last
- * @param vanishingY row of the vanishing point, 0 for the bottom and 1 for the top
- */
+/** The camera on the bridge of {@link RoadScene}: what maps the road to pixels. */
 public record RoadCameraSettings(
     @Help("Height of the camera above the road.")
         @Range(min = 4.5, max = 100, logarithmic = true)

@@ -9,12 +9,6 @@ import haltere.core.settings.Unit;
  * The traffic of {@link RoadScene}. It drives on the right: away from the bridge on the right of
  * the picture, towards it on the left.
  *
- * @param lanesAway lanes away from the bridge
- * @param lanesTowards lanes towards the bridge
- * @param laneWidthM width of a lane, metres
- * @param roadM how far away vehicles are seen, metres
- * @param speedMS mean speed, metres a second
- * @param speedSpread standard deviation of the speed over the vehicles, as a share of it
  * @param pauseS mean pause between two groups of vehicles of one direction, seconds; they keep
  *     their distance, so it is longer where they have to wait
  * @param encounters what the groups do

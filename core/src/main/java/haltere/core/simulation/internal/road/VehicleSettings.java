@@ -9,16 +9,10 @@ import haltere.core.settings.Unit;
  * The vehicles of {@link RoadScene}. The weights of the kinds are relative to one another; if all
  * are 0 every vehicle is a car, but for those that an encounter asks for.
  *
- * @param cars weight of the cars
- * @param lorries weight of the lorries
- * @param motorcycles weight of the motorcycles
- * @param sizeSpread largest difference of a size from that of its kind, as a share
  * @param heightShare height as a share of that of the kind; 0 makes vehicles flat, so that a map
  *     from pixels to the road has no bias
  * @param contrast contrast of a body to the road, natural logarithm of the light; two of three
  *     vehicles are darker than the road
- * @param contrastSpread standard deviation of the contrast over the vehicles, as a share of it
- * @param texture how much windows, lamps and the like stand out, 0 for bodies of one light
  */
 public record VehicleSettings(
     @Help("Weight of the cars.") @Range(min = 0, max = 100) @Unit("1") double cars,

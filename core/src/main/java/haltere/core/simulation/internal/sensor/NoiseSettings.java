@@ -8,12 +8,8 @@ import haltere.core.settings.Unit;
 /**
  * Events that nothing in the scene has caused.
  *
- * @param leakHz ON events that a pixel leaks, hertz, mean over pixels
  * @param leakSpreadDecades spread of the leak over pixels, standard deviation of its decadic
  *     logarithm
- * @param shotHz events of shot noise per pixel, both polarities together, hertz
- * @param hotPixels pixels that fire all the time
- * @param hotRateHz rate of a hot pixel, hertz
  */
 public record NoiseSettings(
     @Help("Rate of ON events that a pixel leaks, mean over the pixels.")

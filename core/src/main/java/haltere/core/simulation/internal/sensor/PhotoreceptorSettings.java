@@ -9,7 +9,6 @@ import haltere.core.settings.Unit;
  * The photoreceptor of a {@link PhotoreceptorArray}, beside the bandwidth of {@link PixelSettings},
  * which is that of its input node in the light of the background.
  *
- * @param followsLight whether the bandwidth of the input node is proportional to the light
  * @param followerHz cut-off of the source follower behind the logarithm, hertz; 0 for none, which
  *     leaves a pixel of first order
  */

@@ -8,12 +8,6 @@ import haltere.core.settings.Unit;
 /**
  * The pixels of the sensor.
  *
- * @param threshold contrast threshold, natural logarithm of the light
- * @param thresholdSd spread of the threshold over pixels and polarities
- * @param bandwidthHz cut-off of the first order photoreceptor, hertz; 0 stands for no limit
- * @param latencyUs constant delay from change to time stamp, microseconds
- * @param jitterUs standard deviation of the delay, microseconds; a delay is never negative
- * @param refractoryUs time after an event in which the pixel is blind, microseconds
  * @param busLimitEps events a second that the bus carries, 0 for no limit; events wait up to 1 ms
  *     and are lost then
  */

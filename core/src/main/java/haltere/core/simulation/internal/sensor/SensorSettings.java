@@ -5,12 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * The sensor of a scene.
- *
- * @param widthPx columns
- * @param heightPx rows
- */
+/** The sensor of a scene. */
 public record SensorSettings(
     @Help("Columns of the sensor.") @Range(min = 16, max = 2048) @Unit("px") int widthPx,
     @Help("Rows of the sensor.") @Range(min = 16, max = 2048) @Unit("px") int heightPx) {

@@ -1,11 +1,11 @@
-package haltere.zeromq;
+package haltere.core.sink.internal;
 
 import haltere.core.sink.LineAddress;
 import haltere.core.sink.LineOutput;
 import haltere.core.sink.LineOutputProvider;
 import java.io.IOException;
 
-/** Publishes lines from a ZeroMQ socket of type PUB: {@code zmq://host:port}. */
+/** Publishes lines to subscribers of ZeroMQ: {@code zmq://host:port}. */
 public final class ZeroMqLinesProvider implements LineOutputProvider {
   /** Called by the service loader. */
   public ZeroMqLinesProvider() {}
@@ -17,11 +17,11 @@ public final class ZeroMqLinesProvider implements LineOutputProvider {
 
   @Override
   public String description() {
-    return "Binds a ZeroMQ PUB socket to the host and port; receivers subscribe to stage/outlet.";
+    return "Publishes at the host and port as a ZeroMQ PUB socket; receivers subscribe to stage/outlet.";
   }
 
   @Override
   public LineOutput open(LineAddress address) throws IOException {
-    return new ZeroMqLines(address);
+    return new TcpLines(address, new ZmtpProtocol(), TcpReceiver.ROOM_LINES);
   }
 }

@@ -1,4 +1,4 @@
-package haltere.zeromq;
+package haltere.core.sink.internal;
 
 import haltere.core.sink.LineAddress;
 import java.io.BufferedReader;

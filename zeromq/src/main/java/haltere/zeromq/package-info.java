@@ -1,2 +1,0 @@
-/** Live results over ZeroMQ; a module of its own, so that nobody gets the library unasked. */
-package haltere.zeromq;
