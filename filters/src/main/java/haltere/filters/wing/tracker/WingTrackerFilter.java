@@ -3,6 +3,7 @@ package haltere.filters.wing.tracker;
 import haltere.core.chain.NamedProvider;
 import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
+import haltere.core.stream.SharedWork;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.wing.FlyGeometry;
@@ -90,6 +91,11 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
   @Override
   public void process(EventPacket packet) {
     tracker.track(packet);
+  }
+
+  @Override
+  public void share(SharedWork work) {
+    tracker.share(work);
   }
 
   @Override
