@@ -1,7 +1,6 @@
 package haltere.core.pipeline;
 
 import haltere.core.chain.FilterChain;
-import haltere.core.stream.SharedWork;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorSample;
@@ -14,6 +13,7 @@ import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.pipeline.PipelineCounters.Counter;
 import haltere.core.stream.EventSource;
+import haltere.core.stream.SharedWork;
 import haltere.core.stream.StreamHandler;
 import java.io.IOException;
 import java.nio.file.Path;

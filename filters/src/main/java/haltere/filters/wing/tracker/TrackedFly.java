@@ -1,9 +1,9 @@
 package haltere.filters.wing.tracker;
 
-import haltere.core.stream.SortedEvents;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.stream.SortedEvents;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingMeasurement;

@@ -1,9 +1,9 @@
 package haltere.filters.wing.tracker;
 
-import haltere.core.stream.SharedWork;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.ReportClock;
+import haltere.core.stream.SharedWork;
 import haltere.filters.estimation.Angles;
 import haltere.filters.noise.internal.PolarityRuns;
 import haltere.filters.wing.FlyGeometry;

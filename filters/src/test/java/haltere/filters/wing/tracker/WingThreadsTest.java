@@ -5,12 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Outlet;
-import haltere.core.stream.SharedWork;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
+import haltere.core.stream.SharedWork;
 import haltere.core.stream.StreamStarted;
 import haltere.filters.wing.WingTrackerSettings;
 import java.util.ArrayList;
