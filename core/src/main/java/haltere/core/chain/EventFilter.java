@@ -5,6 +5,7 @@ import haltere.core.event.SensorSample;
 import haltere.core.overlay.OverlayLayer;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.Reset;
+import haltere.core.stream.SharedWork;
 import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
 import java.util.List;
@@ -112,6 +113,14 @@ public interface EventFilter {
   default List<OverlayLayer<?>> overlays() {
     return List.of();
   }
+
+  /**
+   * Is told who does its work, between packets. A filter whose work has pieces that do not touch
+   * each other overrides this.
+   *
+   * @param with does pieces of work, maybe on two threads
+   */
+  default void share(SharedWork with) {}
 
   /** Frees what the filter holds; nothing is called after it. */
   default void close() {}

@@ -7,6 +7,7 @@ import haltere.core.event.SensorSample;
 import haltere.core.overlay.OverlayLayer;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.stream.Reset;
+import haltere.core.stream.SharedWork;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
@@ -34,6 +35,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   private final CopyOnWriteArrayList<ChainStage> stages = new CopyOnWriteArrayList<>();
   private volatile long outsideSensor;
   private volatile Thread busy;
+  private SharedWork work = SharedWork.ALONE;
   private long changes;
 
   /**
@@ -109,6 +111,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
     }
     requireIdle();
     ChainStage stage = new ChainStage(freeName(kind), kind, filter, enabled);
+    filter.share(work);
     stages.add(position, stage);
     changes++;
     return stage;
@@ -406,6 +409,17 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   @Override
   public void reset() {
     notified(new Reset(Reset.Cause.USER));
+  }
+
+  /**
+   * {@inheritDoc} What filters publish does not depend on it, and it is not part of what is saved
+   * of a chain. Who gives it closes it, after the chain.
+   */
+  @Override
+  public void share(SharedWork with) {
+    requireIdle();
+    work = with;
+    stages.forEach(stage -> stage.filter().share(with));
   }
 
   @Override

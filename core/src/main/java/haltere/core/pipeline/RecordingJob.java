@@ -13,6 +13,7 @@ import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.pipeline.PipelineCounters.Counter;
 import haltere.core.stream.EventSource;
+import haltere.core.stream.SharedWork;
 import haltere.core.stream.StreamHandler;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -29,8 +30,9 @@ import java.util.function.UnaryOperator;
  * One recording through one chain into files: the step that commands, a batch and a cluster share.
  * The same job on the same recording writes the same bytes wherever it runs.
  *
- * <p>Thread rule: immutable. {@link #run} does everything on the calling thread; a job may run
- * several times, also at once if its results go to different places.
+ * <p>Thread rule: immutable. {@link #run} does everything on the calling thread, but for what
+ * filters share where {@link #onThreads two threads} are asked for; a job may run several times,
+ * also at once if its results go to different places.
  *
  * @since 0.1
  */
@@ -93,6 +95,7 @@ public final class RecordingJob {
   private final boolean strict;
   private final UnaryOperator<EventSource> pace;
   private final Progress progress;
+  private final int threads;
 
   private RecordingJob(
       Path recording,
@@ -102,7 +105,8 @@ public final class RecordingJob {
       Opening opening,
       boolean strict,
       UnaryOperator<EventSource> pace,
-      Progress progress) {
+      Progress progress,
+      int threads) {
     this.recording = Objects.requireNonNull(recording, "recording");
     this.chain = Objects.requireNonNull(chain, "chain");
     this.results = Objects.requireNonNull(results, "results");
@@ -111,6 +115,7 @@ public final class RecordingJob {
     this.strict = strict;
     this.pace = Objects.requireNonNull(pace, "pace");
     this.progress = Objects.requireNonNull(progress, "progress");
+    this.threads = threads;
   }
 
   /**
@@ -131,7 +136,8 @@ public final class RecordingJob {
         Recordings::open,
         false,
         UnaryOperator.identity(),
-        (events, done, total) -> {});
+        (events, done, total) -> {},
+        1);
   }
 
   /**
@@ -142,7 +148,8 @@ public final class RecordingJob {
    * @return another job
    */
   public RecordingJob reading(ReadOptions with, boolean whole) {
-    return new RecordingJob(recording, chain, results, with, opening, whole, pace, progress);
+    return new RecordingJob(
+        recording, chain, results, with, opening, whole, pace, progress, threads);
   }
 
   /**
@@ -152,7 +159,8 @@ public final class RecordingJob {
    * @return another job
    */
   public RecordingJob opened(Opening by) {
-    return new RecordingJob(recording, chain, results, options, by, strict, pace, progress);
+    return new RecordingJob(
+        recording, chain, results, options, by, strict, pace, progress, threads);
   }
 
   /**
@@ -163,7 +171,8 @@ public final class RecordingJob {
    */
   public RecordingJob paced(UnaryOperator<EventSource> by) {
     UnaryOperator<EventSource> both = source -> by.apply(pace.apply(source));
-    return new RecordingJob(recording, chain, results, options, opening, strict, both, progress);
+    return new RecordingJob(
+        recording, chain, results, options, opening, strict, both, progress, threads);
   }
 
   /**
@@ -176,7 +185,8 @@ public final class RecordingJob {
     ResultsMaker both =
         (reader, filters) ->
             JobResults.all(() -> results.open(reader, filters), () -> more.open(reader, filters));
-    return new RecordingJob(recording, chain, both, options, opening, strict, pace, progress);
+    return new RecordingJob(
+        recording, chain, both, options, opening, strict, pace, progress, threads);
   }
 
   /**
@@ -186,7 +196,20 @@ public final class RecordingJob {
    * @return another job
    */
   public RecordingJob telling(Progress listener) {
-    return new RecordingJob(recording, chain, results, options, opening, strict, pace, listener);
+    return new RecordingJob(
+        recording, chain, results, options, opening, strict, pace, listener, threads);
+  }
+
+  /**
+   * The same job whose filters share their work with a second thread, for a long recording on a
+   * computer that has nothing else to do. The results are the same, byte by byte.
+   *
+   * @param count 1 or 2; 1 if not said
+   * @return another job
+   */
+  public RecordingJob onThreads(int count) {
+    return new RecordingJob(
+        recording, chain, results, options, opening, strict, pace, progress, count);
   }
 
   /**
@@ -202,8 +225,10 @@ public final class RecordingJob {
   public JobReport run() throws IOException {
     long startNanos = System.nanoTime();
     try (RecordingReader reader = opening.open(recording, options);
+        SharedWork work = new SharedWork(threads);
         FilterChain filters = chain.make(reader.geometry());
         JobResults written = results.open(reader, filters)) {
+      filters.share(work);
       if (options.keepIndex()) {
         reader.segments();
       }

@@ -183,7 +183,8 @@ abstract class Subcommand implements Callable<Integer> {
     JobReport report;
     try (ProgressBar bar = progressBar(verb, file)) {
       report =
-          job.telling(
+          job.onThreads(Math.min(2, Runtime.getRuntime().availableProcessors()))
+              .telling(
                   (events, done, total) -> {
                     bar.events(events);
                     bar.progress(done, total);

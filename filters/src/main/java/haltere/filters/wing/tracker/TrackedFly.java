@@ -1,6 +1,9 @@
 package haltere.filters.wing.tracker;
 
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.stream.SortedEvents;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingMeasurement;
@@ -10,7 +13,6 @@ import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.WingTrackerState.Phase;
 import haltere.filters.wing.internal.search.FoundFly;
-import haltere.filters.wing.internal.stroke.SideEstimator;
 import haltere.filters.wing.internal.stroke.StrokeFrame;
 import haltere.filters.wing.internal.stroke.StrokeSeed;
 import haltere.filters.wing.internal.stroke.WingEstimator;
@@ -33,9 +35,6 @@ final class TrackedFly {
   private final StrokeFrame[] frames = place.frames;
   private final SensorGeometry sensor;
   private final WingEstimators wings;
-  private final SideEstimator[] main;
-  private final boolean[] tracked;
-  private final boolean[] takesNow;
 
   /** Whether a Kalman filter and whether a running average are at work. */
   private boolean filters;
@@ -44,6 +43,12 @@ final class TrackedFly {
 
   /** Whether measurements are wanted. */
   private boolean measures;
+
+  /** Whether events wait until both wings meet. */
+  private boolean sorts;
+
+  /** Events that wait for a wing. */
+  final SortedEvents sorted = new SortedEvents(2, this::take);
 
   /** Of the running average. */
   private FlyPlace averagePlace = place;
@@ -61,9 +66,6 @@ final class TrackedFly {
     this.settings = settings;
     this.listener = listener;
     wings = new WingEstimators(frames, listener);
-    main = wings.main;
-    tracked = wings.tracked;
-    takesNow = wings.takesNow;
     build();
   }
 
@@ -99,7 +101,7 @@ final class TrackedFly {
     wings.report.begin();
     for (int side = 0; side < 2; side++) {
       StrokeSeed seed = found.seeds()[said.flipHeading() ? 1 - side : side];
-      tracked[side] = seed != null;
+      wings.tracked[side] = seed != null;
       if (seed != null) {
         StrokeSeed turned = said.flipHeading() ? seed.mirrored() : seed;
         wings.launch(
@@ -122,24 +124,40 @@ final class TrackedFly {
   }
 
   private void takeSymmetry() {
-    symmetry = tracked[0] && tracked[1] ? asymmetry() : 0;
+    symmetry = wings.tracked[0] && wings.tracked[1] ? asymmetry() : 0;
   }
 
   /** Half of what the centres of both wings differ by. */
   private double asymmetry() {
-    return (main[0].seed().centre() - main[1].seed().centre()) / 2;
+    return (wings.main[0].seed().centre() - wings.main[1].seed().centre()) / 2;
   }
 
   /** Begins with a packet. */
   void beginPacket() {
     measures = listener.wants(WingMeasurement.class);
+    // a wing with a filter for each edge tells of its beats as its events come
+    sorts = !measures && !averages && wings.main[0] instanceof WingEstimator;
   }
 
-  void event(long timeUs, int x, int y, boolean on) {
+  private void take(int side, EventPacket events) {
+    for (int i = 0; i < events.size(); i++) {
+      if (frames[side].look(events.x(i), events.y(i))) {
+        wings.main[side].event(events.timeUs(i), events.isOn(i));
+      }
+    }
+  }
+
+  void event(long timeUs, int address) {
+    int x = EventAddress.x(address);
+    int y = EventAddress.y(address);
+    boolean on = EventAddress.isOn(address);
     if (filters) {
       int side = place.side(x, y);
-      if (takesNow[2 * side + (on ? 1 : 0)] && frames[side].look(x, y)) {
-        double expected = main[side].event(timeUs, on);
+      boolean takes = wings.takesNow[2 * side + (on ? 1 : 0)];
+      if (takes && sorts) {
+        sorted.add(side, timeUs, address);
+      } else if (takes && frames[side].look(x, y)) {
+        double expected = wings.main[side].event(timeUs, on);
         if (measures) {
           wings.report.event(timeUs, side, on, frames[side].angle(), expected);
         }
@@ -153,7 +171,7 @@ final class TrackedFly {
   private void averageEvent(long timeUs, int x, int y, boolean on) {
     float code = angles.code(x, y);
     int side = PixelAngles.side(code);
-    if (code != code || !takesNow[2 * side + (on ? 1 : 0)]) {
+    if (code != code || !wings.takesNow[2 * side + (on ? 1 : 0)]) {
       return;
     }
     double angle = PixelAngles.angle(code);
@@ -170,12 +188,12 @@ final class TrackedFly {
   void check(long timeUs) {
     boolean[] lost = new boolean[2];
     for (int side = 0; side < 2; side++) {
-      lost[side] = tracked[side] && main[side].isLost(timeUs);
+      lost[side] = wings.tracked[side] && wings.main[side].isLost(timeUs);
     }
     // the original's search does not find a single wing again: its filters wait for it
     if (!TrackerParts.isOriginal(settings) || lost[0] && lost[1]) {
-      tracked[0] &= !lost[0];
-      tracked[1] &= !lost[1];
+      wings.tracked[0] &= !lost[0];
+      wings.tracked[1] &= !lost[1];
     }
     if (lost[0] || lost[1]) {
       wings.trackedChanged();
@@ -183,8 +201,9 @@ final class TrackedFly {
     if (!wings.isTracked()) {
       return;
     }
-    if (main[0] instanceof WingEstimator left && main[1] instanceof WingEstimator right) {
-      if (tracked[0] && tracked[1] && settings.position().followsHeading()) {
+    if (wings.main[0] instanceof WingEstimator left
+        && wings.main[1] instanceof WingEstimator right) {
+      if (wings.tracked[0] && wings.tracked[1] && settings.position().followsHeading()) {
         double by = HEADING_SHARE * (asymmetry() - symmetry);
         left.turnHeading(by);
         right.turnHeading(by);
@@ -246,7 +265,7 @@ final class TrackedFly {
       build();
     }
     for (int side = 0; side < 2; side++) {
-      if (tracked[side]) {
+      if (wings.tracked[side]) {
         StrokeSeed seed = seeds[side];
         wings.launch(
             side, seed.timeUs(), seed.withCentre(seed.centre() - frames[side].turn() * turn));

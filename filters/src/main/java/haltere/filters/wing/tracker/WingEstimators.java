@@ -131,6 +131,11 @@ final class WingEstimators {
         beside[side].advance(timeUs);
       }
     }
+    for (int side = 0; side < 2; side++) {
+      if (tracked[side] && main[side] instanceof WingEstimator wing) {
+        wing.step();
+      }
+    }
   }
 
   /** The Kalman filters of the wings that are tracked. */

@@ -1,10 +1,11 @@
 package haltere.filters.wing.tracker;
 
-import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.ReportClock;
+import haltere.core.stream.SharedWork;
 import haltere.filters.estimation.Angles;
+import haltere.filters.noise.internal.PolarityRuns;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingByHand;
 import haltere.filters.wing.WingFilterEdit;
@@ -18,7 +19,6 @@ import haltere.filters.wing.internal.search.FlySearch;
 import haltere.filters.wing.internal.search.FoundFly;
 import haltere.filters.wing.internal.search.FrequencyWatch;
 import haltere.filters.wing.internal.search.RecentEvents;
-import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.List;
@@ -34,29 +34,22 @@ import java.util.Set;
  * thread at a time.
  */
 public final class WingTracker {
-  private static final int RECENT = 16384;
   private static final int CHECK_US = 10_000;
 
-  /** Checks are at multiples of this, whatever the rate of the estimates. */
-  private static final int CHECK_STEP_US = 1000;
-
-  /** A run of events of one polarity on a pixel ends after this time, whatever comes. */
-  private static final int LONGEST_RUN_US = 2500;
+  /** Both wings meet at multiples of this, whatever the rate of the estimates. */
+  private static final int MEET_US = 1000;
 
   /** What becomes of a search; the other phases are its steps. */
   private static final Set<Phase> CONDITIONS =
       EnumSet.of(Phase.COLLECTING, Phase.TRACKING, Phase.UNLOCKED, Phase.ONE_WING, Phase.LOST);
 
-  private static final long NO_EVENT = Long.MIN_VALUE >> 1;
-
   /** Of what is due next, while no fly is tracked: each event may end the wait. */
   private static final long AT_ONCE = Long.MIN_VALUE;
 
-  private final int width;
   private final WingListener listener;
   private final SensorGeometry sensor;
   private FlySearch search;
-  private final RecentEvents recent = new RecentEvents(RECENT);
+  private final RecentEvents recent = new RecentEvents();
   private final TrackedFly fly;
   private final FrequencyWatch watch = new FrequencyWatch();
 
@@ -64,7 +57,7 @@ public final class WingTracker {
   private final Map<Phase, WingTrackerState> steps = new EnumMap<>(Phase.class);
 
   private final ReportClock ticks = new ReportClock();
-  private final long[] lastOfPixel;
+  private final PolarityRuns runs;
   private WingTrackerSettings settings;
   private Phase phase = Phase.COLLECTING;
   private boolean begun;
@@ -80,21 +73,24 @@ public final class WingTracker {
    * @param listener takes the results
    */
   public WingTracker(SensorGeometry geometry, WingTrackerSettings settings, WingListener listener) {
-    width = geometry.width();
     this.settings = settings;
     this.listener = listener;
     sensor = geometry;
     search = TrackerParts.search(settings, geometry, recent, this::say);
     fly = new TrackedFly(geometry, settings, listener);
-    lastOfPixel = new long[geometry.pixels()];
+    runs = new PolarityRuns(geometry);
     ticks.setRate(settings.output().rateHz());
     reset();
+  }
+
+  void share(SharedWork work) {
+    fly.sorted.share(work);
   }
 
   /** Forgets everything that events have said; what a person has said stays. */
   public void reset() {
     recent.clear();
-    Arrays.fill(lastOfPixel, NO_EVENT);
+    runs.clear();
     phase = Phase.COLLECTING;
     begun = false;
     dueUs = AT_ONCE;
@@ -121,8 +117,9 @@ public final class WingTracker {
     fly.apply(changed);
     ticks.setRate(changed.output().rateHz());
     if (fly.wings().isTracked()) {
-      ticks.skipTo(Math.max(publishedUs, recent.timeUs(recent.size() - 1)) + 1);
-      dueUs = Math.min(ticks.nextUs(), nextCheckUs);
+      long lastUs = Math.max(publishedUs, recent.timeUs(recent.size() - 1));
+      ticks.skipTo(lastUs + 1);
+      dueUs = dueAfter(lastUs);
     }
   }
 
@@ -272,25 +269,11 @@ public final class WingTracker {
       if (timeUs >= dueUs && !work(timeUs)) {
         continue;
       }
-      int x = EventAddress.x(address);
-      int y = EventAddress.y(address);
-      int on = address & EventAddress.ON_BIT;
-      if (!firstOfRun || isFirst(y * width + x, timeUs, on)) {
-        fly.event(timeUs, x, y, on != 0);
+      if (!firstOfRun || runs.begins(timeUs, address)) {
+        fly.event(timeUs, address);
       }
     }
-  }
-
-  /**
-   * Whether an event is the first of a run of one polarity on its pixel. Times stand in the upper
-   * bits and the polarity in the last one, so that the difference to the event before, turned by a
-   * bit, is half of it where the polarities are alike, and beyond any time where they are not.
-   */
-  private boolean isFirst(int pixel, long timeUs, int on) {
-    long now = timeUs << 1 | on;
-    long since = Long.rotateRight(now - lastOfPixel[pixel], 1);
-    lastOfPixel[pixel] = now;
-    return since + Long.MIN_VALUE >= LONGEST_RUN_US + Long.MIN_VALUE;
+    fly.sorted.take();
   }
 
   /** Does what is due at a time; false if its event is not to be tracked. */
@@ -326,8 +309,8 @@ public final class WingTracker {
     fly.begin(found, timeUs);
     // a search that knows nothing of the beat leaves it to the filters to find it
     fly.wings().locked = !TrackerParts.isOriginal(settings);
-    nextCheckUs = -Math.floorDiv(-(timeUs + CHECK_US), CHECK_STEP_US) * CHECK_STEP_US;
-    dueUs = Math.min(ticks.nextUs(), nextCheckUs);
+    nextCheckUs = -Math.floorDiv(-(timeUs + CHECK_US), MEET_US) * MEET_US;
+    dueUs = dueAfter(timeUs);
     watch.launch();
     setPhase(timeUs);
     listener.take(fly.geometry());
@@ -370,6 +353,7 @@ public final class WingTracker {
   private void passTicks(long timeUs) {
     while (dueUs <= timeUs) {
       long now = dueUs;
+      fly.sorted.take();
       fly.wings().advance(now);
       if (now >= nextCheckUs) {
         check(now);
@@ -382,8 +366,12 @@ public final class WingTracker {
         publishedUs = now;
         ticks.advance();
       }
-      dueUs = Math.min(ticks.nextUs(), nextCheckUs);
+      dueUs = dueAfter(now);
     }
+  }
+
+  private long dueAfter(long timeUs) {
+    return Math.min(ticks.nextUs(), (Math.floorDiv(timeUs, MEET_US) + 1) * MEET_US);
   }
 
   /** Regular work: the heading follows, a lost wing is noticed, and searched for. */

@@ -5,6 +5,7 @@ import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.stream.SharedWork;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingAverage;
 import haltere.filters.wing.WingBeat;
@@ -90,6 +91,11 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
   @Override
   public void process(EventPacket packet) {
     tracker.track(packet);
+  }
+
+  @Override
+  public void share(SharedWork work) {
+    tracker.share(work);
   }
 
   @Override

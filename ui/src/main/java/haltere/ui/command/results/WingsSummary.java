@@ -5,8 +5,8 @@ import haltere.core.event.EventPacket;
 import haltere.core.stream.StreamHandler;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingBeat;
+import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingPart;
-import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerState;
 import haltere.filters.wing.tracker.WingTrackerFilter;
 import haltere.ui.command.terminal.Quantities;
@@ -30,6 +30,7 @@ public final class WingsSummary implements StreamHandler {
   private final double[] frequencySquares = new double[2];
   private final double[] amplitude = new double[2];
   private final double[] amplitudeSquares = new double[2];
+  private long tickUs = Long.MIN_VALUE;
   private long lastUs = Long.MAX_VALUE;
   private long spannedUs;
   private long bothTicks;
@@ -52,7 +53,7 @@ public final class WingsSummary implements StreamHandler {
   /** Listens to what the wing tracker of a chain publishes from now on. */
   public void listenTo(FilterChain chain) {
     chain.outlet("beats", WingBeat.class).subscribe(this::beat);
-    chain.outlet("snapshot", WingSnapshot.class).subscribe(this::snapshot);
+    chain.outlet("wings", WingEstimate.class).subscribe(this::estimate);
     chain.outlet("initialisation", WingTrackerState.class).subscribe(this::state);
     chain.outlet("geometry", FlyGeometry.class).subscribe(this::found);
   }
@@ -72,8 +73,12 @@ public final class WingsSummary implements StreamHandler {
     java.util.Arrays.fill(sums, 0);
   }
 
-  private void snapshot(WingSnapshot snapshot) {
-    switch (snapshot.phase()) {
+  private void estimate(WingEstimate estimate) {
+    if (estimate.timeUs() == tickUs) {
+      return;
+    }
+    tickUs = estimate.timeUs();
+    switch (filter.tracker().phase()) {
       case TRACKING -> bothTicks++;
       case UNLOCKED -> unlockedTicks++;
       default -> oneTicks++;
@@ -83,22 +88,16 @@ public final class WingsSummary implements StreamHandler {
       nis += now;
       nisCount++;
     }
-    FlyGeometry g = snapshot.geometry();
-    last = g;
+    last = filter.tracker().geometry().orElseThrow();
     means++;
-    double[] values = {
-      g.centreX(),
-      g.centreY(),
-      Math.cos(g.headingRad()),
-      Math.sin(g.headingRad()),
-      g.leftHingeX(),
-      g.leftHingeY(),
-      g.rightHingeX(),
-      g.rightHingeY()
-    };
-    for (int i = 0; i < values.length; i++) {
-      sums[i] += values[i];
-    }
+    sums[0] += last.centreX();
+    sums[1] += last.centreY();
+    sums[2] += Math.cos(last.headingRad());
+    sums[3] += Math.sin(last.headingRad());
+    sums[4] += last.leftHingeX();
+    sums[5] += last.leftHingeY();
+    sums[6] += last.rightHingeX();
+    sums[7] += last.rightHingeY();
   }
 
   private void state(WingTrackerState state) {

@@ -1,6 +1,7 @@
 package haltere.filters.wing.internal.search;
 
-import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import java.util.Arrays;
 
 /**
  * The events of the last few beats, thinned evenly where they come faster than one in {@link
@@ -10,23 +11,13 @@ public final class RecentEvents {
   /** Events that follow another one sooner are not kept. */
   static final int MIN_GAP_US = 5;
 
-  private final long[] timesUs;
-  private final int[] addresses;
-  private final int mask;
-  private int end;
-  private int size;
-  private long lastUs;
+  /** How many events are kept. */
+  static final int CAPACITY = 16384;
 
-  /**
-   * An empty store.
-   *
-   * @param capacity how many events it keeps, a power of two
-   */
-  public RecentEvents(int capacity) {
-    timesUs = new long[capacity];
-    addresses = new int[capacity];
-    mask = capacity - 1;
-  }
+  /** Those that are not kept any more are dropped all at once. */
+  private final EventPacket events = new EventPacket(2 * CAPACITY);
+
+  private long lastUs;
 
   /**
    * Keeps an event, if it does not follow the last one too soon.
@@ -35,29 +26,31 @@ public final class RecentEvents {
    * @param address as in an event packet
    */
   public void add(long timeUs, int address) {
-    if (size > 0 && timeUs - lastUs < MIN_GAP_US) {
+    if (timeUs - lastUs < MIN_GAP_US && !events.isEmpty()) {
       return;
     }
     lastUs = timeUs;
-    timesUs[end] = timeUs;
-    addresses[end] = address;
-    end = (end + 1) & mask;
-    size = Math.min(size + 1, timesUs.length);
+    if (events.size() == 2 * CAPACITY) {
+      for (int i = 0; i < CAPACITY; i++) {
+        events.move(CAPACITY + i, i);
+      }
+      events.truncate(CAPACITY);
+    }
+    events.append(timeUs, address);
   }
 
   /** Forgets all events. */
   public void clear() {
-    end = 0;
-    size = 0;
+    events.clear();
   }
 
   /** {@return the number of events} */
   public int size() {
-    return size;
+    return Math.min(CAPACITY, events.size());
   }
 
-  int capacity() {
-    return timesUs.length;
+  private int first() {
+    return events.size() - size();
   }
 
   /**
@@ -67,37 +60,27 @@ public final class RecentEvents {
    * @return microseconds
    */
   public long timeUs(int index) {
-    return timesUs[(end - size + index) & mask];
+    return events.timeUs(first() + index);
   }
 
   /** Column of an event, 0 the oldest one. */
   int x(int index) {
-    return EventAddress.x(addresses[(end - size + index) & mask]);
+    return events.x(first() + index);
   }
 
   /** Row of an event, 0 the oldest one. */
   int y(int index) {
-    return EventAddress.y(addresses[(end - size + index) & mask]);
+    return events.y(first() + index);
   }
 
   /** Polarity of an event, 0 the oldest one. */
   boolean isOn(int index) {
-    return EventAddress.isOn(addresses[(end - size + index) & mask]);
+    return events.isOn(first() + index);
   }
 
   /** First event that is not before a time. */
   int indexAtOrAfter(long timeUs) {
-    int from = 0;
-    int to = size;
-    while (from < to) {
-      int middle = (from + to) >>> 1;
-      if (timeUs(middle) < timeUs) {
-        from = middle + 1;
-      } else {
-        to = middle;
-      }
-    }
-    return from;
+    return events.indexAtOrAfter(timeUs, first()) - first();
   }
 
   /**
@@ -107,11 +90,7 @@ public final class RecentEvents {
    * @return addresses as in an event packet, the oldest event first
    */
   public int[] addressesSince(long fromUs) {
-    int first = indexAtOrAfter(fromUs);
-    int[] copy = new int[size - first];
-    for (int i = 0; i < copy.length; i++) {
-      copy[i] = addresses[(end - size + first + i) & mask];
-    }
-    return copy;
+    int from = events.indexAtOrAfter(fromUs, first());
+    return Arrays.copyOfRange(events.addresses(), from, events.size());
   }
 }

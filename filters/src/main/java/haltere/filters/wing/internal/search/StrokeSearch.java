@@ -28,7 +28,7 @@ public final class StrokeSearch implements FlySearch {
    */
   public StrokeSearch(
       SensorGeometry geometry, RecentEvents recent, Consumer<WingTrackerState> steps) {
-    finder = new FlyFinder(geometry, recent.capacity(), steps);
+    finder = new FlyFinder(geometry, RecentEvents.CAPACITY, steps);
     this.recent = recent;
   }
 

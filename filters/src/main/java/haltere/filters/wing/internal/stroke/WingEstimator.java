@@ -240,9 +240,6 @@ public final class WingEstimator implements SideEstimator {
     if (timeUs - hingeUs >= HINGE_US) {
       followHinge();
     }
-    if (timeUs - slowUs >= SLOW_US) {
-      slowStep();
-    }
   }
 
   private void predict() {
@@ -263,7 +260,11 @@ public final class WingEstimator implements SideEstimator {
     }
   }
 
-  private void slowStep() {
+  /** Does what is due each millisecond and looks at the other wing, which is as far advanced. */
+  public void step() {
+    if (timeUs - slowUs < SLOW_US) {
+      return;
+    }
     double dtS = (timeUs - slowUs) * 1e-6;
     slowUs = timeUs;
     frequencyNoise.look(dtS, filter, settings.manoeuvre());
