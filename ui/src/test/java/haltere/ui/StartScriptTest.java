@@ -126,7 +126,7 @@ class StartScriptTest {
           .forEach(libraries::add);
     }
     assertEquals(libraries, named);
-    assertTrue(read(installed.resolve("THIRD-PARTY.md")).contains("MPL-2.0"));
+    assertTrue(read(installed.resolve("THIRD-PARTY.md")).contains("LGPL-2.1"));
     assertTrue(read(installed.resolve("licenses/LGPL-2.1.txt")).contains("LESSER GENERAL PUBLIC"));
   }
 
