@@ -21,10 +21,10 @@ import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.testing.ManualClock;
 import haltere.testing.StreamRecorder;
+import haltere.testing.Waiting;
 import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -141,9 +141,7 @@ class CameraPlayableTest {
       assertEquals(State.PAUSED, player.status().state());
       player.play().get();
       playable.camera().facet(Plug.class).orElseThrow().unplug();
-      while (!playable.isUnplugged()) {
-        LockSupport.parkNanos(200_000);
-      }
+      Waiting.until("the camera to be away", playable::isUnplugged);
       assertEquals(State.PLAYING, player.status().state());
       playable.camera().facet(Plug.class).orElseThrow().plugIn();
       waitForEvents(player, player.status().eventsIn() + 2000);
@@ -152,8 +150,6 @@ class CameraPlayableTest {
   }
 
   private static void waitForEvents(Player player, long events) {
-    while (player.status().eventsIn() < events) {
-      LockSupport.parkNanos(200_000);
-    }
+    Waiting.until(events + " events", () -> player.status().eventsIn() >= events);
   }
 }

@@ -22,11 +22,10 @@ import haltere.core.stream.StreamGrammar;
 import haltere.core.stream.StreamHandler;
 import haltere.testing.ManualClock;
 import haltere.testing.StreamRecorder;
+import haltere.testing.Waiting;
 import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
-import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -39,12 +38,6 @@ class LiveSimulatedCameraTest {
 
   private Camera dots(CameraOptions options) throws IOException {
     return cameras.open("simulated:dots", options);
-  }
-
-  private static void await(BooleanSupplier condition) {
-    while (!condition.getAsBoolean()) {
-      LockSupport.parkNanos(200_000);
-    }
   }
 
   private void untilOver(Camera camera) throws IOException {
@@ -62,7 +55,7 @@ class LiveSimulatedCameraTest {
     long zeroNanos = camera.clockRelation().orElseThrow().hostNanos();
 
     // nobody takes anything, and the camera goes on
-    await(() -> camera.statistics().transfers() >= 60);
+    Waiting.until("60 transfers", () -> camera.statistics().transfers() >= 60);
     assertTrue(camera.statistics().lostEvents() > 0);
     assertEquals(zeroNanos, camera.clockRelation().orElseThrow().hostNanos());
     camera.close();

@@ -37,11 +37,11 @@ import haltere.core.stream.StreamStarted;
 import haltere.testing.ManualClock;
 import haltere.testing.ServiceFiles;
 import haltere.testing.StreamRecorder;
+import haltere.testing.Waiting;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -266,9 +266,7 @@ class SimulatedCameraTest {
               }
             });
     consumer.start();
-    while (!stream.ended()) {
-      LockSupport.parkNanos(200_000);
-    }
+    Waiting.until("the end of the stream", stream::ended);
     camera.close();
     over.await();
     consumer.join();

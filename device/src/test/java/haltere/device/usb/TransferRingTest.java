@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.camera.CameraOptions.WhenFull;
 import haltere.device.protocol.Dvs128Decoder;
+import haltere.testing.Waiting;
 import java.io.InterruptedIOException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -63,9 +64,9 @@ class TransferRingTest {
   void whateverEndsWhileItIsStoppedIsTakenAndNotStartedAgain() throws Exception {
     ring.start();
     CompletableFuture<Boolean> stopped = CompletableFuture.supplyAsync(ring::stop);
-    while (!device.transfers.stream().allMatch(transfer -> transfer.cancelled)) {
-      Thread.onSpinWait();
-    }
+    Waiting.until(
+        "all transfers to be cancelled",
+        () -> device.transfers.stream().allMatch(transfer -> transfer.cancelled));
     device.transfers.get(0).end(TransferEnd.COMPLETED, 2); // before the bus heard of it
     device.transfers.get(1).end(TransferEnd.CANCELLED, 1);
     device.transfers.get(2).end(TransferEnd.FAILED, 0);

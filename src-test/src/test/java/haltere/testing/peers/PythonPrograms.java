@@ -2,7 +2,6 @@ package haltere.testing.peers;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -18,6 +17,8 @@ import org.junit.jupiter.api.Assumptions;
  * build/peers, where the continuous build installs them.
  */
 final class PythonPrograms {
+  private static final int LIMIT_S = 120;
+
   private final Path script;
   private final Path folder;
 
@@ -72,15 +73,20 @@ final class PythonPrograms {
     List<String> command = new ArrayList<>(List.of(python().toString(), script.toString()));
     command.addAll(Arrays.asList(arguments));
     Path errors = folder.resolve("errors.txt");
-    Process process = new ProcessBuilder(command).redirectError(errors.toFile()).start();
-    try (InputStream out = process.getInputStream()) {
-      String text = new String(out.readAllBytes(), StandardCharsets.UTF_8);
-      boolean done = process.waitFor(60, TimeUnit.SECONDS) && process.exitValue() == 0;
-      return done ? Optional.of(text.lines().toList()) : Optional.empty();
+    Path printed = folder.resolve("printed.txt");
+    Process process =
+        new ProcessBuilder(command)
+            .redirectError(errors.toFile())
+            .redirectOutput(printed.toFile())
+            .start();
+    try {
+      boolean done = process.waitFor(LIMIT_S, TimeUnit.SECONDS) && process.exitValue() == 0;
+      return done ? Optional.of(Files.readAllLines(printed)) : Optional.empty();
     } catch (InterruptedException e) {
       throw new IOException(e);
     } finally {
-      process.destroy();
+      process.descendants().forEach(ProcessHandle::destroyForcibly);
+      process.destroyForcibly();
     }
   }
 }

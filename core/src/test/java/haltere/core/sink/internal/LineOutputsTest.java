@@ -10,6 +10,7 @@ import haltere.core.sink.LineOutput;
 import haltere.core.sink.LineOutputProvider;
 import haltere.core.sink.LineOutputs;
 import haltere.testing.ServiceFiles;
+import haltere.testing.Waiting;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -22,7 +23,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -34,10 +34,7 @@ class LineOutputsTest {
 
   private static Socket connect(LineOutput output) throws IOException {
     Socket socket = new Socket("127.0.0.1", LineAddress.parse(output.address()).port());
-    int before = output.receivers();
-    while (output.receivers() == before && before < 1) {
-      LockSupport.parkNanos(200_000);
-    }
+    Waiting.until("a receiver", () -> output.receivers() > 0);
     return socket;
   }
 
@@ -76,9 +73,7 @@ class LineOutputsTest {
     LineOutput output = LineOutputs.open("tcp://127.0.0.1:0");
     try (Socket first = connect(output);
         Socket second = new Socket("127.0.0.1", first.getPort())) {
-      while (output.receivers() < 2) {
-        LockSupport.parkNanos(200_000);
-      }
+      Waiting.until("two receivers", () -> output.receivers() == 2);
       for (int i = 0; i < 100; i++) {
         output.send("a/b", line(i));
       }

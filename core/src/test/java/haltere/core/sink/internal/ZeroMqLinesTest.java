@@ -9,6 +9,7 @@ import haltere.core.json.internal.Json;
 import haltere.core.sink.LineAddress;
 import haltere.core.sink.LineOutput;
 import haltere.core.sink.LineOutputs;
+import haltere.testing.Waiting;
 import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
@@ -19,7 +20,6 @@ import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -54,9 +54,7 @@ class ZeroMqLinesTest {
   }
 
   private static void await(LineOutput output, int receivers) {
-    while (output.receivers() != receivers) {
-      LockSupport.parkNanos(200_000);
-    }
+    Waiting.until(receivers + " receivers", () -> output.receivers() == receivers);
   }
 
   private static ZMQ.Socket subscriber(ZContext context, LineOutput output, String topic) {

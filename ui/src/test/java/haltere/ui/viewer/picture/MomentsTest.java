@@ -24,6 +24,7 @@ import haltere.core.simulation.internal.fly.FlyScene;
 import haltere.core.simulation.internal.fly.FlySceneSettings;
 import haltere.filters.DefaultChain;
 import haltere.testing.Recorded;
+import haltere.testing.Waiting;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.rendering.Gradient;
@@ -33,7 +34,6 @@ import java.util.Arrays;
 import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -144,9 +144,7 @@ class MomentsTest {
     void playTo(long elapsedUs) {
       pauseAtUs = elapsedUs;
       player.play().join();
-      while (player.status().state() == State.PLAYING) {
-        LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(1));
-      }
+      Waiting.until("the pause", () -> player.status().state() != State.PLAYING);
       assertEquals(State.PAUSED, player.status().state());
     }
 
