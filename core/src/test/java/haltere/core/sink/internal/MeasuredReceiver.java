@@ -11,9 +11,6 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.concurrent.CountDownLatch;
-import org.zeromq.SocketType;
-import org.zeromq.ZContext;
-import org.zeromq.ZMQ;
 
 /**
  * A program that receives live results, on a thread of this one: counts rows, and those that it is
@@ -51,7 +48,7 @@ final class MeasuredReceiver {
     MeasuredReceiver receiver = new MeasuredReceiver(mayBegin, most);
     LineAddress from = LineAddress.parse(address);
     if (from.scheme().equals("zmq")) {
-      receiver.start(() -> receiver.subscribe(from));
+      receiver.start(() -> receiver.subscribe(address));
     } else {
       Socket socket = new Socket(from.host(), from.port());
       receiver.start(() -> receiver.read(socket));
@@ -106,15 +103,10 @@ final class MeasuredReceiver {
     }
   }
 
-  private void subscribe(LineAddress from) {
-    try (ZContext context = new ZContext(1)) {
-      ZMQ.Socket socket = context.createSocket(SocketType.SUB);
-      socket.setRcvHWM(1 << 16);
-      socket.connect("tcp://" + from.host() + ":" + from.port());
-      socket.subscribe("");
+  private void subscribe(String address) throws IOException {
+    try (ZmtpSubscriber subscriber = new ZmtpSubscriber(address, BUFFER_BYTES).to("")) {
       while (true) {
-        socket.recvStr();
-        take(socket.recvStr());
+        take(subscriber.receive().line());
       }
     }
   }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import haltere.core.event.EventPacket;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
@@ -87,6 +88,13 @@ class PictureThreadTest {
                     throw new OutOfMemoryError("made up");
                   }));
     }
+  }
+
+  @Test
+  void whoWaitsForAStepIsToldThatTheThreadHasEnded() {
+    PictureThread thread = new PictureThread();
+    thread.close();
+    assertThrows(CancellationException.class, () -> thread.now(() -> "never"));
   }
 
   private static void rethrow(Throwable fault) {
