@@ -71,6 +71,6 @@ public record RecordingClock(Zero zero, OptionalLong turnUs) {
   public String describe() {
     return turnUs.isEmpty()
         ? zero.words
-        : zero.words + "; turns of " + turnUs.getAsLong() / 1e6 + " s are undone";
+        : zero.words + "; wraps of " + turnUs.getAsLong() / 1e6 + " s are undone";
   }
 }

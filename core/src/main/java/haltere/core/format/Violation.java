@@ -23,7 +23,7 @@ public enum Violation {
   /** Events before the first word that tells the time; they are left out. */
   NO_TIME_YET("events before the first time word were left out"),
   /** Data of another kind than polarity events (frames, inertial samples, triggers). */
-  OTHER_DATA("words hold something else than events (frames, inertial samples, triggers)"),
+  OTHER_DATA("words hold data other than polarity events, which are not read"),
   /** A frame or an inertial sample of which a part is missing, or that cannot be true. */
   INCOMPLETE_SAMPLE("frames or inertial samples that are not whole were left out");
 

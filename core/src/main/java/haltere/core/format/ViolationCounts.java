@@ -3,6 +3,7 @@ package haltere.core.format;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 
 /**
@@ -137,12 +138,12 @@ public final class ViolationCounts {
         lines.add(
             kind == Violation.CUT_OFF
                 ? kind.sentence() + " (byte " + firstOffset(kind) + ")"
-                : count(kind)
-                    + " "
-                    + kind.sentence()
-                    + " (first at byte "
-                    + firstOffset(kind)
-                    + ")");
+                : String.format(
+                    Locale.ROOT,
+                    "%,d %s (first at byte %d)",
+                    count(kind),
+                    kind.sentence(),
+                    firstOffset(kind)));
       }
     }
     return lines;

@@ -143,7 +143,8 @@ final class InfoCommand extends Subcommand {
       }
       warnings(file, warnings);
       if (picture != null) {
-        message("wrote " + picture);
+        boolean any = facts.outline().events() > 0;
+        message(any ? "wrote " + picture : "no picture: there are no events");
       }
       objection.ifPresent(problem -> error(problem.getMessage()));
       return objection.isEmpty();
@@ -164,7 +165,7 @@ final class InfoCommand extends Subcommand {
           picture == null
               ? RecordingSummary.scan(reader, bar, rates)
               : RecordingSummary.scan(reader, bar, rates, sheet);
-      if (picture != null) {
+      if (picture != null && read.events() > 0) {
         Pictures.write(picture, sheet.draw());
       }
       RecordingOutline found = new RecordingOutline(read.events(), read.firstUs(), read.lastUs());

@@ -67,7 +67,7 @@ public final class Curve {
     return key;
   }
 
-  /** How many curves of its lane began before it. */
+  /** What gives it its colour: 0, 1, 2 …, another for each curve of its lane. */
   public int number() {
     return number;
   }

@@ -21,7 +21,6 @@ public final class Lane {
 
   private final Map<PlotField, Map<String, Curve>> curves = new LinkedHashMap<>();
   private final List<Curve> all = new ArrayList<>();
-  private int begun;
 
   /** A lane with one field. */
   public Lane(PlotField field) {
@@ -54,11 +53,24 @@ public final class Lane {
       if (all.size() >= MAX_CURVES) {
         forgetSilent();
       }
-      curve = new Curve(name(field, key), begun++, fields().indexOf(field));
+      curve = new Curve(name(field, key), freeNumber(), fields().indexOf(field));
       ofField.put(key, curve);
       all.add(curve);
     }
     curve.add(timeUs, value);
+  }
+
+  /** The lowest number of no curve, so that a curve that begins anew has its colour again. */
+  private int freeNumber() {
+    int number = 0;
+    while (has(number)) {
+      number++;
+    }
+    return number;
+  }
+
+  private boolean has(int number) {
+    return all.stream().anyMatch(curve -> curve.number() == number);
   }
 
   private static String name(PlotField field, String key) {
@@ -136,7 +148,6 @@ public final class Lane {
   public void clear() {
     curves.values().forEach(Map::clear);
     all.clear();
-    begun = 0;
   }
 
   /** Time of the newest sample, microseconds; {@link Long#MIN_VALUE} before the first. */

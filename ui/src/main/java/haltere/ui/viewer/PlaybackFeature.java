@@ -79,7 +79,7 @@ final class PlaybackFeature implements ViewerFeature {
     Windows.ask(
         window.stage(),
         "Jump",
-        "To which time? Minutes and seconds as 1:02.345, or with a unit as 250 ms",
+        "Time, as 1:02.345 or 250 ms",
         here,
         words -> {
           OptionalLong us = Texts.parseTime(words);

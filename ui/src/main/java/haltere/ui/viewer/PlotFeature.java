@@ -26,6 +26,8 @@ final class PlotFeature implements ViewerFeature {
   public void install(ViewerContext window) {
     PlotPanel plots = window.panels().plots();
     BooleanProperty shown = window.addPanel("plots", PanelLayout.Position.BELOW, () -> plots);
+    // lanes are not kept, so a panel that was open would be empty
+    shown.set(false);
     window.onSession(
         made -> {
           if (plots.dropFirst(made.chain())) {

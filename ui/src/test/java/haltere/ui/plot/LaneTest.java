@@ -105,6 +105,17 @@ class LaneTest {
   }
 
   @Test
+  void aCurveThatBeginsAnewHasItsColourAgain() {
+    Lane lane = new Lane(FIELD);
+    for (int run = 0; run < 3; run++) {
+      lane.take(FIELD, 100, "left", 1);
+      lane.take(FIELD, 100, "right", 1);
+      assertEquals(List.of(0, 1), lane.curves().stream().map(Curve::number).toList());
+      lane.forgetFrom(0);
+    }
+  }
+
+  @Test
   void theCurveThatHasBeenSilentForLongestMakesRoom() {
     Lane lane = new Lane(FIELD);
     for (int i = 0; i < Lane.MAX_CURVES + 5; i++) {

@@ -10,6 +10,7 @@ import java.util.Optional;
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
 import javafx.scene.control.SplitPane;
+import javafx.scene.layout.Region;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -68,6 +69,30 @@ class LayoutTest {
     run("layout-low");
     viewer.waitFor(
         "the size of before", () -> Math.abs(pane.getDividerPositions()[0] - 0.4) < 0.01);
+  }
+
+  @Test
+  void theSideKeepsItsWidthWhereTheWindowIsMadeWider() throws Exception {
+    UserSettings settings = UserSettings.load(folder);
+    viewer = new ViewerHarness(settings);
+    run("side-wider");
+    viewer.waitFor("a kept width", () -> keptSide(settings) > 1);
+    double width = keptSide(settings);
+    viewer.run(() -> viewer.stage.setWidth(viewer.stage.getWidth() - 200));
+    viewer.waitFor("the narrower window", () -> Math.abs(sideWidth() - width) < 2);
+    assertEquals(width, keptSide(settings), 1);
+    settings.save();
+    viewer.close();
+    viewer = new ViewerHarness(UserSettings.load(folder));
+    viewer.waitFor("the side of before", () -> Math.abs(sideWidth() - width) < 2);
+  }
+
+  private double keptSide(UserSettings settings) {
+    return viewer.onFx(() -> settings.get("share.side").map(size -> (Double) size).orElse(0.0));
+  }
+
+  private double sideWidth() {
+    return viewer.onFx(() -> viewer.node("chain-panel", Region.class).getWidth());
   }
 
   @Test

@@ -23,7 +23,14 @@ public final class SvgPlot {
 
   private static final int WIDTH = 640;
   private static final int HEIGHT = 300;
-  private static final int LEFT = 60;
+  private static final int MIN_LEFT = 60;
+
+  /** Room for the vertical label and the gaps beside the numbers. */
+  private static final int LEFT_GAPS = 24;
+
+  /** Of a usual sans-serif font. */
+  private static final int DIGIT_WIDTH = 7;
+
   private static final int RIGHT = 12;
   private static final int TOP = 28;
   private static final int BOTTOM = 42;
@@ -35,6 +42,10 @@ public final class SvgPlot {
   private final double toX;
   private final double fromY;
   private final double toY;
+
+  /** Width of the margin with the numbers of the vertical axis. */
+  private final int left;
+
   private final StringBuilder marks = new StringBuilder();
   private final List<String> names = new ArrayList<>();
   private final List<String> colours = new ArrayList<>();
@@ -53,6 +64,9 @@ public final class SvgPlot {
     this.toX = toX;
     this.fromY = fromY;
     this.toY = toY;
+    Ticks up = Ticks.of(fromY, toY, MAX_TICKS);
+    int digits = up.values().stream().mapToInt(y -> up.label(y).length()).max().orElse(0);
+    left = Math.max(MIN_LEFT, LEFT_GAPS + DIGIT_WIDTH * digits);
   }
 
   /**
@@ -206,7 +220,7 @@ public final class SvgPlot {
         originX() == 0
             ? ""
             : " after " + new BigDecimal(originX(), MathContext.DECIMAL64).toPlainString();
-    svg.append(label((LEFT + WIDTH - RIGHT) / 2.0, HEIGHT - 8, "middle", xLabel + after));
+    svg.append(label((left + WIDTH - RIGHT) / 2.0, HEIGHT - 8, "middle", xLabel + after));
     svg.append(
         text(
             "<g transform=\"translate(14 %d) rotate(-90)\">%n%s</g>%n",
@@ -216,7 +230,7 @@ public final class SvgPlot {
       int y = TOP + 16 + 14 * i;
       svg.append(
           legendLeft
-              ? label(LEFT + 6, y, "start", names.get(i))
+              ? label(left + 6, y, "start", names.get(i))
               : label(WIDTH - RIGHT - 6, y, "end", names.get(i)));
       svg.append("</g>\n");
     }
@@ -242,8 +256,8 @@ public final class SvgPlot {
     }
     Ticks up = Ticks.of(fromY, toY, MAX_TICKS);
     for (double y : up.values()) {
-      svg.append(segment(LEFT, atY(y), WIDTH - RIGHT, atY(y)));
-      labels.append(label(LEFT - 6, atY(y) + 4, "end", number(up, y)));
+      svg.append(segment(left, atY(y), WIDTH - RIGHT, atY(y)));
+      labels.append(label(left - 6, atY(y) + 4, "end", number(up, y)));
     }
     svg.append("</g>\n").append(labels);
   }
@@ -268,8 +282,8 @@ public final class SvgPlot {
   }
 
   private double atX(double x) {
-    return LEFT
-        + (WIDTH - LEFT - RIGHT) * (Math.min(toX, Math.max(fromX, x)) - fromX) / (toX - fromX);
+    return left
+        + (WIDTH - left - RIGHT) * (Math.min(toX, Math.max(fromX, x)) - fromX) / (toX - fromX);
   }
 
   private double atY(double y) {

@@ -131,7 +131,9 @@ public record FolderReport(Path folder, RecordingJob.ChainMaker chains, ReadOpti
     page.plot(
         SvgPlot.around(new double[] {0.5, done.size() + 0.5}, values)
             .dots("", ReportPage.colour("", 0), numbers, values)
-            .draw(field.outlet() + ": " + field.words(), "recording", field.words() + unit));
+            .draw(field.outlet() + ": " + field.words(), "recording", field.words() + unit),
+        Map.of(),
+        "");
   }
 
   private BufferedImage pictures(BatchItem item) throws IOException {

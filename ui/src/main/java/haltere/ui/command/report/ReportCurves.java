@@ -26,6 +26,9 @@ final class ReportCurves {
   /** Samples in a bin from which on a close-up shows more. */
   private static final int DENSE = 4;
 
+  private static final String BANDS =
+      "Band: lowest to highest of each interval; line: the middle of both.";
+
   private record Sample(long timeUs, double value) {}
 
   private static final class Trace {
@@ -107,24 +110,34 @@ final class ReportCurves {
             times,
             join(all.stream().map(trace -> trace.edge(true)).toList()),
             join(all.stream().map(trace -> trace.edge(false)).toList()));
-    int number = 0;
+    Map<String, String> colours = colours();
     for (Map.Entry<String, Trace> each : traces.entrySet()) {
       Trace trace = each.getValue();
-      String colour = ReportPage.colour(each.getKey(), number++);
+      String colour = colours.get(each.getKey());
       double[] low = trace.edge(true);
       double[] high = trace.edge(false);
-      double[] middle = new double[low.length];
-      java.util.Arrays.setAll(middle, i -> (low[i] + high[i]) / 2);
+      double[] middle =
+          IntStream.range(0, low.length).mapToDouble(i -> (low[i] + high[i]) / 2).toArray();
       whole.band("", colour, trace.timesS(), low, high);
-      whole.line(legend(each.getKey()), colour, trace.timesS(), middle);
+      whole.line("", colour, trace.timesS(), middle);
     }
-    page.plot(whole.draw(title, "time (s)", label));
-    if (all.stream().anyMatch(Trace::isDense)) {
-      page.plot(closeUp().draw(title + ", the last samples", "time (s)", label));
+    Map<String, String> legend =
+        traces.size() <= MAX_NAMED && !traces.containsKey("") ? colours : Map.of();
+    boolean dense = all.stream().anyMatch(Trace::isDense);
+    page.plot(whole.draw(title, "time (s)", label), legend, dense ? BANDS : "");
+    if (dense) {
+      String words = title + ", last " + NEWEST + " samples";
+      page.plot(closeUp(colours).draw(words, "time (s)", label), legend, "");
     }
   }
 
-  private SvgPlot closeUp() {
+  private Map<String, String> colours() {
+    Map<String, String> colours = new LinkedHashMap<>();
+    traces.keySet().forEach(key -> colours.put(key, ReportPage.colour(key, colours.size())));
+    return colours;
+  }
+
+  private SvgPlot closeUp(Map<String, String> colours) {
     List<double[]> times = new ArrayList<>();
     List<double[]> values = new ArrayList<>();
     for (Trace trace : traces.values()) {
@@ -134,15 +147,10 @@ final class ReportCurves {
     SvgPlot plot = SvgPlot.around(join(times), join(values));
     int number = 0;
     for (String key : traces.keySet()) {
-      String colour = ReportPage.colour(key, number);
-      plot.line(legend(key), colour, times.get(number), values.get(number));
+      plot.line("", colours.get(key), times.get(number), values.get(number));
       number++;
     }
     return plot;
-  }
-
-  private String legend(String key) {
-    return traces.size() <= MAX_NAMED ? key : "";
   }
 
   private static double[] join(List<double[]> parts) {

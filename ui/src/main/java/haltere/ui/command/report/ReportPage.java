@@ -36,7 +36,9 @@ public final class ReportPage {
       th{color:var(--grey);font-weight:normal;white-space:nowrap}td{white-space:pre-line}
       pre{overflow-x:auto;border:1px solid var(--rule);border-radius:4px;padding:.6em}
       img{max-width:100%%;height:auto}
-      svg{width:49%%;min-width:420px;fill:var(--ink)}
+      figure{display:inline-block;width:49%%;min-width:420px;margin:0 0 1em;vertical-align:top}
+      svg{width:100%%;fill:var(--ink)}figcaption{font-size:.85em;text-align:center}
+      figcaption span{margin-right:1em}.key::before{content:"\\2014\\a0"}
       svg circle{r:3px}svg>rect{fill:var(--paper)}svg g[stroke]{stroke:var(--rule)}
       """;
 
@@ -121,9 +123,22 @@ public final class ReportPage {
     body.append("</details>\n");
   }
 
-  /** Adds an SVG document. */
-  void plot(String svg) {
-    body.append(svg);
+  /** Adds an SVG document, below it the colours of its curves by their names, and a sentence. */
+  void plot(String svg, Map<String, String> curves, String sentence) {
+    body.append("<figure>").append(svg).append("<figcaption>");
+    curves.forEach(
+        (name, colour) ->
+            body.append(
+                "<span class=\"key\" style=\"color:%s\">%s</span>"
+                    .formatted(colour, SvgPlot.escaped(name))));
+    body.append("<span>")
+        .append(SvgPlot.escaped(sentence))
+        .append("</span></figcaption></figure>\n");
+  }
+
+  /** Adds a sentence. */
+  void sentence(String words) {
+    body.append("<p>").append(SvgPlot.escaped(words)).append("</p>\n");
   }
 
   /** Adds a picture with the words for those who do not see it. */

@@ -112,16 +112,21 @@ public final class RunReport implements JobResults {
     page.facts(read);
     page.section("Chain");
     page.table(ChainTable.HEADER, stages);
-    page.section("Results");
+    if (!summary.isEmpty() || !job.files().isEmpty()) {
+      page.section("Results");
+    }
     if (!summary.isEmpty()) {
       page.text(summary);
     }
-    page.table(
-        List.of("file", "rows"),
-        job.files().stream()
-            .map(file -> List.of(file.path().toString(), Quantities.count(file.rows())))
-            .toList());
+    if (!job.files().isEmpty()) {
+      page.table(
+          List.of("file", "rows"),
+          job.files().stream()
+              .map(file -> List.of(file.path().toString(), Quantities.count(file.rows())))
+              .toList());
+    }
     page.section("Pictures of events and results");
+    page.sentence("Orange: brighter (ON), blue: darker (OFF); times count from the first event.");
     page.picture(sheet.draw(), "The recording with the results at up to eight moments");
     page.section("Plots");
     addRate(page);
@@ -141,7 +146,9 @@ public final class RunReport implements JobResults {
       page.plot(
           SvgPlot.around(timesS, kevS)
               .line("", ReportPage.colour("", 0), timesS, kevS)
-              .draw("Event rate of the recording", "time (s)", "event rate (kev/s)"));
+              .draw("Event rate of the recording", "time (s)", "event rate (kev/s)"),
+          Map.of(),
+          "");
     }
   }
 }

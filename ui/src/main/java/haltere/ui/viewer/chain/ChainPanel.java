@@ -49,6 +49,7 @@ public final class ChainPanel extends VBox {
     words.setAccessibleText("Search settings");
     Controls.growing(words);
     words.textProperty().subscribe(this::narrow);
+    changedOnly.setMinWidth(Region.USE_PREF_SIZE);
     changedOnly.setAccessibleText("Only the settings that I changed");
     Controls.help(changedOnly, "Only the settings that are not at their defaults");
     changedOnly.selectedProperty().subscribe(this::narrow);

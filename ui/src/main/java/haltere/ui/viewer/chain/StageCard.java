@@ -212,15 +212,14 @@ final class StageCard extends VBox {
     if (!stage.isEnabled()) {
       counts.setText("off");
     } else if (since.eventsIn() == 0) {
-      counts.setText("no events");
+      counts.setText("idle");
     } else {
       double seconds = (nanos - lastNanos) / 1e9;
       counts.setText(
           String.format(
               Locale.ROOT,
-              "%s \u2192 %s ev/s \u00b7 %d %% \u00b7 %s \u00b5s/kev",
-              Texts.quantity(since.eventsIn() / seconds),
-              Texts.quantity(since.eventsOut() / seconds),
+              "%s \u00b7 %d %% \u00b7 %s ns/ev",
+              Texts.rates(since.eventsIn() / seconds, since.eventsOut() / seconds),
               Math.round(100.0 * since.eventsOut() / since.eventsIn()),
               Texts.digits(since.microsPerThousandEvents())));
     }

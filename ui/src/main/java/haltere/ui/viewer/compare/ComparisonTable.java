@@ -38,6 +38,7 @@ final class ComparisonTable extends ScrollPane {
     numbers.setHalignment(HPos.RIGHT);
     grid.getColumnConstraints().addAll(names, numbers, numbers, numbers);
     setContent(grid);
+    show(List.of());
   }
 
   /** The lines for two sets of means; what only one publishes has no difference. */
@@ -75,7 +76,10 @@ final class ComparisonTable extends ScrollPane {
   void show(List<Line> lines) {
     grid.getChildren().clear();
     grid.addRow(
-        0, heading("Mean of a second"), heading("First"), heading("Second"), heading("Differs"));
+        0, heading("Mean over 1 s"), heading("First"), heading("Second"), heading("Differs"));
+    if (lines.isEmpty()) {
+      grid.add(small("No filter has published numbers yet."), 0, 1, 4, 1);
+    }
     String group = "";
     int row = 1;
     for (Line line : lines) {

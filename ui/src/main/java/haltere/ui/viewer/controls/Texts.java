@@ -107,6 +107,19 @@ public final class Texts {
     return digits(value);
   }
 
+  /** An event rate as on the command line: 1.25 Mev/s, 34.2 kev/s, 512 ev/s. */
+  public static String rate(double eventsPerSecond) {
+    String number = quantity(eventsPerSecond);
+    return number + (number.contains(" ") ? "ev/s" : " ev/s");
+  }
+
+  /** Event rates before and after, in the unit that suits the first: 3.51 → 3.40 kev/s. */
+  public static String rates(double before, double after) {
+    String first = rate(before);
+    double unit = before >= 999.5e3 ? 1e6 : before >= 999.5 ? 1e3 : 1;
+    return first.replace(" ", " \u2192 " + digits(after / unit) + " ");
+  }
+
   /** A count: whole below a thousand. */
   public static String count(long value) {
     return Math.abs(value) < 1000 ? Long.toString(value) : quantity(value);

@@ -65,31 +65,38 @@ public final class PanelLayout extends SplitPane {
     tabs.setAccessibleText("Panels at the side");
   }
 
-  /** Gives the panels the shares that were kept, and keeps those that they get. */
+  /**
+   * Gives the panels the sizes that were kept, and keeps those that they get: shares, but pixels of
+   * the side, whose width stays while the window gets its size.
+   */
   public void keep(UserSettings settings) {
     keep(settings, "share.side", this);
     keep(settings, "share.below", left);
     keep(settings, "share.beside", row);
   }
 
-  private static void keep(UserSettings settings, String name, SplitPane pane) {
+  private void keep(UserSettings settings, String name, SplitPane pane) {
     DoubleProperty share = new SimpleDoubleProperty(-1);
     settings.keep(name, share, value -> value, value -> ((Number) value).doubleValue());
     InvalidationListener keeper =
         observed -> {
           if (!pane.getDividers().isEmpty() && pane.getWidth() > 0) {
-            share.set(Math.rint(pane.getDividerPositions()[0] * 1000) / 1000);
+            double at = pane.getDividerPositions()[0];
+            share.set(pane == this ? Math.rint((1 - at) * getWidth()) : Math.rint(at * 1e3) / 1e3);
           }
         };
     Runnable place =
         () -> {
+          boolean inPixels = pane == this && share.get() > 1;
+          double position = inPixels ? 1 - share.get() / getWidth() : share.get();
           if (!pane.getDividers().isEmpty()
-              && share.get() >= 0
-              && Math.abs(pane.getDividerPositions()[0] - share.get()) >= 0.001) {
-            pane.setDividerPosition(0, share.get());
+              && position >= 0
+              && Math.abs(pane.getDividerPositions()[0] - position) >= 0.001) {
+            pane.setDividerPosition(0, position);
           }
         };
     share.subscribe(place);
+    pane.widthProperty().map(width -> width.doubleValue() > 0).subscribe(isLaid -> place.run());
     Runnable follow =
         () -> {
           place.run();

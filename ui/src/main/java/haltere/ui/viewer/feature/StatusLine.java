@@ -143,15 +143,16 @@ public final class StatusLine extends HBox {
         status.timeUs() == StreamNotification.NO_TIME_US
             ? ""
             : "t " + status.timeUs() + " \u00b5s");
-    rate.setText(Texts.quantity(status.eventRateEps()) + " ev/s");
-    speed.setText(status.state() == State.PLAYING ? Texts.reached(status) : "");
+    rate.setText(Texts.rate(status.eventRateEps()));
+    boolean playing = status.state() == State.PLAYING;
+    speed.setText(playing ? Texts.reached(status) : "");
     Controls.help(speed, SPEED_HELP + " " + Texts.limit(status));
     if (status.runUpUs() == 0) {
       runUpNanos = 0;
     } else if (runUpNanos == 0) {
       runUpNanos = System.nanoTime();
     }
-    frames.setText(Math.round(framesPerSecond) + " fps");
+    frames.setText(playing ? Math.round(framesPerSecond) + " fps" : "");
     dropped.setText(
         Texts.count(status.droppedEvents())
             + " lost, "

@@ -30,7 +30,7 @@ record PixelReading(
           .append(" \u00b5s");
     }
     if (!Double.isNaN(rateEps)) {
-      words.append("   ").append(Texts.quantity(rateEps)).append(" ev/s near");
+      words.append("   ").append(Texts.rate(rateEps)).append(" near");
     }
     if (!Double.isNaN(frequencyHz)) {
       words.append("   ").append(Texts.quantity(frequencyHz)).append(" Hz");

@@ -16,7 +16,7 @@ import haltere.ui.viewer.controls.Texts;
 public record RegionMarks(PixelRegion region, RegionReading reading) {
   /** What the region is doing, in words. */
   public String words() {
-    String rate = Texts.quantity(reading.rateEps()) + " ev/s";
+    String rate = Texts.rate(reading.rateEps());
     return Double.isNaN(reading.frequencyHz())
         ? rate
         : rate + "   " + Texts.digits(reading.frequencyHz()) + " Hz";

@@ -42,9 +42,9 @@ final class FilterTables extends VBox {
   private static final double MIN_PLAIN = 1e-3;
 
   /** Room for "-0.001234" and "-1.23e-05". */
-  private static final double NUMBER_WIDTH = 74;
+  private static final double NUMBER_WIDTH = 62;
 
-  private static final double NAME_WIDTH = 80;
+  private static final double NAME_WIDTH = 64;
   private static final double MAX_PLAIN = 1e6;
 
   private static final Map<Source, String> SOURCES =

@@ -58,7 +58,7 @@ final class SearchText {
       default ->
           String.format(
               Locale.ROOT,
-              "4. Head at %.0f\u00b0, sure to %.0f %%",
+              "4. Heading %.0f\u00b0, probability %.0f %%",
               Math.toDegrees(s.headingRad()),
               100 * s.confidence());
     };

@@ -26,6 +26,9 @@ final class WingsPanel extends ScrollPane {
 
   private static final double CHOICE_WIDTH = 130;
 
+  /** Room beside the text: margins and scroll bar. */
+  private static final double MARGIN = 40;
+
   private final WingsFeature wings;
   private final ChoiceBox<WingPart> choice =
       Controls.named(new ChoiceBox<WingPart>(), "wings-filter");
@@ -57,6 +60,8 @@ final class WingsPanel extends ScrollPane {
     FlowPane chosen = new FlowPane(6, 6, choice, restart);
     body.getStyleClass().add("settings");
     search.setWrapText(true);
+    // the tables may be wider than the panel, lines of text never are
+    search.maxWidthProperty().bind(widthProperty().subtract(MARGIN));
     body.getChildren().addAll(head, search, taken, chosen, empty);
     setContent(body);
     show(Optional.empty());
