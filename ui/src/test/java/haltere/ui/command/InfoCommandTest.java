@@ -216,7 +216,7 @@ class InfoCommandTest {
           mean rate   1.01 kev/s
           peak rate   1.00 kev/s  (over 10 ms)
           clock       never goes back
-          zero        the camera's start or its clock's last reset; turns of 4294.967296 s are undone
+          zero        the camera's start or its clock's last reset; wraps of 4294.967296 s are undone
           gaps        none
         """
             .formatted(recording);
