@@ -34,9 +34,9 @@ import java.util.function.Function;
 /**
  * The same chain over many recordings. Each recording has a folder of its name below the folder of
  * the results, with a table for each outlet, {@code STAGE.OUTLET.csv} (or another format), and
- * {@code done.json}, which comes last. A recording that fails stops nothing; {@code failed.json}
- * names all that did. What is written does not depend on the number of workers or shards, nor on
- * how often a run was killed.
+ * {@code done.json}, which comes last. A failed recording does not stop the batch; {@code
+ * failed.json} lists the failures. What is written does not depend on the number of workers or
+ * shards, nor on how often a run was killed.
  *
  * <p>Thread rule: {@link #run} waits for its workers; listeners are called on theirs, one at a
  * time.
@@ -203,7 +203,7 @@ public final class Batch {
           }
           disk.shutdown();
           disk.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
-        } catch (InterruptedException stop) {
+        } catch (InterruptedException ignored) {
           interrupted = true;
           stopped = true;
           workers.forEach(Thread::interrupt);

@@ -15,8 +15,8 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * Finds the recordings of a batch: files, and all recordings in folders and the folders in them.
- * Hidden files and folders, what no format knows and the batch's own results are left out.
+ * Finds the recordings of a batch: files, and recordings in folders, recursively. Hidden files and
+ * folders, files of unknown formats and the batch's own results are left out.
  *
  * <p>Thread rule: one thread.
  *

@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.function.Function;
 
 /**
- * How a batch runs.
+ * Options of a batch.
  *
  * @param folder where results go; made if there is none
  * @param workers recordings that are worked on at once, 1 to 1024

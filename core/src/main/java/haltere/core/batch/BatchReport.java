@@ -3,7 +3,7 @@ package haltere.core.batch;
 import java.util.List;
 
 /**
- * What a batch did.
+ * The report of a batch.
  *
  * @param done recordings with a new result
  * @param kept recordings whose result was there and valid

@@ -54,7 +54,7 @@ final class ResultFolder implements Closeable {
       return Json.read(folder.resolve(DONE)) instanceof Map<?, ?> done
           ? Optional.of(done)
           : Optional.empty();
-    } catch (IOException unreadable) {
+    } catch (IOException ignored) {
       return Optional.empty();
     }
   }
@@ -73,7 +73,7 @@ final class ResultFolder implements Closeable {
         }
       }
       return true;
-    } catch (IOException missing) {
+    } catch (IOException ignored) {
       return false;
     }
   }
@@ -127,7 +127,7 @@ final class ResultFolder implements Closeable {
       return Json.parse(text, part.toString()) instanceof Map<?, ?> begun
           ? Optional.of(begun)
           : Optional.empty();
-    } catch (IOException cutOff) {
+    } catch (IOException ignored) {
       // nothing is written before the journal is whole
       return Optional.empty();
     }
@@ -226,7 +226,7 @@ final class ResultFolder implements Closeable {
       clear();
       Files.deleteIfExists(part);
       Files.delete(folder);
-    } catch (DirectoryNotEmptyException | NoSuchFileException others) {
+    } catch (DirectoryNotEmptyException | NoSuchFileException ignored) {
       // somebody else's files stay
     } finally {
       journal.close();

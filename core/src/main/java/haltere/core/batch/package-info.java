@@ -1,5 +1,2 @@
-/**
- * One chain over many recordings: which they are, who works on which, and results that are complete
- * once and never twice.
- */
+/** One chain over many recordings: inputs, shards, and results that are written exactly once. */
 package haltere.core.batch;

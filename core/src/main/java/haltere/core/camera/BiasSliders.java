@@ -1,8 +1,8 @@
 package haltere.core.camera;
 
 /**
- * Biases for people who do not want to know biases: four sliders, each of which moves several. In
- * the middle the biases are those of the set that was applied last.
+ * Four sliders, each of which changes several biases, for users who do not know biases. In the
+ * middle, the biases are those of the last applied set.
  *
  * <p>Thread rule: all methods may be called from any thread; a change is in effect when the method
  * returns.

@@ -4,7 +4,7 @@ import haltere.core.settings.Parameter;
 import java.util.List;
 
 /**
- * The currents and voltages that set how a sensor's pixels work, by name.
+ * The bias currents and voltages of a sensor, by name.
  *
  * <p>Thread rule: all methods may be called from any thread; a change is in effect when the method
  * returns.

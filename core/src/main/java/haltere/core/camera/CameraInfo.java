@@ -4,7 +4,7 @@ import haltere.core.event.SensorGeometry;
 import java.util.Objects;
 
 /**
- * A camera that was seen.
+ * A camera that was found.
  *
  * @param id names it and stays the same when it is plugged in again, such as {@code dvs128:0042}
  * @param model what a person calls the kind of camera, such as {@code DVS128}

@@ -3,7 +3,7 @@ package haltere.core.camera;
 import java.util.Objects;
 
 /**
- * How the events of a camera come. Zero lets the camera choose.
+ * Options of a camera's event stream. Zero selects the camera's default.
  *
  * @param transfers buffers that the camera may fill at a time, 0 to {@value #MAX_BUFFERS}
  * @param bufferBytes size of a buffer, 0 to {@value #MAX_BUFFER_BYTES} bytes; smaller ones come

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.Objects;
 
 /**
- * Something that cannot be done with a camera; the message says why and what to do.
+ * A failed operation of a camera; the message has the reason and advice.
  *
  * @since 0.1
  */

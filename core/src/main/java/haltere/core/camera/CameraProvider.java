@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A way to cameras: over USB, simulated, over a network. Found as a service, so that another jar
- * can add one: name the class in {@code META-INF/services/haltere.core.camera.CameraProvider} and
- * give it a constructor without parameters.
+ * Lists and opens cameras: over USB, simulated, over a network. Found as a service, so that another
+ * jar can add one: name the class in {@code META-INF/services/haltere.core.camera.CameraProvider}
+ * and give it a constructor without parameters.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *

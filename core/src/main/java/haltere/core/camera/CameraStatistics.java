@@ -1,7 +1,7 @@
 package haltere.core.camera;
 
 /**
- * What has come from a camera since it was opened, and what was lost.
+ * Counts of received and lost data of a camera since it was opened.
  *
  * @param transfers buffers that came
  * @param bytes bytes in them

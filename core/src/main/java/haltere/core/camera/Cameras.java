@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * The cameras of several providers under one roof.
+ * The cameras of all providers.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *

@@ -1,8 +1,7 @@
 package haltere.core.camera;
 
 /**
- * A camera that sends what it has before a buffer is full, so that events come soon however few
- * they are.
+ * A camera that can send a partial buffer, which bounds the latency at low event rates.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *

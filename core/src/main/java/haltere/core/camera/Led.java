@@ -1,7 +1,7 @@
 package haltere.core.camera;
 
 /**
- * A camera with a light that says which one it is.
+ * A camera with an LED that identifies it.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *

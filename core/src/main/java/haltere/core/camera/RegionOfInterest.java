@@ -3,7 +3,7 @@ package haltere.core.camera;
 import java.util.Optional;
 
 /**
- * A camera that can be told to send the events of a part of its sensor only.
+ * A camera that can restrict its readout to a region of its sensor.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *

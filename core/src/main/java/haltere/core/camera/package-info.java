@@ -1,5 +1,5 @@
 /**
- * Cameras as the rest of Haltere sees them: services that list and open them, an opened camera as a
- * source of events, and its abilities as facets.
+ * Interfaces of cameras: services that list and open them, an open camera as an event source, and
+ * its optional functions as facets.
  */
 package haltere.core.camera;

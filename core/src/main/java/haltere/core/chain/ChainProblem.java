@@ -1,7 +1,7 @@
 package haltere.core.chain;
 
 /**
- * A chain that cannot be made as described; the message says what is wrong and what would do.
+ * An invalid description of a chain; the message has the reason and the valid choices.
  *
  * @since 0.1
  */

@@ -7,7 +7,7 @@ import haltere.core.stream.StreamNotification;
 import java.util.Objects;
 
 /**
- * One place in a chain: a filter, whether it is on, and what it has cost.
+ * A stage of a chain: a filter, whether it is enabled, and its processor time.
  *
  * <p>Thread rule: as the chain, but {@link #timing()}, {@link #isEnabled()} and the names may be
  * read from any thread.

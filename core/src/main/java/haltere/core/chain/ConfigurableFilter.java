@@ -1,8 +1,8 @@
 package haltere.core.chain;
 
 /**
- * A filter with settings. They are a whole immutable record, swapped between two packets: a filter
- * never sees a half-changed set.
+ * A filter with settings. These are one immutable record, replaced between two packets: a filter
+ * never sees a partly changed set.
  *
  * @param <S> its settings record
  * @since 0.1

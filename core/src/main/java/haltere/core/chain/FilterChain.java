@@ -19,8 +19,8 @@ import java.util.Objects;
 import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
- * Filters in a row: each packet goes through those that are enabled, in order, and each
- * notification goes to all of them. A chain is itself a filter, so chains nest.
+ * A sequence of filters: each packet passes the enabled ones in order, and each notification goes
+ * to all. A chain is itself a filter, so chains nest.
  *
  * <p>Events whose pixel is not on the sensor are dropped before the first filter and counted; a
  * filter may rely on their absence.

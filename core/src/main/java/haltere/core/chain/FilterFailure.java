@@ -3,7 +3,7 @@ package haltere.core.chain;
 import java.io.UncheckedIOException;
 
 /**
- * A filter threw while it worked on a packet: a fault in the filter, named so that it is found.
+ * An exception of a filter while it worked on a packet, with the name of its stage.
  *
  * @since 0.1
  */

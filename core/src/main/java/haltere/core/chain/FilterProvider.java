@@ -4,7 +4,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.settings.SettingsProvider;
 
 /**
- * Makes filters of one kind. Providers are found as services ({@code
+ * Creates filters of one kind. Providers are found as services ({@code
  * META-INF/services/haltere.core.chain.FilterProvider}), so another jar can add one; see {@link
  * Filters}.
  *

@@ -1,7 +1,7 @@
 package haltere.core.chain;
 
 /**
- * What a stage of the chain has done so far.
+ * Processor time and event counts of a stage so far.
  *
  * @param packets packets that went through
  * @param eventsIn events that came in

@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /**
- * The filters that there are, found as services on the class path and the module path.
+ * The available filters, found as services on the class path and the module path.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *

@@ -6,8 +6,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 
 /**
- * Where a filter publishes results of one type. Results are immutable; where they are rows of a
- * table they are records whose component names are the column names, units included.
+ * Publishes a filter's results of one type. Results are immutable. Results for tables are records
+ * whose component names are the column names, units included.
  *
  * <p>Thread rule: {@link #publish} runs on the processing thread and calls the subscribers there,
  * so they must be quick; subscribing is allowed from any thread.

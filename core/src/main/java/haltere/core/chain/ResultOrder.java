@@ -7,8 +7,8 @@ import java.util.function.Consumer;
 import java.util.function.ToLongFunction;
 
 /**
- * The order in which results of an outlet stand in a table, where they are published out of it. A
- * filter that decides late publishes results with times before those that it published already.
+ * The order of an outlet's results in a table, if they are published out of order. A filter that
+ * decides late publishes results with times before those that it published already.
  *
  * @param lateUs how much older than the latest result one may be, at least 0
  * @param timeUs the time of a result

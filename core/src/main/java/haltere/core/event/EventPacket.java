@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Objects;
 
 /**
- * A run of polarity events in ascending time: a struct of two primitive arrays, time in
+ * Consecutive polarity events in ascending time: a struct of two primitive arrays, time in
  * microseconds and packed address ({@link EventAddress}), filtered in place.
  *
  * <p>Ownership, four rules:
@@ -12,7 +12,7 @@ import java.util.Objects;
  * <ol>
  *   <li>the creator owns a packet;
  *   <li>the chain borrows it for the length of a call and may drop or change events in it;
- *   <li>nobody keeps a packet, or an array of it, after the call returns: copy what you need;
+ *   <li>nothing keeps a packet, or an array of it, after the call returns: copy what you need;
  *   <li>packets cross a thread only through a {@code PacketPool}.
  * </ol>
  *

@@ -1,8 +1,8 @@
 package haltere.core.event;
 
 /**
- * What a camera tells beside its polarity events. Samples travel in the stream one by one, between
- * the packets, in order of time; see {@link haltere.core.stream.StreamHandler#sample}.
+ * Data of a camera beside its polarity events. Samples travel in the stream one by one, between the
+ * packets, in order of time; see {@link haltere.core.stream.StreamHandler#sample}.
  *
  * <p>Thread rule: immutable; they may be kept and handed to other threads.
  *

@@ -3,7 +3,7 @@ package haltere.core.event;
 import java.util.Objects;
 
 /**
- * A moment that the camera marked: an edge on one of its wires, or a step of its own work.
+ * A marked time: an edge on one of the camera's inputs, or a step of its own operation.
  *
  * @param timeUs microseconds on the source's clock
  * @param source what was marked

@@ -1,5 +1,5 @@
 /**
- * What flows: packets of polarity events, their packed addresses and the geometry of the sensor
- * they come from. Knows nothing else of Haltere.
+ * The data of a stream: packets of polarity events, their packed addresses and the geometry of
+ * their sensor. Depends on no other package of Haltere.
  */
 package haltere.core.event;

@@ -77,7 +77,7 @@ public final class Extensions {
   private static boolean sees(ClassLoader loader, Class<?> service) {
     try {
       return loader.loadClass(service.getName()) == service;
-    } catch (ClassNotFoundException | LinkageError none) {
+    } catch (ClassNotFoundException | LinkageError ignored) {
       return false;
     }
   }

@@ -1,2 +1,2 @@
-/** How formats, filters, scenes, cameras and outputs of other jars are found. */
+/** Discovery of formats, filters, scenes, cameras and outputs in other jars. */
 package haltere.core.extension;

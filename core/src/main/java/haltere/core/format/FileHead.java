@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * The start and the end of a file, read once for all formats to look at. The arrays are shared:
- * nobody changes them.
+ * The start and the end of a file, read once for all formats to look at. The arrays are shared and
+ * must not be changed.
  *
  * @param path the file
  * @param head its first bytes, at most {@link #HEAD_BYTES}

@@ -3,7 +3,7 @@ package haltere.core.format;
 import java.util.Objects;
 
 /**
- * What a format says about a file.
+ * A format's assessment of a file.
  *
  * @param support how sure it is
  * @param reason why, in a few words for a person

@@ -1,8 +1,8 @@
 package haltere.core.format;
 
 /**
- * Hears how far a long piece of work on a recording has come. Work is cancelled by interrupting its
- * thread, not from here.
+ * Receives the progress of a long operation on a recording. To cancel the operation, interrupt its
+ * thread.
  *
  * <p>Thread rule: called on the thread that does the work.
  *

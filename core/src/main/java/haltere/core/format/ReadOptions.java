@@ -6,7 +6,7 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * What a user says about a recording that its file does not.
+ * Properties of a recording that its file does not state, given by the user.
  *
  * @param sensor the sensor's size where the file does not state it; the file's own word wins
  * @param format name of the format to read it as, whatever its content looks like

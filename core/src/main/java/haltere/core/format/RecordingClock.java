@@ -4,8 +4,8 @@ import java.util.Objects;
 import java.util.OptionalLong;
 
 /**
- * What a recording's format says about the clock of its times. All times are handed out as 64-bit
- * microseconds; turns of a narrower clock are undone on reading.
+ * The clock of a recording's times. Readers return all times as 64-bit microseconds; wraps of a
+ * narrower clock are undone.
  *
  * <p>Thread rule: immutable.
  *
@@ -25,7 +25,7 @@ public record RecordingClock(Zero zero, OptionalLong turnUs) {
     /** Midnight (UTC) before the first of January 1970. */
     YEAR_1970("1970"),
     /** Whatever the program that wrote the file meant: the format does not say. */
-    WRITERS_CHOICE("what the program that wrote it chose");
+    WRITERS_CHOICE("chosen by the writing program");
 
     private final String words;
 

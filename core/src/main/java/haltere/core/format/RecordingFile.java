@@ -91,7 +91,7 @@ public final class RecordingFile implements Closeable {
   public static void checkRegular(Path path) throws RecordingProblem {
     if (Files.exists(path) && !Files.isRegularFile(path) && !Files.isDirectory(path)) {
       throw new RecordingProblem(
-          path, "this is a pipe or a device, no file; give - for standard input or output");
+          path, "this is a pipe or a device, not a file; give - for standard input or output");
     }
   }
 

@@ -76,7 +76,7 @@ final class RecordingFolder {
       if (part.startsWith(folder.normalize()) && Files.isRegularFile(part)) {
         return part;
       }
-    } catch (java.nio.file.InvalidPathException noPath) {
+    } catch (java.nio.file.InvalidPathException ignored) {
       // said below
     }
     throw new RecordingProblem(
@@ -110,7 +110,7 @@ final class RecordingFolder {
           .filter(file -> endings.contains(FileHead.extension(file)) && Files.isRegularFile(file))
           .sorted()
           .toList();
-    } catch (IOException unreadable) {
+    } catch (IOException ignored) {
       throw new RecordingProblem(folder, "this folder cannot be read; name a recording in it");
     }
   }

@@ -1,9 +1,9 @@
 package haltere.core.format;
 
 /**
- * What a recording says of itself, known without decoding its events: from a table of its packets,
- * or the lengths and ends of its columns. What is skipped on reading, because it lies outside of
- * the sensor or in damaged bytes, counts here.
+ * Metadata of a recording without decoding its events: from a table of its packets, or the lengths
+ * and ends of its columns. Events that reading skips, off the sensor or in damaged bytes, count
+ * here.
  *
  * <p>Thread rule: immutable.
  *

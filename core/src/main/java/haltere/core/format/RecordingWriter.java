@@ -24,8 +24,8 @@ public interface RecordingWriter extends Closeable {
   void write(EventPacket packet) throws IOException;
 
   /**
-   * Writes what it holds back, so that whoever reads the file finds it, where the format and the
-   * way of writing allow; others do nothing.
+   * Flushes buffered data to the file, if the format and the way of writing allow; others do
+   * nothing.
    *
    * @throws IOException if it cannot be written
    */

@@ -15,7 +15,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /**
- * The way into every recording: the content decides which format reads it.
+ * Opens recordings: the content decides which format reads a file.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *
@@ -140,7 +140,7 @@ public final class Recordings {
               format ->
                   !format.sharesExtensions() && format.extensions().contains(head.extension())
                       || format.probe(head).support() != Support.NONE);
-    } catch (IOException unreadable) {
+    } catch (IOException ignored) {
       String extension = FileHead.extension(path);
       return formats().values().stream()
           .anyMatch(format -> format.extensions().contains(extension));
@@ -185,7 +185,7 @@ public final class Recordings {
     Optional<String> unpacking = surest.isEmpty() ? PackedWhole.program(head) : Optional.empty();
     if (unpacking.isPresent()) {
       throw new RecordingProblem(
-          file, "it is packed as a whole; unpack it first: " + unpacking.get());
+          file, "it is compressed as a whole; decompress it first: " + unpacking.get());
     }
     String extension = FileHead.extension(file);
     boolean claimed =
@@ -219,7 +219,7 @@ public final class Recordings {
     }
     throw new RecordingProblem(
         file,
-        "nothing is known that writes files ending in ."
+        "no format is written to files ending in ."
             + extension
             + "; name it with one of "
             + formats().values().stream()

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How many frames, inertial samples and triggers there are.
+ * Numbers of frames, inertial samples and triggers.
  *
  * @param frames pictures
  * @param inertialSamples samples of an inertial sensor

@@ -1,7 +1,7 @@
 package haltere.core.format;
 
 /**
- * How sure a format is that a file is its own, from not at all to certain.
+ * A format's confidence that a file is its own, from none to certain.
  *
  * @since 0.1
  */

@@ -1,7 +1,7 @@
 package haltere.core.format;
 
 /**
- * What can be wrong in the bytes of a recording. Decoders count these and go on where they can.
+ * Deviations of a recording from its format. Decoders count them and continue if possible.
  *
  * @since 0.1
  */
@@ -13,9 +13,9 @@ public enum Violation {
   /** The file ends in the middle of an event or a packet; what was whole has been read. */
   CUT_OFF("the file ends in the middle of an event or packet"),
   /** Words that the format does not define; they are left out. */
-  UNKNOWN_WORD("words without a meaning in this format were left out"),
+  UNKNOWN_WORD("words that are invalid in this format were left out"),
   /** A length, count or size that cannot be true; what it belongs to is left out. */
-  LYING_LENGTH("lengths or counts that cannot be true"),
+  LYING_LENGTH("impossible lengths or counts"),
   /** A packet that cannot be unpacked; it is left out. */
   DAMAGED_PACKET("damaged packets were left out"),
   /** Messages that were lost before they were recorded, by the numbers of those that were not. */
@@ -25,7 +25,7 @@ public enum Violation {
   /** Data of another kind than polarity events (frames, inertial samples, triggers). */
   OTHER_DATA("words hold data other than polarity events, which are not read"),
   /** A frame or an inertial sample of which a part is missing, or that cannot be true. */
-  INCOMPLETE_SAMPLE("frames or inertial samples that are not whole were left out");
+  INCOMPLETE_SAMPLE("incomplete frames or inertial samples were left out");
 
   private final String sentence;
 

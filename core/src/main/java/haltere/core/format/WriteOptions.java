@@ -12,7 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What a writer needs to know beside the events.
+ * Options of a writer.
  *
  * @param geometry sensor of the events; its origin is where plain exports count rows from
  * @param overwrite whether an existing file may be replaced

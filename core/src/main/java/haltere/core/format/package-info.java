@@ -1,5 +1,5 @@
 /**
- * Recordings: one way in for every file format, each format a named service; readers are event
- * sources that can seek and say what they know, writers are sinks.
+ * Recordings: one entry point for all file formats, which are named services. Readers are event
+ * sources that can seek and have metadata, writers are sinks.
  */
 package haltere.core.format;

@@ -3,7 +3,7 @@ package haltere.core.json;
 import java.io.IOException;
 
 /**
- * A text that is not the JSON it should be; the message names the file and the line.
+ * Invalid JSON; the message names the file and the line.
  *
  * @since 0.1
  */

@@ -1,2 +1,2 @@
-/** What is wrong with a JSON text. */
+/** Errors of JSON texts. */
 package haltere.core.json;

@@ -3,7 +3,7 @@ package haltere.core.overlay;
 import java.util.Objects;
 
 /**
- * How a mark looks, by its meaning; whoever draws it chooses colour and width.
+ * The style of a mark, by its meaning; the canvas chooses colour and width.
  *
  * @param role what the mark stands for
  * @param identity marks of the same identity look alike; -1 for marks without one

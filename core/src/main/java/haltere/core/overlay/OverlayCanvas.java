@@ -1,7 +1,7 @@
 package haltere.core.overlay;
 
 /**
- * Takes marks in sensor coordinates: x to the right, y up, (0, 0) at the centre of the bottom left
+ * Draws marks in sensor coordinates: x to the right, y up, (0, 0) at the centre of the bottom left
  * pixel, one unit per pixel, angles in radians counterclockwise from x. All marks but texts are
  * lines from point to point where a canvas has nothing better.
  *

@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * Something that can be drawn over the picture: where its snapshots come from and how one is drawn.
+ * A layer over the picture: the source of its snapshots, and the overlay that draws one.
  *
  * @param name what a person calls the layer
  * @param subscribe registers a consumer of snapshots and returns what ends the registration

@@ -1,2 +1,4 @@
-/** Drawing as data: marks in sensor coordinates on a small canvas that knows no toolkit. */
+/**
+ * Drawing as data: marks in sensor coordinates on a small canvas that is independent of a toolkit.
+ */
 package haltere.core.overlay;

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What a {@link RecordingJob} did.
+ * The report of a {@link RecordingJob}.
  *
  * @param recording the file, or the folder of its parts
  * @param format name of its format

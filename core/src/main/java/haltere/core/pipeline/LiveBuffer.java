@@ -18,7 +18,7 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * Takes one stream from the thread that makes it to the thread that processes it. So many events
+ * Hands one stream from the thread that creates it to the thread that processes it. So many events
  * may wait, in however many packets they come. Beyond them, its {@link OverflowPolicy} says what
  * happens; events that are dropped are counted, and at their place in the stream stands one {@link
  * DataLost} for all that are missing there. Notifications are never dropped; a reset straight after

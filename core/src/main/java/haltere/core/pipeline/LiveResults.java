@@ -23,9 +23,9 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 
 /**
- * Sends what the filters of a chain publish while it runs, and what is said in the stream, as
- * {@link LiveMessages}. Results are handed to a thread of its own that writes and sends them; where
- * they come faster than it can the newest are dropped, counted, and the receivers are told at their
+ * Sends the results of a running chain's filters, and the notifications of the stream, as {@link
+ * LiveMessages}. Results are handed to a thread of its own that writes and sends them; where they
+ * come faster than it can the newest are dropped, counted, and the receivers are told at their
  * place. The chain is never held up. Outlets whose results are not {@link CsvSink#isFlat flat} are
  * left out; stages that come and go while it runs are followed.
  *
@@ -196,7 +196,7 @@ public final class LiveResults implements StreamHandler, Closeable {
         }
         next = allPut && waiting.isEmpty() ? END : waiting.take();
       }
-    } catch (InterruptedException hurried) {
+    } catch (InterruptedException ignored) {
       // what waits is not sent, but counted
     } catch (RuntimeException | Error fault) {
       lost.incrementAndGet();
@@ -260,7 +260,7 @@ public final class LiveResults implements StreamHandler, Closeable {
   }
 
   /**
-   * Why nothing is sent any more.
+   * The reason why sending has stopped.
    *
    * @return a few words for a person; empty while messages are sent
    */
@@ -289,7 +289,7 @@ public final class LiveResults implements StreamHandler, Closeable {
       allPut = true;
       waiting.offer(END);
       thread.join(PATIENCE_MS);
-    } catch (InterruptedException hurried) {
+    } catch (InterruptedException ignored) {
       Thread.currentThread().interrupt();
     }
     thread.interrupt();

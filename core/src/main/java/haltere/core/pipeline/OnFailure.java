@@ -1,7 +1,7 @@
 package haltere.core.pipeline;
 
 /**
- * What happens when a filter or a sink throws.
+ * Reaction to an exception of a filter or a sink.
  *
  * @since 0.1
  */

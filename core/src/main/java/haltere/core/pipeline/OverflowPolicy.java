@@ -1,7 +1,7 @@
 package haltere.core.pipeline;
 
 /**
- * What happens to a packet for which there is no room.
+ * Treatment of a packet when a queue is full.
  *
  * @since 0.1
  */

@@ -5,8 +5,8 @@ import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The only way for packets from one thread to another: a fixed number of packets that go round,
- * free ones to the producer, filled ones to the consumer. All are made at the start, so memory is
+ * The only way for packets from one thread to another: a fixed number of packets circulates, free
+ * ones to the producer, filled ones to the consumer. All are allocated at the start, so memory is
  * bounded. Of the free ones the one that was released last is given out first, because it is still
  * in the processors' caches.
  *

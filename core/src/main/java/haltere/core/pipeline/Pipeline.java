@@ -7,8 +7,8 @@ import java.io.IOException;
 import java.util.List;
 
 /**
- * Source, chain, sinks, as fast as it goes, on the calling thread. No packet is copied: the chain
- * works on those that the source lends.
+ * Runs source, chain and sinks at full speed on the calling thread. No packet is copied: the chain
+ * works on the source's packets.
  *
  * <p>Thread rule: everything runs on the caller's thread.
  *

@@ -4,9 +4,9 @@ import java.util.Objects;
 import java.util.concurrent.atomic.AtomicLongArray;
 
 /**
- * What a run has counted. Of the events that came in, each has gone out, was dropped by a filter,
- * lay off the sensor or was lost with a filter that failed: {@link #unaccountedEvents()} is 0
- * between two packets.
+ * Counters of a run. Each event from the source reached the sinks, was removed by a filter, lay off
+ * the sensor or was lost with a failed filter: {@link #unaccountedEvents()} is 0 between two
+ * packets.
  *
  * <p>Thread rule: one thread counts, any thread reads.
  *
@@ -16,29 +16,29 @@ public final class PipelineCounters {
   /** A counter, with what it counts in a sentence. */
   public enum Counter {
     /** Packets that the source handed over. */
-    PACKETS_IN("Packets that the source handed over."),
+    PACKETS_IN("Packets from the source."),
     /** Events that the source handed over. */
-    EVENTS_IN("Events that the source handed over."),
+    EVENTS_IN("Events from the source."),
     /** Events that came out of the chain. */
-    EVENTS_OUT("Events that came out of the chain and went to the sinks."),
+    EVENTS_OUT("Events that passed the chain to the sinks."),
     /** Events that filters dropped. */
-    EVENTS_FILTERED("Events that the filters of the chain dropped on purpose."),
+    EVENTS_FILTERED("Events removed by the filters of the chain."),
     /** Events off the sensor. */
-    EVENTS_OUTSIDE_SENSOR("Events that were dropped because their pixel is not on the sensor."),
+    EVENTS_OUTSIDE_SENSOR("Events dropped because their pixel is not on the sensor."),
     /** Events lost with a failing filter. */
-    EVENTS_LOST_IN_FAILURE("Events that were lost because a filter failed on their packet."),
+    EVENTS_LOST_IN_FAILURE("Events lost because a filter failed on their packet."),
     /** Events lost before they came in. */
-    EVENTS_LOST_BEFORE("Events that the source says were lost before they came in, if it knows."),
+    EVENTS_LOST_BEFORE("Events lost before the chain, as reported by the source."),
     /** Gaps. */
-    GAPS("Places where events were lost, before the chain or in it."),
+    GAPS("Losses of events, before the chain or in it."),
     /** Resets. */
-    RESETS("Times that the chain was told to forget."),
+    RESETS("Resets of the chain."),
     /** Events of run-ups. */
-    EVENTS_RUN_UP("Events that went through the chain before a moment that was jumped to."),
+    EVENTS_RUN_UP("Events of run-ups, processed before a moment that was jumped to."),
     /** Failures of filters. */
-    FILTER_FAILURES("Times that a filter failed and was switched off."),
+    FILTER_FAILURES("Filters switched off after a failure."),
     /** Failures of sinks. */
-    SINK_FAILURES("Times that a sink failed and was removed.");
+    SINK_FAILURES("Sinks removed after a failure.");
 
     private final String sentence;
 

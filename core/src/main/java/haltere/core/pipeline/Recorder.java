@@ -27,7 +27,7 @@ import java.util.Optional;
 /**
  * Records a stream to disk while it is played, or comes from a camera. Packets are copied to a
  * fixed number of packets ({@value #QUEUE_PACKETS} of {@value #PACKET_EVENTS} events, 25 MB), and a
- * thread of its own writes them, so a slow disk holds nobody up until those are full. Then the
+ * thread of its own writes them, so a slow disk blocks no thread until those are full. Then the
  * policy decides: {@link OverflowPolicy#BLOCK} waits (for recordings and scenes, which can wait),
  * {@link OverflowPolicy#DROP_NEWEST} drops, and counts what it drops. At least every {@value
  * #FLUSH_MS} ms what has come is in the file, where the writer can do that; {@link #inPlace} makes
@@ -310,7 +310,7 @@ public final class Recorder implements StreamHandler, Closeable {
     if (thread.isAlive()) {
       stop();
       throw new IOException(
-          "the disk has taken nothing for "
+          "the disk has written nothing for "
               + patience.toSeconds()
               + " s; the recording has its first "
               + written

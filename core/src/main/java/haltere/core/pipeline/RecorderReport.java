@@ -8,7 +8,7 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * What a {@link Recorder} has done. Once it has ended, received = written + lost.
+ * The report of a {@link Recorder}. Once it has ended, received = written + lost.
  *
  * @param received events that it was handed before the recording was over
  * @param written events that are in the file; after a failure, at least these

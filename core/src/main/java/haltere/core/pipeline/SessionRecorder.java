@@ -156,8 +156,8 @@ public final class SessionRecorder implements StreamHandler, Closeable {
               + free / 1_000_000
               + " MB left, and "
               + limits.keepFreeBytes() / 1_000_000
-              + " MB are to stay free; make room, record to another disk, or give a smaller"
-              + " --keep-free");
+              + " MB must stay free; make room, record to another disk, or give a smaller "
+              + "--keep-free");
     }
   }
 
@@ -172,7 +172,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
     return () -> {
       try {
         return Files.getFileStore(folder).getUsableSpace();
-      } catch (IOException notKnown) {
+      } catch (IOException ignored) {
         return Long.MAX_VALUE;
       }
     };
@@ -296,7 +296,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
             + " MB left, so the recording ended; "
             + (current == null && parts().isEmpty()
                 ? "nothing was written"
-                : "it is whole up to there");
+                : "it is complete up to there");
     endPart();
     return false;
   }
@@ -356,7 +356,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
         part.get();
       } catch (ExecutionException failed) {
         problem = failed.getCause() instanceof IOException cause ? cause : new IOException(failed);
-      } catch (InterruptedException hurried) {
+      } catch (InterruptedException ignored) {
         Thread.currentThread().interrupt();
         problem = new java.io.InterruptedIOException("interrupted while the recording was ended");
       }

@@ -1,2 +1,2 @@
-/** Runs it all on one processing thread: source, chain, sinks, with every loss counted. */
+/** Runs source, chain and sinks on one processing thread, and counts every loss. */
 package haltere.core.pipeline;

@@ -18,8 +18,8 @@ import java.util.Objects;
 import java.util.OptionalLong;
 
 /**
- * A camera as something to play: without end, and never twice. Where its clock restarts, the
- * elapsed timeline goes on 1 us behind the last event. A camera that was opened to reconnect and is
+ * A camera as a playable: without end, and without seeking. Where its clock restarts, the elapsed
+ * timeline goes on 1 us behind the last event. A camera that was opened to reconnect and is
  * unplugged gives nothing until it is back; then a {@code Reset(CLOCK_RESTARTED)} stands between
  * what came before and after, because for those who watch it is one session.
  *
@@ -114,7 +114,7 @@ public final class CameraPlayable implements Playable {
   @Override
   public void seek(long elapsedUs) throws IOException {
     if (elapsedUs != 0) {
-      throw new IOException(name() + " is a camera: what has been cannot be seen again");
+      throw new IOException(name() + " is a camera: past events cannot be played again");
     }
     timeline.begin();
   }

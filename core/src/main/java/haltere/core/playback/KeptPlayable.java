@@ -120,7 +120,7 @@ public final class KeptPlayable implements Playable {
     if (history.isEmpty() || elapsedUs < keptFromUs) {
       if (elapsedUs != 0 || !history.isEmpty() && source.isLive()) {
         throw new IOException(
-            name() + " keeps its last moments only, from " + keptFromUs + " us on");
+            name() + " keeps only its last moments, from " + keptFromUs + " us on");
       }
       source.seek(0);
       history.clear();

@@ -166,7 +166,7 @@ final class PlaybackEngine {
     } else if (command instanceof PlaybackCommand.SetSpeed set) {
       speed = set.speed();
       if (playable.isLive()) {
-        throw new IOException(playable.name() + " is live: its events come at their own speed");
+        throw new IOException(playable.name() + " is live: its speed cannot be changed");
       }
       pace.setSpeed(speed, slices.nextUs());
       slices.reopen();

@@ -4,7 +4,7 @@ import java.util.Objects;
 import java.util.function.LongSupplier;
 
 /**
- * How a player starts.
+ * Options at the start of a player.
  *
  * @param slicing how the stream is cut
  * @param speed recording time per real time, {@link PlaybackClock#MIN_SPEED} to infinity

@@ -1,8 +1,7 @@
 package haltere.core.playback;
 
 /**
- * What a player is doing: a reading that does not change, replaced by a new one after every slice
- * and every command.
+ * The state of a player: an immutable snapshot, replaced after every slice and every command.
  *
  * @param state whether it plays
  * @param elapsedUs start of the slice that is shown, on the elapsed timeline, microseconds; at the

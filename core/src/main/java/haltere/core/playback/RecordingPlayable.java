@@ -14,8 +14,8 @@ import java.util.Objects;
 import java.util.OptionalLong;
 
 /**
- * A recording as something to play: its segments laid end to end, each from its first event to 1 us
- * behind its last.
+ * A recording as a playable: its segments are laid end to end, each from its first event to 1 us
+ * after its last.
  *
  * <p>Thread rule: as {@link Playable}.
  *

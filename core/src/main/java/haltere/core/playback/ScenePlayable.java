@@ -11,9 +11,9 @@ import java.util.OptionalLong;
 import java.util.function.Supplier;
 
 /**
- * A simulated scene as something to play: without end, and to go back to its start it is made anew.
- * Its elapsed timeline starts at its first event, and where its clock restarts it goes on 1 us
- * behind the last event.
+ * A simulated scene as a playable: without end; to go back to its start, it is created again. Its
+ * elapsed timeline starts at its first event, and where its clock restarts it goes on 1 us behind
+ * the last event.
  *
  * <p>Thread rule: as {@link Playable}.
  *

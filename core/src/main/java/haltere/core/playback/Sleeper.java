@@ -4,7 +4,7 @@ import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 
 /**
- * How a processing thread waits for its clock. A test has one that moves a manual clock instead.
+ * Lets a processing thread wait for its clock. Tests use one that moves a manual clock.
  *
  * <p>Thread rule: {@link #sleep} on one thread, {@link #wake} from any.
  *

@@ -3,10 +3,10 @@ package haltere.core.playback;
 import haltere.core.stream.StreamHandler;
 
 /**
- * A sink that wants to know where slices end. A slice reaches every sink of a {@link Player} in
- * packets of at most some thousand events, or in none where it is empty; all packets since the last
- * call of {@link #sliceEnd} are the slice that the next call ends. Notifications stand between
- * slices; only the {@code DataLost} for a packet at which a filter failed may stand inside one.
+ * A sink that is told the ends of slices. A slice reaches every sink of a {@link Player} in packets
+ * of at most some thousand events, or in none where it is empty; all packets since the last call of
+ * {@link #sliceEnd} are the slice that the next call ends. Notifications stand between slices; only
+ * the {@code DataLost} for a packet at which a filter failed may stand inside one.
  *
  * <p>It gets run-ups too: the events before a moment that was jumped to, and those of a moment that
  * is made anew, so that what it shows does not depend on how the moment was reached. Other sinks,

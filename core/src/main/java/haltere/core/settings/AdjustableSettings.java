@@ -3,7 +3,7 @@ package haltere.core.settings;
 import java.util.List;
 
 /**
- * A settings record of which a copy with some other values can be asked for.
+ * A settings record that can return a copy with other values.
  *
  * @param <S> the record itself
  * @since 0.1

@@ -7,7 +7,7 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * One sentence that tells a person what a setting does.
+ * The effect of a setting in one sentence, for users.
  *
  * @since 0.1
  */

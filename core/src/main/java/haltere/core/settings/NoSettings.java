@@ -1,7 +1,7 @@
 package haltere.core.settings;
 
 /**
- * The settings of something that has none.
+ * Empty settings.
  *
  * @since 0.1
  */

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * One setting as a person or a script sees it.
+ * A setting with its name, unit, range, default and help.
  *
  * @param name dotted path in the record, such as {@code size.radiusPx}
  * @param type int, long, double, boolean, String or an enum's class
@@ -100,9 +100,9 @@ public record Parameter(
         throw outOfRange(text);
       }
       return (int) whole;
-    } catch (NumberFormatException notANumber) {
+    } catch (NumberFormatException ignored) {
       throw problem(text, type == double.class ? "a number" : "a whole number");
-    } catch (ArithmeticException notWhole) {
+    } catch (ArithmeticException ignored) {
       throw problem(text, "a whole number");
     }
   }

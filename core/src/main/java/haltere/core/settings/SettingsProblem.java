@@ -1,7 +1,7 @@
 package haltere.core.settings;
 
 /**
- * A setting that does not exist or a value that it cannot take; the message says which can.
+ * An unknown setting or an invalid value; the message has the valid ones.
  *
  * @since 0.1
  */

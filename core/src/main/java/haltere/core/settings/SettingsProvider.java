@@ -3,7 +3,7 @@ package haltere.core.settings;
 import java.util.Map;
 
 /**
- * Something of a name that is made from settings, such as a filter or a scene.
+ * Creates objects of one named kind from settings, such as filters or scenes.
  *
  * @param <S> the settings record
  * @since 0.1

@@ -12,8 +12,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 
 /**
- * What can be set in a settings record, read once off its annotated components: the panel, the
- * command line, saved chains and the manual are all made from it.
+ * The schema of a settings record, read once from its annotated components. Panel, command line,
+ * saved chains and manual use it.
  *
  * <p>A settings record has components of type int, long, double, boolean, String, an enum or
  * another settings record; every leaf has {@link Help} and every number {@link Range} and {@link
@@ -360,7 +360,7 @@ public final class SettingsSchema<S extends Record> {
                 boolean isSentence = successor.toString().indexOf(' ') >= 0;
                 formerNames.put(prefix + former, (isSentence ? "" : prefix) + successor);
               });
-    } catch (NoSuchMethodException none) {
+    } catch (NoSuchMethodException ignored) {
       // Its settings have always had their names.
     } catch (ReflectiveOperationException broken) {
       throw new IllegalStateException(type + ".formerNames()", broken);

@@ -12,16 +12,17 @@ import java.util.OptionalLong;
  * @since 0.1
  */
 public record RunSettings(
-    @Help("The same seed makes the same events.")
+    @Help("Seed of the random numbers; the same seed gives the same events.")
         @Range(min = -9007199254740991.0, max = 9007199254740991.0)
         @Unit("1")
         long seed,
-    @Help("Time stamp of the beginning.") @Range(min = 0, max = 4e15) @Unit("us") long startUs,
+    @Help("Time stamp of the start of the scene.") @Range(min = 0, max = 4e15) @Unit("us")
+        long startUs,
     @Help("Length of the scene, 0 for endless.")
         @Range(min = 0, max = 1000000, logarithmic = true)
         @Unit("s")
         double durationS,
-    @Help("Rows of ground truth in a second.")
+    @Help("Rows of ground truth per second.")
         @Range(min = 0.1, max = 1000000, logarithmic = true)
         @Unit("Hz")
         double truthRateHz) {

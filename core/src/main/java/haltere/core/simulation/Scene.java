@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.OptionalLong;
 
 /**
- * A simulated source with known answers. Its ground truth is a function of time alone: it can be
+ * A simulated source with ground truth. Its ground truth is a function of time alone: it can be
  * asked for at any time, in any order, before or after the events were pulled.
  *
  * <p>Thread rule: events are pulled by one thread at a time; the truth may be asked for by any

@@ -3,7 +3,7 @@ package haltere.core.simulation;
 import haltere.core.settings.SettingsProvider;
 
 /**
- * Makes scenes of one kind. Providers are found as services ({@code
+ * Creates scenes of one kind. Providers are found as services ({@code
  * META-INF/services/haltere.core.simulation.SceneProvider}), so another jar can add one; see {@link
  * Scenes}.
  *

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * The scenes that there are, found as services on the class path and the module path.
+ * The available scenes, found as services on the class path and the module path.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *

@@ -1,2 +1,2 @@
-/** Simulated scenes: sources with known answers, seeded and streaming. */
+/** Simulated scenes: seeded, streaming sources with ground truth. */
 package haltere.core.simulation;

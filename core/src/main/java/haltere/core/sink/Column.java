@@ -7,7 +7,7 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * How a component of a record is written to a table.
+ * The column of a record's component in a table.
  *
  * @since 0.1
  */

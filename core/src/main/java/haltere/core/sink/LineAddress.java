@@ -36,7 +36,7 @@ public record LineAddress(String scheme, String host, int port) {
     Matcher parts = FORM.matcher(text);
     if (!parts.matches()) {
       throw new IllegalArgumentException(
-          text + " is no address such as tcp://127.0.0.1:5555 (transport, host, port)");
+          text + " is not an address such as tcp://127.0.0.1:5555 (transport, host, port)");
     }
     String host = parts.group(2);
     if (host.startsWith("[")) {

@@ -4,9 +4,9 @@ import java.io.Closeable;
 import java.util.Optional;
 
 /**
- * Takes lines away to whoever wants them, over a network say. It never holds up whoever hands them
- * over: where there is no room for a line it is dropped and counted, and the receiver is told as
- * soon as there is room again, if the way of transport allows that.
+ * Sends lines to receivers, for example over a network. It never blocks the caller: if there is no
+ * room, a line is dropped and counted. The receiver is told when there is room again, if the
+ * transport allows that.
  *
  * <p>Thread rule: lines are handed over by one thread; everything else may be called by any.
  *
@@ -21,7 +21,7 @@ public interface LineOutput extends Closeable {
   String address();
 
   /**
-   * Takes a line. Failures of receivers are theirs: nothing is thrown.
+   * Sends a line. It does not throw if a receiver fails.
    *
    * @param topic what the line is about, for transports where receivers choose, such as {@code
    *     kalman-tracks/tracks}
@@ -53,7 +53,7 @@ public interface LineOutput extends Closeable {
   }
 
   /**
-   * Why nothing is sent any more.
+   * The reason why sending has stopped.
    *
    * @return a few words for a person; empty while lines are sent
    */

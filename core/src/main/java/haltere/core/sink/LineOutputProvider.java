@@ -3,7 +3,7 @@ package haltere.core.sink;
 import java.io.IOException;
 
 /**
- * A way of transport for lines, found as a service ({@code
+ * A transport for lines, found as a service ({@code
  * META-INF/services/haltere.core.sink.LineOutputProvider}), so that one that needs a library can
  * come in a jar of its own.
  *

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * The ways of transport that there are, found as services.
+ * The available transports, found as services.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *

@@ -4,8 +4,7 @@ import java.io.IOException;
 import java.util.Map;
 
 /**
- * What a table says of itself: program, chain and recording that it was made with. CSV has no place
- * for it.
+ * Metadata of a table: program, chain and recording. CSV does not store it.
  *
  * @since 0.1
  */

@@ -1,2 +1,2 @@
-/** Where packets and results go: files, tables, a mailbox for the screen. */
+/** Destinations of packets and results: files, tables, a mailbox for the screen. */
 package haltere.core.sink;

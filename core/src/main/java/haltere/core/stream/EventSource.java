@@ -5,8 +5,8 @@ import java.io.Closeable;
 import java.io.IOException;
 
 /**
- * Where events come from, pulled one packet, sample or notification at a time. What it hands out
- * keeps the grammar of {@link StreamNotification}.
+ * A source of events, pulled one packet, sample or notification at a time. It follows the grammar
+ * of {@link StreamNotification}.
  *
  * <p>Thread rule: one thread at a time.
  *

@@ -5,9 +5,9 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.IntConsumer;
 
 /**
- * Work of a filter in pieces that do not touch each other, done by the processing thread alone or
- * shared with a second thread. A filter does the same pieces either way, so that what it publishes
- * has the same bytes; it publishes between them, never in one.
+ * Independent parts of a filter's work, done by the processing thread alone or shared with a second
+ * thread. A filter does the same pieces either way, so that what it publishes has the same bytes;
+ * it publishes between them, never in one.
  *
  * <p>A thread takes the next piece when it has done one. What the second thread has not begun the
  * first one does itself, so that it never waits for a thread that does not run. The second thread

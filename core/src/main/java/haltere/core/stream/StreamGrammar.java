@@ -6,7 +6,7 @@ import haltere.core.event.SensorSample;
 import java.util.Objects;
 
 /**
- * Stands before another handler and checks that the stream keeps the grammar of {@link
+ * Checks, in front of another handler, that the stream follows the grammar of {@link
  * StreamNotification}, that times do not descend and that pixels lie on the sensor.
  *
  * @since 0.1

@@ -1,7 +1,7 @@
 package haltere.core.stream;
 
 /**
- * What travels in a stream beside its packets, in order with them.
+ * Notifications of a stream, in order with its packets.
  *
  * <p>The grammar of a stream:
  *

@@ -108,10 +108,10 @@ class BadInputTest {
       out.write("#!AER-DAT2.0\n\0\0\0\0\0\0\0\7".getBytes(StandardCharsets.ISO_8859_1));
     }
     assertSays(
-        "unpack it first: gunzip",
+        "decompress it first: gunzip",
         refused(Files.write(folder.resolve("a.aedat.gz"), packed.toByteArray())));
     assertSays(
-        "unpack it first: zstd -d",
+        "decompress it first: zstd -d",
         refused(Files.write(folder.resolve("a.db3.zstd"), Zstd.compress(PNG))));
   }
 

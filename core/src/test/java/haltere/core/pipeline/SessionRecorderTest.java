@@ -167,7 +167,7 @@ class SessionRecorderTest {
       assertEquals(sent.size(), session.written());
       assertEquals(1, parts.size());
       assertHoldTogether(parts);
-      assertTrue(session.endedEarly().orElseThrow().contains("it is whole up to there"));
+      assertTrue(session.endedEarly().orElseThrow().contains("it is complete up to there"));
     }
   }
 

@@ -94,7 +94,7 @@ final class CameraLink {
     if (running && !buffers.isAtEndOfDevice()) {
       try {
         driver.stop();
-      } catch (CameraProblem notAnyMore) {
+      } catch (CameraProblem ignored) {
         // It is closed all the same, and told everything anew when it is opened again.
       }
     }

@@ -178,7 +178,7 @@ final class DavisBiases implements Biases, BiasSliders {
     for (DavisBias bias : sent) {
       try {
         send(bias, effective(bias, sliders));
-      } catch (CameraProblem gone) {
+      } catch (CameraProblem ignored) {
         return; // it gets all biases anew when it is back
       }
     }

@@ -159,7 +159,7 @@ final class DavisDriver
     if (master != isMaster()) {
       throw new CameraProblem(
           CameraProblem.Kind.REFUSED,
-          "a DAVIS finds out by its plugs whether it is the master; change the cable");
+          "the plugs of a DAVIS determine whether it is the master; change the cable");
     }
   }
 

@@ -67,7 +67,7 @@ record DavisIdentity(
           default ->
               throw new CameraProblem(
                   Kind.UNSUPPORTED,
-                  "this DAVIS has chip " + chip + "; known are DAVIS240 and DAVIS346");
+                  "this DAVIS has chip " + chip + "; supported are DAVIS240 and DAVIS346");
         };
     boolean isSmall = chip <= 2;
     double deviation = DavisRegisters.get(transport, DavisRegisters.SYSTEM, 6) / 1000.0;
@@ -94,8 +94,7 @@ record DavisIdentity(
           DavisRegisters.get(transport, DavisRegisters.INERTIAL, 0) == MPU_9250);
     } catch (IllegalArgumentException impossible) {
       throw new CameraProblem(
-          Kind.UNSUPPORTED,
-          "what this DAVIS says of itself is no sensor: " + impossible.getMessage());
+          Kind.UNSUPPORTED, "this DAVIS reports an impossible sensor: " + impossible.getMessage());
     }
   }
 }

@@ -46,7 +46,11 @@ final class DavisSettings implements Configuration {
     all.add(DavisSetting.flag(events, 3, "events.run", "Sends events.", true));
     all.add(
         DavisSetting.flag(
-            events, 4, "events.wait", "Pixels wait when USB is busy, rather than lose.", false));
+            events,
+            4,
+            "events.wait",
+            "Pixels wait while USB is busy; off, events are lost instead.",
+            false));
     if (identity.hasNoiseFilter()) {
       double perUs = 1.0 / ACTIVITY_STEP_US;
       all.add(
@@ -57,20 +61,24 @@ final class DavisSettings implements Configuration {
               events,
               32,
               "noiseFilter.timeUs",
-              "How late a neighbour may be.",
+              "Longest time since a neighbour's event.",
               "us",
               1 << 20,
               2000,
               perUs));
       all.add(
           DavisSetting.flag(
-              events, 33, "refractoryFilter.run", "Lets each pixel rest after an event.", false));
+              events,
+              33,
+              "refractoryFilter.run",
+              "Suppresses events of a pixel for a time after each event.",
+              false));
       all.add(
           DavisSetting.scaled(
               events,
               34,
               "refractoryFilter.timeUs",
-              "How long it rests.",
+              "Length of this refractory time.",
               "us",
               1 << 20,
               250,
@@ -79,11 +87,11 @@ final class DavisSettings implements Configuration {
     frames(all);
     inertial(all);
     int input = DavisRegisters.INPUT;
-    all.add(DavisSetting.flag(input, 0, "input.run", "Tells of edges at the input.", true));
-    all.add(DavisSetting.flag(input, 1, "input.rising", "Tells of rising edges.", true));
-    all.add(DavisSetting.flag(input, 2, "input.falling", "Tells of falling edges.", true));
-    all.add(DavisSetting.flag(input, 3, "input.pulses", "Tells of pulses.", false));
-    all.add(DavisSetting.flag(input, 4, "input.highPulses", "Pulses are up, not down.", true));
+    all.add(DavisSetting.flag(input, 0, "input.run", "Reports edges at the input.", true));
+    all.add(DavisSetting.flag(input, 1, "input.rising", "Reports rising edges.", true));
+    all.add(DavisSetting.flag(input, 2, "input.falling", "Reports falling edges.", true));
+    all.add(DavisSetting.flag(input, 3, "input.pulses", "Reports pulses.", false));
+    all.add(DavisSetting.flag(input, 4, "input.highPulses", "Pulses are high, not low.", true));
     all.add(
         DavisSetting.number(
             input, 5, "input.pulseCycles", "Shortest pulse.", "cycles", 1 << 20, 10));
@@ -92,7 +100,7 @@ final class DavisSettings implements Configuration {
             DavisRegisters.USB,
             1,
             EARLY_DELAY,
-            "Sends what it has after so long.",
+            "Longest delay before a partial transfer is sent.",
             "us",
             DELAY_STEP_US * 1000,
             1000,
@@ -104,7 +112,7 @@ final class DavisSettings implements Configuration {
     int frames = DavisRegisters.FRAMES;
     double clock = identity.adcClockMhz();
     all.add(DavisSetting.flag(frames, 4, "frames.run", "Sends frames.", true));
-    all.add(DavisSetting.flag(frames, 5, "frames.wait", "Reading waits when USB is busy.", true));
+    all.add(DavisSetting.flag(frames, 5, "frames.wait", "Readout waits while USB is busy.", true));
     if (identity.hasGlobalShutter()) {
       all.add(
           DavisSetting.flag(
@@ -115,7 +123,7 @@ final class DavisSettings implements Configuration {
             frames,
             12,
             "frames.exposureUs",
-            "How long a frame is exposed.",
+            "Exposure time of a frame.",
             "us",
             1_000_000,
             4000,
@@ -125,7 +133,7 @@ final class DavisSettings implements Configuration {
             frames,
             13,
             "frames.intervalUs",
-            "From frame to frame.",
+            "Interval between frames.",
             "us",
             8_000_000,
             40_000,
@@ -139,7 +147,7 @@ final class DavisSettings implements Configuration {
     all.add(DavisSetting.flag(module, 4, "inertial.temperature", "Measures it.", true));
     all.add(
         DavisSetting.number(
-            module, 5, "inertial.rateDivider", "Every so many samples are left out.", "1", 255, 0));
+            module, 5, "inertial.rateDivider", "Divider of the sample rate.", "1", 255, 0));
     all.add(
         DavisSetting.number(
             module, 6, "inertial.accelerationFilter", "Low pass, 0 fastest.", "1", 7, 1));

@@ -26,11 +26,23 @@ final class Dvs128Biases implements Biases, BiasSliders {
     INJ_GND("injGnd", "Level of the differentiator's switch.", 1108364, 1108364, 1108364, 1108364),
     REQ_PD("reqPd", "Pull-down of the pixels' requests.", 16777215, 16777215, 16777215, 16777215),
     PU_X("puX", "Pull-up of the columns' requests.", 8159221, 8159221, 8159221, 8159221),
-    DIFF_OFF("diffOff", "Threshold of OFF events; smaller is harder.", 132, 132, 132, 357),
+    DIFF_OFF(
+        "diffOff",
+        "Threshold of OFF events; a smaller value gives fewer events.",
+        132,
+        132,
+        132,
+        357),
     REQ("req", "Inverter of OFF requests.", 309590, 159147, 159147, 159147),
-    REFR("refr", "Rest of a pixel after an event; larger is shorter.", 969, 6, 6, 256),
+    REFR("refr", "Refractory period of a pixel; a larger value is shorter.", 969, 6, 6, 256),
     PU_Y("puY", "Pull-up of the rows' requests.", 16777215, 16777215, 16777215, 16777215),
-    DIFF_ON("diffOn", "Threshold of ON events; larger is harder.", 209996, 482443, 262144, 177813),
+    DIFF_ON(
+        "diffOn",
+        "Threshold of ON events; a larger value gives fewer events.",
+        209996,
+        482443,
+        262144,
+        177813),
     DIFF(
         "diff",
         "Differentiator, which both thresholds are compared with.",
@@ -39,7 +51,7 @@ final class Dvs128Biases implements Biases, BiasSliders {
         30153,
         8903),
     FOLL("foll", "Source follower between photoreceptor and differentiator.", 271, 51, 51, 2),
-    PR("Pr", "Photoreceptor; larger is faster.", 217, 3, 3, 917);
+    PR("Pr", "Photoreceptor; a larger value is faster.", 217, 3, 3, 917);
 
     private final String label;
     private final String help;

@@ -167,7 +167,7 @@ final class Dvs128Driver
   @Override
   public void setLed(Led.State state) throws CameraProblem {
     if (firmware < FIRMWARE_OF_LED) {
-      throw unsupported("switch its light", FIRMWARE_OF_LED);
+      throw unsupported("switch its LED", FIRMWARE_OF_LED);
     }
     line.send(LED, state.ordinal(), 0);
     led = state;

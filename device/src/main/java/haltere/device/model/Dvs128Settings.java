@@ -25,11 +25,11 @@ final class Dvs128Settings implements Configuration {
   @Override
   public List<Parameter> parameters() {
     return List.of(
-        Settings.flag(MASTER, "Goes by its own clock; else by that at its input.", true),
+        Settings.flag(MASTER, "Uses its own clock; off, the clock at its input.", true),
         Settings.flag(HOLD, "Holds all pixels in reset: no events.", false),
         Settings.choice(
             LED,
-            "What the light does.",
+            "Mode of the LED.",
             Led.State.class,
             Led.State.ON,
             Arrays.stream(Led.State.values()).map(Enum::name).toList()));

@@ -13,7 +13,7 @@ final class EvkModel implements CameraModel {
   static final SensorGeometry GEOMETRY = new SensorGeometry(1280, 720, Origin.TOP);
 
   private static final String REMARK =
-      "experimental: it streams only after another program has set its sensor up";
+      "experimental: it streams only after another program has configured its " + "sensor";
 
   @Override
   public String key() {
@@ -52,7 +52,7 @@ final class EvkModel implements CameraModel {
     String compatible = new TreuzellLine(transport).sensor();
     if (!compatible.contains("imx636")) {
       throw new CameraProblem(
-          Kind.UNSUPPORTED, "this camera's sensor is " + compatible + ", and only imx636 is known");
+          Kind.UNSUPPORTED, "this camera's sensor is " + compatible + ", only imx636 is supported");
     }
     return new EvkDriver(new CameraInfo(id, name(), serial, GEOMETRY, true, REMARK));
   }

@@ -24,11 +24,12 @@ record KnownCamera(
   private static final SensorGeometry IMX636 = new SensorGeometry(1280, 720, Origin.TOP);
 
   private static final String OTHER_BOARD =
-      "of Prophesee's cameras only the EVK4 is driven, as an experiment; record it with its maker's"
-          + " program as RAW, which can be read";
+      "of Prophesee's cameras only the EVK4 is supported, as an experiment; record "
+          + "with the maker's program as RAW, which can be read";
 
   private static final String NO_FIRMWARE =
-      "a chip without firmware, perhaps of a camera; its maker's program has to write that first";
+      "a chip without firmware, perhaps of a camera; write the firmware with its "
+          + "maker's program first";
 
   /** Cameras and boards whose numbers are public. */
   static final List<CameraModel> ALL =
@@ -38,8 +39,8 @@ record KnownCamera(
               "DVXplorer",
               0x152a_8419,
               new SensorGeometry(640, 480, Origin.TOP),
-              "its words are not known here; record it with its maker's program (DV) as AEDAT-4,"
-                  + " which can be read"),
+              "its protocol is not supported; record with its maker's program (DV) as "
+                  + "AEDAT-4, which can be read"),
           new KnownCamera("centuryarks", "CenturyArks", 0x31f7_0003, IMX636, OTHER_BOARD),
           new KnownCamera("ids", "IDS event camera", 0x1409_8e00, IMX636, OTHER_BOARD),
           new KnownCamera("prophesee", "Prophesee board", 0x03fd_5832, IMX636, OTHER_BOARD),

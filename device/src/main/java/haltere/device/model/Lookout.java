@@ -57,7 +57,7 @@ final class Lookout implements AutoCloseable {
   private Optional<UsbBus.Watch> watch() {
     try {
       return bus.watch(woken::release);
-    } catch (CameraProblem cannotTell) {
+    } catch (CameraProblem ignored) {
       return Optional.empty();
     }
   }

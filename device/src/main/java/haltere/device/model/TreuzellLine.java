@@ -35,7 +35,7 @@ final class TreuzellLine {
   String serial() throws CameraProblem {
     ByteBuffer answer = command(SERIAL);
     if (answer.remaining() < Integer.BYTES) {
-      throw new CameraProblem(Kind.BROKEN, "the camera does not tell its serial number");
+      throw new CameraProblem(Kind.BROKEN, "the camera does not report its serial number");
     }
     return String.format(Locale.ROOT, "%08x", answer.getInt());
   }
@@ -65,7 +65,7 @@ final class TreuzellLine {
         ByteBuffer.wrap(transport.read(ANSWERS, MAX_ANSWER_BYTES)).order(ByteOrder.LITTLE_ENDIAN);
     if (answer.remaining() < HEAD_BYTES) {
       throw new CameraProblem(
-          Kind.BROKEN, String.format("no whole answer to command 0x%x", property));
+          Kind.BROKEN, String.format("incomplete answer to command 0x%x", property));
     }
     int echo = answer.getInt();
     int length = answer.getInt();

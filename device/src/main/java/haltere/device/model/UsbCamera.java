@@ -234,7 +234,7 @@ final class UsbCamera implements Camera {
           begin();
           lookout.end();
         }
-      } catch (CameraProblem notYet) {
+      } catch (CameraProblem ignored) {
         // Just plugged in, it may not answer yet, or the system has not given it to us yet.
         if (connection.link != null) {
           connection.link.buffers().close();

@@ -67,7 +67,7 @@ public final class UsbCameraProvider implements CameraProvider {
   public List<CameraInfo> list() {
     try {
       return seen().stream().map(Seen::info).sorted(Comparator.comparing(CameraInfo::id)).toList();
-    } catch (CameraProblem noUsb) {
+    } catch (CameraProblem ignored) {
       return List.of();
     }
   }
@@ -76,7 +76,7 @@ public final class UsbCameraProvider implements CameraProvider {
   public Optional<Watch> watch(Runnable changed) {
     try {
       return bus.get().watch(changed).map(watch -> watch::close);
-    } catch (CameraProblem noUsb) {
+    } catch (CameraProblem ignored) {
       return Optional.empty();
     }
   }

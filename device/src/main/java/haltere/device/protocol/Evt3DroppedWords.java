@@ -20,13 +20,13 @@ final class Evt3DroppedWords extends DroppedWords {
   private static final int LAST_HIGH = TIME_HIGH << 12 | 0xfff;
   private static final int FIRST_HIGH = TIME_HIGH << 12;
 
-  /** A fall of the high part by so much is a new turn of the clock. */
+  /** A fall of the high part by this much or more is a wrap of the clock. */
   private static final int TURN_FALL = 2048;
 
   private static final int WORDS_AT_ONCE = 8;
 
-  /** More than a sensor has columns; masks of 12 and of 8 pixels come to this. */
-  private static final int MAX_GONE_ON = 2400;
+  /** More columns than any sensor has; reachable by masks of 12 and of 8 pixels. */
+  private static final int MAX_ADVANCE_PX = 2400;
 
   private long events;
   private long turns;
@@ -36,8 +36,8 @@ final class Evt3DroppedWords extends DroppedWords {
   private int row = NONE;
   private int run = NONE;
 
-  /** Pixels that masks went on before the first start of a run. */
-  private int goneOn;
+  /** Pixels by which masks advanced before the first start of a run. */
+  private int advancedPx;
 
   @Override
   public long events() {
@@ -66,14 +66,14 @@ final class Evt3DroppedWords extends DroppedWords {
 
   private void mask(int pixels, int length) {
     events += Integer.bitCount(pixels);
-    goOn(length);
+    advance(length);
   }
 
-  private void goOn(int length) {
+  private void advance(int length) {
     if (run != NONE) {
       run = run & ~0x7ff | Math.min(0x7ff, (run & 0x7ff) + length);
     } else {
-      goneOn = Math.min(MAX_GONE_ON, goneOn + length);
+      advancedPx = Math.min(MAX_ADVANCE_PX, advancedPx + length);
     }
   }
 
@@ -103,7 +103,7 @@ final class Evt3DroppedWords extends DroppedWords {
       low = other.low;
     }
     row = other.row == NONE ? row : other.row;
-    goOn(other.goneOn);
+    advance(other.advancedPx);
     run = other.run == NONE ? run : other.run;
   }
 
@@ -116,7 +116,7 @@ final class Evt3DroppedWords extends DroppedWords {
     low = NONE;
     row = NONE;
     run = NONE;
-    goneOn = 0;
+    advancedPx = 0;
   }
 
   @Override
@@ -125,7 +125,7 @@ final class Evt3DroppedWords extends DroppedWords {
     for (long left = turns; left > 0; left--) {
       give(decoder, LAST_HIGH, FIRST_HIGH);
     }
-    for (int left = goneOn; left > 0; ) {
+    for (int left = advancedPx; left > 0; ) {
       int length = left % 12 == 0 ? 12 : 8;
       give(decoder, (length == 12 ? MASK_12 : MASK_8) << 12);
       left -= length;

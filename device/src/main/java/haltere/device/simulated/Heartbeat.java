@@ -48,7 +48,7 @@ final class Heartbeat {
         transfers.makeDue();
         sleeper.sleep(transfers.untilNextNanos());
       }
-    } catch (InterruptedException nobodyDoes) {
+    } catch (InterruptedException ignored) {
       Thread.currentThread().interrupt();
     } catch (RuntimeException | Error thrown) {
       failed.accept(thrown);

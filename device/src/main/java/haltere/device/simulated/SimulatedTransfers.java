@@ -132,7 +132,11 @@ final class SimulatedTransfers {
             : OverflowPolicy.DROP_NEWEST;
     filling =
         LiveBuffer.ofPackets(
-            info.geometry(), waiting, TRANSFER_EVENTS, policy, info.id() + ": nobody took them");
+            info.geometry(),
+            waiting,
+            TRANSFER_EVENTS,
+            policy,
+            info.id() + ": not consumed in time");
     streams.add(filling);
     streamsBegun++;
     filling.notified(new StreamStarted(info.geometry(), info.id()));

@@ -204,7 +204,7 @@ public final class TransferRing {
     try {
       transport.clearHalt(endpoint);
       return true;
-    } catch (CameraProblem gone) {
+    } catch (CameraProblem ignored) {
       return false;
     }
   }
@@ -242,7 +242,7 @@ public final class TransferRing {
       }
       try {
         ended.awaitNanos(left);
-      } catch (InterruptedException later) {
+      } catch (InterruptedException ignored) {
         interrupted = true;
       }
     }

@@ -48,7 +48,7 @@ class KnownCameraTest {
     assertEquals(
         List.of("dvxplorer:1-5", "fx2:1-7", "ids:1-6"), seen.stream().map(CameraInfo::id).toList());
     assertTrue(seen.stream().noneMatch(CameraInfo::canOpen));
-    assertTrue(seen.get(0).note().contains("record it with its maker's program"));
+    assertTrue(seen.get(0).note().contains("record with its maker's program"));
     CameraProblem problem =
         assertThrows(
             CameraProblem.class, () -> provider.open(seen.get(0), CameraOptions.DEFAULT).close());

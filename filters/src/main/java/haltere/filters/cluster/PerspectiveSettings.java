@@ -10,7 +10,7 @@ import haltere.core.settings.Unit;
  * smaller the nearer they are to the vanishing point.
  */
 public record PerspectiveSettings(
-    @Help("Clusters are the smaller the nearer they are to the vanishing point.") boolean enabled,
+    @Help("Clusters are smaller near the vanishing point.") boolean enabled,
     @Help("Column of the vanishing point as a share of the sensor's width.")
         @Range(min = -2, max = 3)
         @Unit("1")

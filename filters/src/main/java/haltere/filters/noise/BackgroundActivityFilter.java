@@ -58,8 +58,8 @@ final class BackgroundActivityFilter extends PublishingFilter<BackgroundActivity
     public Provider() {
       super(
           "background-activity",
-          "Passes an event if enough of its eight neighbours fired shortly before, which removes"
-              + " noise; tells what share it removed.",
+          "Removes noise: passes an event if enough of its eight neighbours fired "
+              + "shortly before. Publishes the removed share.",
           BackgroundActivitySettings.class,
           BackgroundActivityFilter::new);
     }

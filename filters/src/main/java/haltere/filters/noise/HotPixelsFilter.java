@@ -57,7 +57,7 @@ final class HotPixelsFilter implements ConfigurableFilter<HotPixelsSettings> {
     public Provider() {
       super(
           "hot-pixels",
-          "Learns which pixels fire abnormally and drops their events.",
+          "Detects pixels with an abnormal event rate and drops their events.",
           HotPixelsSettings.class,
           HotPixelsFilter::new);
     }

@@ -11,24 +11,27 @@ import haltere.core.settings.Unit;
  * @since 0.1
  */
 public record HotPixelsSettings(
-    @Help("After each period of this length it is decided anew which pixels are hot.")
+    @Help("Hot pixels are detected again after each period of this length.")
         @Range(min = 1000, max = 60_000_000, logarithmic = true)
         @Unit("us")
         long periodUs,
-    @Help("A pixel may be hot only if it fires at more than this rate.")
+    @Help("A pixel is hot only if its event rate is higher than this.")
         @Range(min = 0.1, max = 10_000, logarithmic = true)
         @Unit("Hz")
         double rateHz,
     @Help(
-            "A pixel is hot only if it fires at more than this multiple of its neighbours' mean rate.")
+            "A pixel is hot only if its event rate is higher than this multiple of its "
+                + "neighbours' mean rate.")
         @Range(min = 1, max = 1000, logarithmic = true)
         @Unit("1")
         double ratio,
-    @Help("A blocked pixel passes again when it was not hot for this many periods in a row.")
+    @Help(
+            "A blocked pixel is released after this many consecutive periods in which it "
+                + "was not hot.")
         @Range(min = 1, max = 1000, logarithmic = true)
         @Unit("periods")
         int calmPeriods,
-    @Help("No more pixels than this are blocked at a time, the busiest first.")
+    @Help("Largest number of blocked pixels, the busiest first.")
         @Range(min = 0, max = 100_000, logarithmic = true)
         @Unit("pixels")
         int mostBlocked) {

@@ -55,7 +55,7 @@ public final class RefractoryFilter implements ConfigurableFilter<RefractorySett
     public Provider() {
       super(
           "refractory",
-          "Passes an event if its pixel has been silent for a while, which thins out bursts.",
+          "Thins out bursts: passes an event if its pixel was silent before.",
           RefractorySettings.class,
           RefractoryFilter::new);
     }

@@ -15,7 +15,7 @@ public record RefractorySettings(
         @Range(min = 0, max = 10_000_000, logarithmic = true)
         @Unit("us")
         long periodUs,
-    @Help("Which event breaks the silence: the last that passed, or the last that came at all.")
+    @Help("The silence starts at the last event that passed, or at the last event of any kind.")
         Silence silence) {
   /** From which event of a pixel on its silence counts. */
   public enum Silence {

@@ -16,11 +16,11 @@ public record RoadViewSettings(
         @Range(min = 0.1, max = 1000, logarithmic = true)
         @Unit("m")
         double bridgeHeightM,
-    @Help("Distance along the road that the bottom row of the picture sees.")
+    @Help("Distance along the road seen by the bottom row of the picture.")
         @Range(min = 0.1, max = 250, logarithmic = true)
         @Unit("m")
         double nearestM,
-    @Help("Distance along the road that is taken for the row of the vanishing point.")
+    @Help("Distance along the road at the row of the vanishing point.")
         @Range(min = 2.5, max = 100_000, logarithmic = true)
         @Unit("m")
         double farthestM,

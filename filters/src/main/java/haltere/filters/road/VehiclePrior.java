@@ -25,7 +25,7 @@ import haltere.core.settings.Unit;
  *     standard deviation
  */
 public record VehiclePrior(
-    @Help("Usual speed along the road; what is twice as fast is rare.")
+    @Help("Usual speed along the road; twice this speed is rare.")
         @Range(min = 1, max = 100, logarithmic = true)
         @Unit("m/s")
         double speedMS,
@@ -41,13 +41,13 @@ public record VehiclePrior(
         @Range(min = 0.01, max = 20, logarithmic = true)
         @Unit("m/s")
         double driftMS,
-    @Help("Greatest width of a vehicle; what is wider is several.")
+    @Help("Greatest width of a vehicle; a wider object is several vehicles.")
         @Range(min = 0.1, max = 20)
         @Unit("m")
         double widthM,
     @Help("Usual length of a vehicle.") @Range(min = 0.1, max = 50) @Unit("m") double lengthM,
     @Help("Usual height of a vehicle.") @Range(min = 0.1, max = 10) @Unit("m") double heightM,
-    @Help("Usual height above the road of the lowest edge that is seen of a vehicle.")
+    @Help("Usual height above the road of a vehicle's lowest visible edge.")
         @Range(min = 0.001, max = 3)
         @Unit("m")
         double lowEdgeM) {

@@ -7,7 +7,7 @@ import haltere.core.settings.Unit;
 
 /** When tracks start, are updated and end. */
 public record TrackLifeSettings(
-    @Help("Tracks look at their clusters at this interval, at updates of the clusters.")
+    @Help("Interval at which tracks are updated from their clusters, at updates of the clusters.")
         @Range(min = 100, max = 1_000_000, logarithmic = true)
         @Unit("us")
         int trackIntervalUs,
@@ -18,11 +18,15 @@ public record TrackLifeSettings(
     @Help("Events are counted for each cluster, or for all clusters together.") EventCount eventsOf,
     @Help("Moves each cluster to the estimate of its track at each update.")
         boolean feedbackToCluster,
-    @Help("A track without a visible cluster goes on for this time and takes a new one that fits.")
+    @Help(
+            "A track without a visible cluster continues for this time and accepts a new "
+                + "one in its gate.")
         @Range(min = 0, max = 60)
         @Unit("s")
         double coastTimeS,
-    @Help("A track takes a new cluster within this many standard deviations of its prediction.")
+    @Help(
+            "Gate: a track accepts a new cluster within this many standard deviations of "
+                + "its prediction.")
         @Range(min = 1, max = 30)
         @Unit("sigma")
         double gateSigmas) {

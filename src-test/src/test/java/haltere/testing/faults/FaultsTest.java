@@ -181,7 +181,7 @@ class FaultsTest {
     ended.saysOf(file.toString(), "No space left on device");
     long events = eventsOf(file);
     assertTrue(events > 0 && events >= number(ended, "holds at least ([\\d,]+) events of"));
-    assertTrue(events <= number(ended, "events of ([\\d,]+) that came"));
+    assertTrue(events <= number(ended, "events of ([\\d,]+) received"));
     Path other = out.resolve("r.raw");
     record(full, other).saysOf(other.toString(), "was not kept");
     assertEquals(List.of("r.aedat4"), List.copyOf(files(out).keySet()));

@@ -45,8 +45,8 @@ class RoundTripTest {
 
   /** What writers of text say, whose readers take rows to count from the top. */
   private static final String ROWS_UP =
-      "rows count from the bottom, as in the source; most programs, this one too, take those of text"
-          + " to count from the top: --origin top writes them so";
+      "rows count from the bottom, as in the source; most programs, including this one, read text"
+          + " from the top: use --origin top for these";
 
   @TempDir Path folder;
 

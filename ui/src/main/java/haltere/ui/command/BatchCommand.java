@@ -41,10 +41,10 @@ import picocli.CommandLine.Parameters;
     footer = {"", "Example: haltere batch recordings --track --out results --report results.html"},
     description = {
       "Run one chain over many recordings, several at once.",
-      "DIR gets a folder for each recording, with a table for each outlet of the chain"
-          + " (STAGE.OUTLET.csv or .parquet) and done.json, which comes last: what was read, with"
-          + " which chain, and checksums. A recording that fails stops nothing; failed.json names"
-          + " all that did, and the status is 1."
+      "DIR gets a folder for each recording, with a table for each outlet of the "
+          + "chain (STAGE.OUTLET.csv or .parquet). done.json comes last, with input, "
+          + "chain and checksums. A failed recording does not stop the batch: "
+          + "failed.json lists the failures, and the status is 1."
     })
 final class BatchCommand extends Subcommand {
   private static final Pattern SHARD = Pattern.compile("(\\d{1,6})/(\\d{1,6})");
@@ -58,7 +58,7 @@ final class BatchCommand extends Subcommand {
   @Parameters(
       arity = "0..*",
       paramLabel = "INPUT",
-      description = "Recordings, and folders with recordings in them and their folders.")
+      description = "Recordings, and folders, which are searched recursively.")
   List<Path> inputs = List.of();
 
   @Option(
@@ -71,8 +71,8 @@ final class BatchCommand extends Subcommand {
       names = "--root",
       paramLabel = "FOLDER",
       description =
-          "Names of results are relative to it; if not given, to each folder that is named, and a"
-              + " recording that is named has its own name.")
+          "Base folder for the names of results; default: each INPUT folder, and for "
+              + "an INPUT recording its own name.")
   Path root;
 
   /** What is done with each recording. */
@@ -80,7 +80,7 @@ final class BatchCommand extends Subcommand {
     @Option(
         names = "--chain",
         paramLabel = "CHAIN.json",
-        description = "A chain that the viewer saved, or written by hand.")
+        description = "A chain of filters, saved by the viewer or written by hand.")
     Path chain;
 
     @Option(names = "--wings", description = "The wing tracker with its defaults.")
@@ -97,13 +97,13 @@ final class BatchCommand extends Subcommand {
       names = "--out",
       required = true,
       paramLabel = "DIR",
-      description = "Where the results go; made if there is no such folder.")
+      description = "Output folder; created if missing.")
   Path out;
 
   @Option(
       names = "--workers",
       paramLabel = "N",
-      description = "Recordings that are worked on at once; one for each processor if not given.")
+      description = "Number of concurrent recordings; default: one for each processor.")
   Integer workers;
 
   @Option(
@@ -111,8 +111,8 @@ final class BatchCommand extends Subcommand {
       paramLabel = "I/N",
       defaultValue = "1/1",
       description =
-          "Work on one of N parts of the inputs, 1/N to N/N, which are told by the names of the"
-              + " recordings alone; so N machines share the work without a coordinator.")
+          "Process one of N parts of the inputs, 1/N to N/N. The names of the "
+              + "recordings alone decide, so N machines share the work without a coordinator.")
   String shard;
 
   @Option(
@@ -127,18 +127,18 @@ final class BatchCommand extends Subcommand {
       split = ",",
       paramLabel = "NAME",
       description =
-          "Outlets that get a table, such as wings,beats. If not given, all, but with --wings not"
-              + " measurements, which has a row for each event.")
+          "Outlets that get a table, such as wings,beats. Default: all, but with "
+              + "--wings not measurements, which has a row for each event.")
   Set<String> outlets;
 
   @Option(
       names = "--resume",
       description =
-          "Keep results that are complete and of the same chain, version, options and recording;"
-              + " make the others.")
+          "Keep complete results of the same chain, version, options and recording; "
+              + "compute the others.")
   boolean resume;
 
-  @Option(names = "--overwrite", description = "Make all results anew.")
+  @Option(names = "--overwrite", description = "Compute all results again.")
   boolean overwrite;
 
   @Mixin SourceOptions source;
@@ -152,17 +152,17 @@ final class BatchCommand extends Subcommand {
     Collection<BatchItem> items =
         found.items().stream().filter(item -> item.shard(part.of) == part.number).toList();
     if (found.items().isEmpty()) {
-      throw new CommandProblem("there is no recording in the inputs");
+      throw new CommandProblem("the inputs contain no recording");
     }
     if (found.leftOut() > 0) {
-      message(Quantities.count(found.leftOut()) + " files in the folders are no recordings");
+      message(Quantities.count(found.leftOut()) + " files in the folders are not recordings");
     }
     Batch batch = new Batch(this::chain, options(), Failures::describe);
     BatchReport report = run(batch, items, part.failuresName());
     String summary =
         Quantities.text(
-            "%d recordings: %d done (%s, %.1f MB, %,d rows), %d kept, %d in work elsewhere,"
-                + " %d failed",
+            "%d recordings: %d done (%s, %.1f MB, %,d rows), %d kept, %d in progress "
+                + "elsewhere, %d failed",
             items.size(),
             report.done(),
             Quantities.events(report.events()),

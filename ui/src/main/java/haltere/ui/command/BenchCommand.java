@@ -56,9 +56,7 @@ final class BenchCommand extends Subcommand {
       names = "--seconds",
       paramLabel = "S",
       defaultValue = "3",
-      description =
-          "Time for which each stage warms up, and as long again for which it is measured; 3 if"
-              + " not given.")
+      description = "Warm-up time of each stage, and measurement time after it; default 3.")
   double seconds;
 
   @Mixin ReadingOptions reading;
@@ -124,7 +122,7 @@ final class BenchCommand extends Subcommand {
     }
     long decoded = held.events + skipped[0];
     if (held.events == 0) {
-      throw new CommandProblem(recording + ": there are no events in it to measure with");
+      throw new CommandProblem(recording + ": it has no events to measure with");
     }
     String name = file == null ? "the built-in fly scene" : recording.toString();
     result("%s: %s, sensor %s", name, Quantities.events(decoded), geometry);

@@ -23,19 +23,19 @@ final class CameraOptionsGroup extends OptionGroup {
   @Option(
       names = "--device",
       paramLabel = "ID",
-      description = "A camera, as haltere devices lists it; \"\" for the first one that is there.")
+      description = "A camera by its id in haltere devices; \"\" for the first connected one.")
   List<String> devices = List.of();
 
   @Option(
       names = "--duration",
       paramLabel = "S",
-      description = "End after so many seconds; if not given, with Ctrl+C.")
+      description = "End after this many seconds; default: until Ctrl+C.")
   Double durationS;
 
   @Option(
       names = "--biases",
       paramLabel = "SET",
-      description = "Set the camera's biases to a set of values, such as fast or slow.")
+      description = "Apply a bias set of the camera, such as fast or slow.")
   String set;
 
   @Option(
@@ -49,8 +49,8 @@ final class CameraOptionsGroup extends OptionGroup {
       paramLabel = "newest|oldest",
       defaultValue = "newest",
       description =
-          "Which events are lost where this computer cannot keep up: those that come (newest, the"
-              + " default), or those that have waited longest (oldest).")
+          "Events to drop if this computer is too slow: the newest (default), or those "
+              + "that have waited longest (oldest).")
   Loss whenFull = Loss.NEWEST;
 
   /** Which events are lost. */

@@ -35,7 +35,7 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "convert",
     footer = {"", "Example: haltere convert recording.raw part.csv --from 0 --to 2000000"},
-    description = "Write a recording, or a part of it, in the format that OUT's name ends in.")
+    description = "Write a recording, or a part of it, in the format given by OUT's ending.")
 final class ConvertCommand extends Subcommand {
   /** Names of the formats that {@code .raw} files may have. */
   private static final Map<String, String> ENCODINGS =
@@ -69,37 +69,35 @@ final class ConvertCommand extends Subcommand {
   @Option(
       names = "--to",
       paramLabel = "US",
-      description = "First time not to copy any more, in microseconds.")
+      description = "End of the part, in microseconds; events at this time are not copied.")
   Long toUs;
 
   @Option(
       names = "--filter",
       paramLabel = "NAME",
-      description =
-          "Let events through this filter, with its default settings; may be repeated,"
-              + " in order.")
+      description = "Apply this filter with its default settings; may be repeated, in order.")
   List<String> filters = List.of();
 
   @Option(
       names = "--evt",
       paramLabel = "2|2.1|3",
-      description = "The encoding of an OUT that ends in .raw: EVT2, EVT2.1 or EVT3 (the usual).")
+      description = "Encoding of an OUT that ends in .raw: EVT2, EVT2.1 or EVT3 (default).")
   String evt;
 
   @Option(
       names = "--out-format",
       paramLabel = "NAME",
       description =
-          "The format of an OUT that is - (es, evt2, evt21, evt3, dat, aedat2, csv); if not given,"
-              + " that of IN, or es where that is none of them.")
+          "Format of standard output (es, evt2, evt21, evt3, dat, aedat2, csv); "
+              + "default: the format of IN, or es if IN has another one.")
   String outFormat;
 
   @Option(
       names = "--stream",
       paramLabel = "NAME",
       description =
-          "Write, instead of a recording, its inertial samples (imu) or triggers (triggers) to a"
-              + " table OUT, or its frames (frames) as PNG pictures to a new folder OUT.")
+          "Write only the inertial samples (imu) or triggers (triggers) to a table "
+              + "OUT, or the frames (frames) as PNG pictures to a new folder OUT.")
   SampleStream stream;
 
   @Mixin ReadingOptions reading;
@@ -157,7 +155,7 @@ final class ConvertCommand extends Subcommand {
     if (outFormat != null) {
       RecordingFormat format = Recordings.formats().get(outFormat);
       if (!ReadingOptions.isStandard(out) || evt != null) {
-        throw wrongArguments("--out-format is about an OUT that is -, and excludes --evt");
+        throw wrongArguments("--out-format needs - as OUT, and excludes --evt");
       }
       if (format == null || !format.isStreamed()) {
         throw wrongArguments("--out-format is " + outFormat + ", which cannot be a stream");
@@ -172,13 +170,13 @@ final class ConvertCommand extends Subcommand {
     boolean isRaw =
         ReadingOptions.isStandard(out) || out.toString().toLowerCase(Locale.ROOT).endsWith(".raw");
     if (stream != null || !isRaw) {
-      throw wrongArguments("--evt is about recordings in .raw files, which " + out + " is not");
+      throw wrongArguments("--evt is for recordings in .raw files, which " + out + " is not");
     }
   }
 
   private void checkStream() {
     if (!filters.isEmpty()) {
-      throw wrongArguments("--filter works on events; leave it out with --stream");
+      throw wrongArguments("--filter applies to events; leave it out with --stream");
     }
     if (stream != SampleStream.FRAMES && !isTable(out)) {
       throw wrongArguments("--stream writes a table; let " + out + " end in .csv or .parquet");
@@ -230,7 +228,7 @@ final class ConvertCommand extends Subcommand {
           case FRAMES -> SampleKind.FRAME;
         };
     if (rows == 0) {
-      warning(in + ": there are no " + kind.many() + (isPart() ? " in this stretch of time" : ""));
+      warning(in + ": there are no " + kind.many() + (isPart() ? " in this part" : ""));
     }
     message("wrote " + out + " (" + kind.count(rows) + ")");
   }
@@ -252,7 +250,7 @@ final class ConvertCommand extends Subcommand {
     }
     warnings(in, done.warnings());
     if (done.eventsRead() == 0) {
-      warning(in + ": there are no events" + (isPart() ? " in this stretch of time" : ""));
+      warning(in + ": there are no events" + (isPart() ? " in this part" : ""));
     }
     message(
         "wrote %s (%s%s%s)",

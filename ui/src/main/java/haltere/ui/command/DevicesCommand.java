@@ -14,15 +14,16 @@ import picocli.CommandLine.Option;
 @Command(
     name = "devices",
     description = {
-      "List the cameras that are seen, also those that cannot be opened, with the reason.",
-      "Simulated cameras stand behind those that are plugged in."
+      "List the cameras, and for each that cannot be opened the reason.",
+      "Connected cameras come first, then simulated ones."
     })
 final class DevicesCommand extends Subcommand {
   @Option(
       names = "--json",
       description =
-          "Write a JSON object whose key devices is an array: id, model, serial, width, height,"
-              + " canOpen, note; obstacles says what keeps cameras from being seen.")
+          "Write a JSON object. Its key devices is an array: id, model, serial, width, "
+              + "height, canOpen, note; its key obstacles lists what prevents cameras from "
+              + "being found.")
   boolean json;
 
   @Override
@@ -36,7 +37,7 @@ final class DevicesCommand extends Subcommand {
       result(Json.write(object));
     } else {
       if (seen.isEmpty()) {
-        result("no camera is seen");
+        result("no camera found");
       }
       Quantities.table("", seen.stream().map(DevicesCommand::row).toList()).forEach(this::result);
       cameras.obstacles().forEach(this::warning);

@@ -23,12 +23,13 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "example",
     description = {
-      "Estimate a motion on a video of 240 frames a second, simulated or the user's own.",
-      "falling-weight: displacement, velocity and acceleration of a weight in free fall."
-          + " oscillator: also damping ratio and frequency of a weight on a spring that was pulled"
-          + " down and let go. TABLE has a row for each measurement: the filter's estimates with"
-          + " standard deviations (sd_) and gains (gain_), and for comparison a fit to all"
-          + " measurements (fit_) and finite differences (difference_)."
+      "Run a worked example of estimation on simulated or measured motion (video "
+          + "of 240 frames a second).",
+      "falling-weight: displacement, velocity and acceleration of a weight in free "
+          + "fall. oscillator: also damping ratio and frequency of a weight on a spring, "
+          + "released from below. TABLE has a row for each measurement: the filter's "
+          + "estimates with standard deviations (sd_) and gains (gain_), and for "
+          + "comparison a fit to all measurements (fit_) and finite differences (difference_)."
     })
 final class ExampleCommand extends Subcommand {
   private static final String FALLING_WEIGHT = "falling-weight";
@@ -44,28 +45,28 @@ final class ExampleCommand extends Subcommand {
       names = "--out",
       required = true,
       paramLabel = "TABLE.csv",
-      description = "Where the estimates go.")
+      description = "Output table of the estimates.")
   Path out;
 
   @Option(
       names = "--plots",
       paramLabel = "FOLDER",
-      description = "Where plots go, as SVG; the folder is made if need be.")
+      description = "Folder for the plots, as SVG; created if missing.")
   Path plots;
 
   @Option(
       names = "--data",
       paramLabel = "MEASUREMENTS.csv",
       description =
-          "Own measurements instead of simulated ones: columns t_s,x_m and, where accelerations"
-              + " along x were measured, a_m_s2; rows ascend in time. Of the oscillator x_m is"
-              + " measured from rest.")
+          "Your measurements instead of simulated ones: columns t_s,x_m and, if "
+              + "accelerations along x were measured, a_m_s2; rows ascend in time. For the "
+              + "oscillator, x_m is the displacement from rest.")
   Path data;
 
   @Option(
       names = "--seed",
       paramLabel = "N",
-      description = "Seed of the simulated measurements; 1 if not given.")
+      description = "Seed of the simulated measurements; default 1.")
   Long seed;
 
   @Mixin WritingOptions writing;
@@ -161,8 +162,8 @@ final class ExampleCommand extends Subcommand {
     int independent = fit.length / 4;
     if (!(squares * independent <= Gate.probability(0.9995).threshold(independent))) {
       warning(
-          "the residuals are %.2g times the noise: this is another motion than the model's%s;"
-              + " the deviations do not hold",
+          "the residuals are %.2g times the noise: the model does not fit this "
+              + "motion%s; the stated deviations do not hold",
           Math.sqrt(squares), falls ? "" : ", or x_m is not measured from rest");
     }
   }

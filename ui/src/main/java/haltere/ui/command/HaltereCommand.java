@@ -11,13 +11,13 @@ import picocli.CommandLine.Option;
     name = "haltere",
     footer = {"", "Example: haltere info recording.aedat4"},
     description = {
-      "Watch and filter the events of event cameras.",
-      "Without a command: the viewer on the built-in fly scene; without a display the same scene"
-          + " through the same chain, with a picture and a table in build/demo/."
+      "View, filter and track the events of event cameras.",
+      "Without a command, opens the viewer on the built-in fly scene. Without a "
+          + "display, runs the same chain and writes a picture and a table to build/demo/."
     },
     versionProvider = Version.class)
 final class HaltereCommand extends Subcommand {
-  @Option(names = "--headless", description = "No window, even where there is a display.")
+  @Option(names = "--headless", description = "Open no window, even with a display.")
   boolean headless;
 
   @Option(

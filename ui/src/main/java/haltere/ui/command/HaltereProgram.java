@@ -40,7 +40,7 @@ public final class HaltereProgram {
 
   private static Map<String, List<String>> groups() {
     Map<String, List<String>> groups = new LinkedHashMap<>();
-    groups.put("See what is there", List.of("view", "info"));
+    groups.put("View and inspect", List.of("view", "info"));
     groups.put(
         "Work on recordings", List.of("wings", "track", "orient", "run", "batch", "convert"));
     groups.put("Make recordings", List.of("devices", "record", "simulate", "scenes"));

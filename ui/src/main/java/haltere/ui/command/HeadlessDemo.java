@@ -85,8 +85,8 @@ record HeadlessDemo(Subcommand command) {
     long out = counters.get(PipelineCounters.Counter.EVENTS_OUT);
     command.result(
         "the built-in fly scene through the wing tracker's chain, without a display; "
-            + "haltere --help says what else there is");
-    command.result("  events     %,d in %d s, %,d left by the filters", in, DURATION_S, out);
+            + "see haltere --help for more");
+    command.result("  events     %,d in %d s, %,d passed by the filters", in, DURATION_S, out);
     command.result("  rate       " + Quantities.rate(in / (double) DURATION_S));
     wings.lines().forEach(line -> command.result("  " + line));
     command.result(

@@ -33,7 +33,7 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "info",
     footer = {"", "Example: haltere info recording.aedat4 --picture recording.png"},
-    description = "Say what is in recordings: format, sensor, events, times, rates, gaps.")
+    description = "Describe recordings: format, sensor, events, times, rates, gaps.")
 final class InfoCommand extends Subcommand {
   @Parameters(arity = "1..*", paramLabel = "FILE", description = "Recordings.")
   List<Path> files;
@@ -41,15 +41,15 @@ final class InfoCommand extends Subcommand {
   @Option(
       names = "--json",
       description =
-          "Write a JSON object, or for several files an array with an object for each; one that"
-              + " cannot be read has only the keys file and error.")
+          "Write a JSON object, or an array of objects for several files. For an "
+              + "unreadable file, the object has only the keys file and error.")
   boolean json;
 
   @Option(
       names = "--quick",
       description =
-          "Say only what a recording tells of itself (its sensor, events and times), without"
-              + " reading its events; one that does not tell is read all the same.")
+          "Show only the metadata of a recording (sensor, number of events, times) "
+              + "without reading its events. A recording without such metadata is read.")
   boolean quick;
 
   @Option(
@@ -66,7 +66,7 @@ final class InfoCommand extends Subcommand {
     reading.readOptions();
     if (picture != null) {
       if (quick || files.size() > 1) {
-        throw wrongArguments("--picture is of one recording that is read, so not with --quick");
+        throw wrongArguments("--picture needs one recording, and excludes --quick");
       }
       writing.check(picture);
       WritingOptions.checkDifferent(files.get(0), picture);

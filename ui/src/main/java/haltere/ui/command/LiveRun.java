@@ -144,7 +144,7 @@ final class LiveRun {
     CameraStatistics statistics = camera.statistics();
     String id = camera.info().id();
     command.message(
-        "%s: %s, with this program within %d us (half of the transfers), %d us (999 of 1,000)",
+        "%s: %s, latency to this program %d us (median of the transfers), %d us " + "(99.9 %%)",
         id,
         Quantities.events(statistics.events()),
         statistics.medianLatencyUs(),
@@ -175,7 +175,8 @@ final class LiveRun {
         gone = true;
         status.erase();
         command.warning(
-            lost.device() + " was unplugged; it goes on when it is back, Ctrl+C ends it");
+            lost.device()
+                + " was unplugged; the recording continues when it is back, Ctrl+C ends it");
       } else if (gone && notification instanceof StreamStarted) {
         gone = false;
         status.erase();

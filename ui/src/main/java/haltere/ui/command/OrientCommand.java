@@ -33,10 +33,10 @@ import picocli.CommandLine.Parameters;
     name = "orient",
     footer = {"", "Example: haltere orient seen.csv --cameras cameras.json --out orientation.csv"},
     description = {
-      "Find where bodies are and which way they point, from what calibrated cameras saw of them.",
-      "OUT has a row for each body at each time at which it was seen and its axis is known; the"
-          + " axis points from tail to head, from observations up to that time only (with --smooth,"
-          + " from all). Roll cannot be seen from a line, so p_rad_s tells nothing."
+      "Estimate position and orientation of bodies from the observations of calibrated cameras.",
+      "OUT has a row for each observed body with a known axis at each time. The "
+          + "axis points from tail to head and uses observations up to that time only "
+          + "(with --smooth, all). A line does not show roll, so p_rad_s has no meaning."
     })
 final class OrientCommand extends Subcommand {
   private static final int ROWS_TOLD = 10;
@@ -45,8 +45,9 @@ final class OrientCommand extends Subcommand {
       index = "0",
       paramLabel = "OBSERVATIONS.csv",
       description = {
-        "A table t_us,camera,object,x_px,y_px,angle_rad,area_px,eccentricity; or a .braidz file; or"
-            + " HDF5 with the tables of Flydra."
+        "Observations: a table "
+            + "t_us,camera,object,x_px,y_px,angle_rad,area_px,eccentricity; or a .braidz "
+            + "file; or HDF5 with the tables of Flydra."
       })
   Path file;
 
@@ -61,39 +62,39 @@ final class OrientCommand extends Subcommand {
       required = true,
       paramLabel = "ORIENTATION.csv",
       description =
-          "Where the orientations go: CSV; by its name Parquet (OUT.parquet), or with frames HDF5"
-              + " (OUT.h5).")
+          "Output table: CSV, or by its ending Parquet (OUT.parquet), or for "
+              + "observations with frames HDF5 (OUT.h5).")
   Path out;
 
   @Option(
       names = "--gate-angle",
       paramLabel = "DEG",
       description =
-          "Lines this far and further from the expected one are rejected; 40 if not given, 0"
-              + " rejects all, so that there is no orientation, 180 accepts all.")
+          "Reject lines at this angle or more from the predicted one; default 40. 0 "
+              + "rejects all and gives no orientation, 180 accepts all.")
   Double gateAngleDeg;
 
   @Option(
       names = "--min-area",
       paramLabel = "PX",
-      description = "Detections must be larger than this; 0 if not given.")
+      description = "Smaller detections are ignored; default 0.")
   Double minAreaPx;
 
   @Option(
       names = "--min-eccentricity",
       paramLabel = "RATIO",
-      description = "Detections must be longer against their width than this; any if not given.")
+      description = "Detections of a smaller eccentricity are ignored; default: none are.")
   Double minEccentricity;
 
   @Option(
       names = "--preset",
       paramLabel = "NAME",
-      description = "original: the source's filter with its defaults, for comparison.")
+      description = "original: Flydra's filter with its defaults, for comparison.")
   String preset;
 
   @Option(
       names = "--smooth",
-      description = "Go back over each whole track, and choose head and tail over all of it.")
+      description = "Smooth each whole track, and choose head and tail from all of it.")
   boolean smooth;
 
   @Option(
@@ -137,7 +138,7 @@ final class OrientCommand extends Subcommand {
       bodies.finish();
       if (bodies.observations() == 0 && badRows > 0) {
         throw new CommandProblem(
-            file + ": none of its " + badRows + " rows can be used; see the warnings above");
+            file + ": none of its " + badRows + " rows are usable; see the warnings above");
       }
       table.finish();
       wrote(out, bodies.estimates());
@@ -148,8 +149,8 @@ final class OrientCommand extends Subcommand {
             file
                 + (settings.gate().angleDeg() == 0
                     ? ": no orientation: a gate angle of 0 degrees rejects every line"
-                    : ": no orientation could be found; at least two cameras that look from"
-                        + " different sides must see a body at nearly the same time"));
+                    : ": no orientation found; at least two cameras from different directions must "
+                        + "see a body at nearly the same time"));
       }
     }
     return OK;

@@ -26,7 +26,7 @@ record Publishing(Subcommand command, List<LiveResults> open) implements JobResu
   void add(LiveResults results) {
     open.add(results);
     results.onFailure(
-        words -> command.failedBeside(results.address() + ": nothing is sent any more: " + words));
+        words -> command.failedBeside(results.address() + ": sending has stopped: " + words));
     command.message("publishing at " + results.address());
   }
 
@@ -60,7 +60,7 @@ record Publishing(Subcommand command, List<LiveResults> open) implements JobResu
       results.close();
       if (results.refused() > 0) {
         command.warning(
-            "%s: %,d connections were turned away, because there were too many",
+            "%s: %,d connections were refused, because there were too many",
             results.address(), results.refused());
       }
       if (results.lost() > 0) {

@@ -18,21 +18,23 @@ final class PublishingOptions extends OptionGroup {
       names = "--publish",
       paramLabel = "ADDRESS",
       description =
-          "Send what the filters publish, a line of JSON each, while they run: tcp://HOST:PORT"
-              + " (listens), udp://HOST:PORT or zmq://HOST:PORT (a PUB socket). May be repeated.")
+          "Send results of the filters while they run, one line of JSON each, to "
+              + "tcp://HOST:PORT (listens), udp://HOST:PORT or zmq://HOST:PORT (a PUB "
+              + "socket). May be repeated.")
   List<String> addresses = List.of();
 
   @Option(
       names = "--outlet",
       paramLabel = "STAGE/OUTLET",
-      description = "Send only this, such as object-tracker/objects. May be repeated.")
+      description = "Send only this outlet, such as object-tracker/objects. May be repeated.")
   List<String> outlets = List.of();
 
   @Option(
       names = "--receivers",
       paramLabel = "N",
       defaultValue = "0",
-      description = "Wait until so many programs have connected to each tcp:// or zmq:// address.")
+      description =
+          "Wait until this many programs have connected to each tcp:// or zmq:// " + "address.")
   int receivers;
 
   /**
@@ -45,7 +47,7 @@ final class PublishingOptions extends OptionGroup {
       throw wrong(wrong.getMessage());
     }
     if (addresses.isEmpty() && !(outlets.isEmpty() && receivers == 0)) {
-      throw wrong("--outlet and --receivers mean nothing without --publish");
+      throw wrong("--outlet and --receivers need --publish");
     }
   }
 

@@ -16,14 +16,14 @@ final class ReadingOptions extends SourceOptions {
   @Option(
       names = "--format",
       paramLabel = "NAME",
-      description = "Read the recording as this format, whatever it looks like.")
+      description = "Read the recording as this format, whatever its content.")
   String format;
 
   @Option(
       names = "--index",
       description =
-          "Keep the index that seeking needs beside the recording (FILE.haltere-index), for the"
-              + " next time.")
+          "Store the time index for seeking beside the recording (FILE.haltere-index), "
+              + "for later commands.")
   boolean index;
 
   /** What the user said about the recording; refuses a format that there is not. */
@@ -48,7 +48,7 @@ final class ReadingOptions extends SourceOptions {
   /** A reader of a file or of standard input. */
   RecordingReader open(Path file, ReadOptions options) throws IOException {
     if (index && isStandard(file)) {
-      throw wrong("--index is about files");
+      throw wrong("--index needs a file");
     }
     if (isStandard(file) && !subcommand().surroundings().in().isOpen()) {
       throw new CommandProblem("standard input is read only once: name a file instead of -");

@@ -27,37 +27,38 @@ import picocli.CommandLine.Parameters;
     name = "record",
     footer = {"", "Example: haltere record recording.aedat4 --duration 10"},
     description = {
-      "Record a camera until its time is over, or until Ctrl+C; the recording is whole then.",
-      "The first camera that is there is taken, or that of --device. With several --device each"
-          + " has a file of its own, OUT.ID, whose header says how the camera's clock relates to"
-          + " this computer's.",
-      "A camera that was unplugged goes on in another part (OUT-2, OUT-3) when it is back. The"
-          + " header holds the camera's biases and the chain, see haltere info."
+      "Record a camera for a given time or until Ctrl+C; the recording is complete " + "then.",
+      "Records the first connected camera, or that of --device. With several "
+          + "--device, each has its own file, OUT.ID. Its header relates the camera's "
+          + "clock to this computer's.",
+      "After unplugging and reconnection, the recording continues in another part "
+          + "(OUT-2, OUT-3). The header holds the camera's biases and the chain, see haltere info."
     })
 final class RecordCommand extends Subcommand {
   @Parameters(
       index = "0",
       paramLabel = "OUT",
-      description = "Where the events go; the format follows from the ending, best .aedat4.")
+      description = "Output file; its ending gives the format, preferably .aedat4.")
   Path out;
 
   @Option(
       names = "--chain",
       paramLabel = "CHAIN.json",
-      description = "Filters that the events go through before they are recorded.")
+      description = "A chain of filters applied to the events before they are recorded.")
   Path chainFile;
 
   @Option(
       names = "--max-size",
       paramLabel = "MB",
-      description = "Go on in another part (OUT-2, OUT-3) before a file is larger.")
+      description =
+          "Largest size of a file; the recording then continues in another part (OUT-2, OUT-3).")
   Double maxMb;
 
   @Option(
       names = "--keep-free",
       paramLabel = "MB",
       defaultValue = "256",
-      description = "End the recording when the disk has no more left; 256 if not given.")
+      description = "End the recording when the disk has less free space; default 256.")
   double keepFreeMb;
 
   @Mixin CameraOptionsGroup cameras;
@@ -75,7 +76,7 @@ final class RecordCommand extends Subcommand {
     writing.checkRecording(out);
     Limits limits = limits();
     if (maxMb != null && !Recordings.forWriting(out).name().equals("aedat4")) {
-      throw wrongArguments("--max-size is for .aedat4, of which the size is known while it grows");
+      throw wrongArguments("--max-size is for .aedat4 only, whose size is known while it grows");
     }
     List<String> devices = cameras.devices.isEmpty() ? List.of("") : cameras.devices;
     if (new HashSet<>(devices).size() < devices.size()) {
@@ -123,10 +124,10 @@ final class RecordCommand extends Subcommand {
       long came = part.report().received();
       if (Files.exists(part.file())) {
         String written = Quantities.events(part.report().written());
-        message("%s holds at least %s of %,d that came", part.file(), written, came);
+        message("%s holds at least %s of %,d received", part.file(), written, came);
       } else {
         String advice = ".aedat4 keeps what was written";
-        message("%s was not kept: none of %,d that came; %s", part.file(), came, advice);
+        message("%s was not kept: none of %,d received; %s", part.file(), came, advice);
       }
     }
   }
@@ -188,7 +189,7 @@ final class RecordCommand extends Subcommand {
     for (Recorded recorded : all) {
       recorded.run().summary();
       if (recorded.recorder().parts().isEmpty() && recorded.recorder().endedEarly().isEmpty()) {
-        error(recorded.camera().info().id() + " gave no events; nothing was recorded");
+        error(recorded.camera().info().id() + " sent no events; nothing was recorded");
         status = FAILED;
       }
       for (SessionRecorder.Part part : recorded.recorder().parts()) {

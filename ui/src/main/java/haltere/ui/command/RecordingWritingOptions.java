@@ -31,7 +31,7 @@ final class RecordingWritingOptions extends WritingOptions {
       names = "--origin",
       paramLabel = "top|bottom",
       description =
-          "Where plain exports (CSV, NumPy, HDF5) count rows from; if not given, as their source.")
+          "Origin of the rows in plain exports (CSV, NumPy, HDF5); default: as in the " + "source.")
   Origin origin;
 
   /**
@@ -53,7 +53,7 @@ final class RecordingWritingOptions extends WritingOptions {
   void checkOrigin(RecordingFormat format) {
     if (origin != null && !format.hasEitherOrigin()) {
       throw wrong(
-          "--origin is about plain exports (CSV, NumPy, HDF5); rows of "
+          "--origin is for plain exports (CSV, NumPy, HDF5); rows of "
               + format.name()
               + " files count from where the format says");
     }
@@ -119,7 +119,7 @@ final class RecordingWritingOptions extends WritingOptions {
         .map(
             line ->
                 Quantities.text(
-                    "%s (%s came, %,d were written)",
+                    "%s (%s received, %,d written)",
                     line, Quantities.events(session.received()), session.written()));
   }
 

@@ -18,8 +18,8 @@ final class ReportOptions extends OptionGroup {
       names = "--report",
       paramLabel = "REPORT.html",
       description =
-          "One page with plots, pictures, settings, version and the command; it needs neither"
-              + " network nor scripts.")
+          "Write one page with plots, pictures, settings, version and the command, "
+              + "without network or scripts.")
   Path report;
 
   private RunReport gathered;
@@ -36,7 +36,7 @@ final class ReportOptions extends OptionGroup {
   /** Refuses a report of cameras: a page is about files that others can read again. */
   void requireRecording(boolean camera) {
     if (report != null && camera) {
-      throw wrong("--report is about a recording, not about a camera");
+      throw wrong("--report needs a recording, not a camera");
     }
   }
 

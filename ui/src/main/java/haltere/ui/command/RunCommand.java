@@ -39,45 +39,44 @@ import picocli.CommandLine.Parameters;
     footer = {"", "Example: haltere run recording.aedat4 --chain chain.json --out left.aedat4"},
     description = {
       "Run a saved chain of filters over a recording.",
-      "Without --out: say what each filter let through and what it cost. With --out: also write"
-          + " the events that are left, with frames, inertial samples and triggers where its"
-          + " format can hold them, and what the filters publish to tables beside them,"
-          + " named OUT.STAGE.OUTLET.csv."
+      "Prints for each filter the events passed and the processor time. With "
+          + "--out, also writes the remaining events, with frames, inertial samples and "
+          + "triggers if the format holds them. Results of the filters go to tables "
+          + "beside them, OUT.STAGE.OUTLET.csv."
     })
 final class RunCommand extends Subcommand {
   @Parameters(
       index = "0",
       arity = "0..1",
       paramLabel = "FILE",
-      description = "A recording, if not a camera (--device).")
+      description = "A recording, unless --device names a camera.")
   Path file;
 
   @Option(
       names = "--chain",
       required = true,
       paramLabel = "CHAIN.json",
-      description = "A chain that the viewer saved, or written by hand.")
+      description = "A chain of filters, saved by the viewer or written by hand.")
   Path chainFile;
 
   @Option(
       names = "--out",
       paramLabel = "OUT",
-      description = "Where the events that are left go; the format follows from the name's ending.")
+      description = "File for the remaining events; its ending gives the format.")
   Path out;
 
   @Option(
       names = "--speed",
       paramLabel = "FACTOR",
       description =
-          "As a camera would give it: 1 in real time, 0.1 ten times slower; as fast as possible if"
-              + " not given.")
+          "Playback speed: 1 is real time, 0.1 ten times slower; default: as fast as possible.")
   double speed = Double.POSITIVE_INFINITY;
 
   @Option(
       names = "--tables",
       paramLabel = "csv|parquet",
       defaultValue = Tables.CSV,
-      description = "Format of the tables of what the filters publish; csv if not given.")
+      description = "Format of the tables of results; default csv.")
   String tables;
 
   @Mixin CameraOptionsGroup cameras;

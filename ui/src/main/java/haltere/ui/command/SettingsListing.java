@@ -14,7 +14,7 @@ import picocli.CommandLine.Parameters;
 
 /** Lists what can be set: a name, a sentence, and a line for each setting; or all that as JSON. */
 abstract class SettingsListing extends Subcommand {
-  @Parameters(arity = "0..*", paramLabel = "NAME", description = "Only those of these names.")
+  @Parameters(arity = "0..*", paramLabel = "NAME", description = "List only these names.")
   List<String> names = List.of();
 
   @Option(

@@ -29,8 +29,7 @@ import picocli.CommandLine.Parameters;
     name = "simulate",
     footer = {"", "Example: haltere simulate fly fly.aedat4 --truth truth.csv"},
     description =
-        "Write a synthetic recording and its ground truth. The same settings make the same"
-            + " events.")
+        "Write a synthetic recording and its ground truth. The same settings give the same events.")
 final class SimulateCommand extends Subcommand {
   /** Length of a scene whose settings and options give none. */
   private static final long USUAL_DURATION_US = 10_000_000;
@@ -39,48 +38,52 @@ final class SimulateCommand extends Subcommand {
       index = "0",
       paramLabel = "SCENE",
       completionCandidates = SceneNames.class,
-      description = "The kind of scene: ${COMPLETION-CANDIDATES}.")
+      description = "The scene: ${COMPLETION-CANDIDATES}.")
   String sceneName;
 
   @Parameters(
       index = "1",
       paramLabel = "OUT",
-      description = "Where the recording goes; the format follows from the name's ending.")
+      description = "Output recording; its ending gives the format.")
   Path out;
 
-  @Option(names = "--truth", paramLabel = "TRUTH.csv", description = "Where the ground truth goes.")
+  @Option(
+      names = "--truth",
+      paramLabel = "TRUTH.csv",
+      description = "Output table of the ground truth.")
   Path truth;
 
   @Option(
       names = "--observations",
       paramLabel = "OBSERVATIONS.csv",
-      description = "Where goes what all cameras saw, for haltere orient; of the scene flight.")
+      description =
+          "Output table of the observations of all cameras, for haltere orient; scene flight only.")
   Path observations;
 
   @Option(
       names = "--cameras",
       paramLabel = "CAMERAS.json",
-      description = "Where the calibrated cameras go; of the scene flight.")
+      description = "Output file for the calibrated cameras; scene flight only.")
   Path cameras;
 
   @Option(
       names = "--set",
       paramLabel = "name=value",
       description =
-          "A setting of the scene; may be repeated. haltere scenes lists them; the last part of"
-              + " a name is enough where no other ends in it.")
+          "A setting of the scene; may be repeated. haltere scenes lists them; the "
+              + "last part of a name is enough if it is unique.")
   List<String> assignments = List.of();
 
   @Option(
       names = "--rate",
       paramLabel = "HZ",
-      description = "Rows of ground truth a second; if not given, as the scene's settings say.")
+      description = "Rows of ground truth per second; default: the scene's setting.")
   Double rateHz;
 
   @Option(
       names = "--duration",
       paramLabel = "S",
-      description = "Length in seconds; if not given, as the scene's settings say, else 10.")
+      description = "Length in seconds; default: the scene's setting, else 10.")
   Double durationS;
 
   @Mixin RecordingWritingOptions writing;

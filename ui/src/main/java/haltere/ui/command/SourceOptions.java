@@ -11,26 +11,26 @@ class SourceOptions extends OptionGroup {
       names = "--sensor",
       paramLabel = "WxH",
       converter = SensorConverter.class,
-      description = "The sensor's size where the file does not state it, such as 346x260.")
+      description = "The sensor's size if the file does not state it, such as 346x260.")
   SensorGeometry sensor;
 
   @Option(
       names = "--rows",
       paramLabel = "top|bottom",
       description =
-          "Where rows count from in a text, NumPy or HDF5 recording that does not say it; top if"
-              + " not given.")
+          "Origin of the rows in a text, NumPy or HDF5 recording that does not state "
+              + "it; default top.")
   Origin rows;
 
   @Option(
       names = "--topic",
       paramLabel = "NAME",
-      description = "Which of several topics of events in a bag is read, such as /dvs/events.")
+      description = "Topic to read from a bag with several topics of events, such as /dvs/events.")
   String topic;
 
   @Option(
       names = "--strict",
-      description = "A recording that is cut off or damaged is an error (status 1).")
+      description = "Treat a truncated or damaged recording as an error (status 1).")
   boolean strict;
 
   /** These options on top of others. */

@@ -52,14 +52,14 @@ abstract class Subcommand implements Callable<Integer> {
       order = 999,
       paramLabel = "FOLDER",
       description =
-          "Where jars with more filters, formats and scenes are; if not given: $HALTERE_EXTENSIONS,"
-              + " or the folder extensions beside the settings.")
+          "Folder of jars with more filters, formats and scenes; default: "
+              + "$HALTERE_EXTENSIONS, or the folder extensions beside the settings.")
   Path extensions;
 
   @Option(
       names = "--quiet",
       order = 1000,
-      description = "No progress bar and no messages; warnings and errors remain.")
+      description = "Hide the progress bar and messages; warnings and errors remain.")
   boolean quiet;
 
   @Option(names = "--debug", order = 1001, description = "Print the stack trace of an error.")

@@ -40,10 +40,10 @@ import picocli.CommandLine.Parameters;
     name = "track",
     footer = {"", "Example: haltere track cars.raw --out tracks.csv --report tracks.html"},
     description = {
-      "Track what moves in a recording or before a camera and write where it is, how fast, how"
-          + " large, and how sure that is.",
-      "A row for each visible object at each tick of the rate, from events before that time only;"
-          + " whether it is an object is decided up to 2 s later."
+      "Track moving objects in a recording or of a camera: position, velocity, "
+          + "extent and their standard deviations.",
+      "TRACKS has a row for each visible object at each tick of the rate, from "
+          + "earlier events only. An object is confirmed up to 2 s later."
     })
 final class TrackCommand extends Subcommand {
   private static final String OBJECTS = "object-tracker";
@@ -53,21 +53,21 @@ final class TrackCommand extends Subcommand {
       index = "0",
       arity = "0..1",
       paramLabel = "FILE",
-      description = "A recording, if not a camera (--device).")
+      description = "A recording, unless --device names a camera.")
   Path file;
 
   @Option(
       names = "--out",
       required = true,
       paramLabel = "TRACKS.csv",
-      description = "Where the table goes: CSV, or Parquet by its name, such as TRACKS.parquet.")
+      description = "Output table: CSV, or Parquet by its ending, such as TRACKS.parquet.")
   Path out;
 
   @Option(
       names = "--rate",
       paramLabel = "HZ",
       defaultValue = "100",
-      description = "Rows of each track a second of recording time; 100 if not given.")
+      description = "Rows of each track per second of recording time; default 100.")
   double rateHz;
 
   @Option(
@@ -78,7 +78,7 @@ final class TrackCommand extends Subcommand {
               + OBJECTS
               + " or "
               + CLUSTERS
-              + " gets the first at its end. If not given: "
+              + " gets the first at its end. Default: "
               + OBJECTS
               + " alone, which needs no noise filter.")
   Path chainFile;
@@ -106,10 +106,11 @@ final class TrackCommand extends Subcommand {
       names = "--road",
       paramLabel = "ROAD.json",
       description = {
-        "The road that the camera looks along: tracks are on it, and columns in metres are added."
-            + " Keys: bridgeHeightM, nearestM, farthestM, vanishingPoint {xPx, yPx}, lanes {lanes,"
-            + " leftEdgeM, widthM}, countingLines {lines, firstM, apartM}, vehicles (what is"
-            + " usual); all may be left out. Or any plane: four points {xPx, yPx, xM, yM}."
+        "Tracks objects on a road along the camera's view, with additional columns "
+            + "in metres. Keys, all optional: bridgeHeightM, nearestM, farthestM, "
+            + "vanishingPoint {xPx, yPx}, lanes {lanes, leftEdgeM, widthM}, countingLines "
+            + "{lines, firstM, apartM}, vehicles (prior). Or any plane: four points {xPx, "
+            + "yPx, xM, yM}."
       })
   Path roadFile;
 
@@ -117,8 +118,8 @@ final class TrackCommand extends Subcommand {
       names = "--crossings",
       paramLabel = "CROSSINGS.csv",
       description =
-          "Table of the tracks that crossed a counting line of the road (--road): time, lane,"
-              + " direction, speed and counts.")
+          "Table of crossings of the road's counting lines (--road): time, lane, "
+              + "direction, speed and counts.")
   Path crossings;
 
   @Mixin CameraOptionsGroup cameras;

@@ -25,8 +25,8 @@ final class ViewCommand extends Subcommand {
     }
     if (!display) {
       throw new CommandProblem(
-          "there is no display to open a window on: set DISPLAY, or use haltere info and haltere"
-              + " run, which need none");
+          "there is no display for a window: set DISPLAY, or use haltere info and "
+              + "haltere run, which need none");
     }
     ReadOptions options = reading.readOptions();
     openWindow(

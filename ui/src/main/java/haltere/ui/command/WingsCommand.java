@@ -34,9 +34,9 @@ import picocli.CommandLine.Parameters;
     name = "wings",
     footer = {"", "Example: haltere wings fly.aedat4 --out wings.csv --report wings.html"},
     description = {
-      "Track the wings of a tethered fly through a recording.",
-      "OUT has a row for each edge and each wing at each tick of the rate; the angle is the"
-          + " estimate at that time from events up to that time only."
+      "Track the wings of a tethered fly in a recording.",
+      "OUT has a row for each edge and each wing at each tick of the rate. The "
+          + "angle is the estimate at that time, from events up to that time only."
     })
 final class WingsCommand extends Subcommand {
   private static final String TRACKER = "wing-tracker";
@@ -45,7 +45,7 @@ final class WingsCommand extends Subcommand {
       index = "0",
       arity = "0..1",
       paramLabel = "FILE",
-      description = "A recording, if not a camera (--device).")
+      description = "A recording, unless --device names a camera.")
   Path file;
 
   @Option(
@@ -53,41 +53,42 @@ final class WingsCommand extends Subcommand {
       required = true,
       paramLabel = "WINGS.csv",
       description =
-          "Where the estimates go: CSV, or Parquet by its name, such as WINGS.parquet; so do the"
-              + " other tables.")
+          "Output table of the estimates: CSV, or Parquet by its ending, such as "
+              + "WINGS.parquet. The other tables follow the same rule.")
   Path out;
 
-  @Option(names = "--beats", paramLabel = "BEATS.csv", description = "Where the beats go.")
+  @Option(names = "--beats", paramLabel = "BEATS.csv", description = "Output table of the beats.")
   Path beats;
 
   @Option(
       names = "--pairs",
       paramLabel = "PAIRS.csv",
-      description = "Where left minus right, left plus right and the phase lag go.")
+      description = "Output table of left minus right, left plus right and the phase lag.")
   Path pairs;
 
   @Option(
       names = "--geometry",
       paramLabel = "GEO.json",
-      description = "Where body, heading and hinges go.")
+      description = "Output file for body, heading and hinges.")
   Path geometry;
 
   @Option(
       names = "--log",
       paramLabel = "LOG.txt",
-      description = "Where a log goes whose first lines explain it.")
+      description = "Output file for a log; its first lines explain it.")
   Path log;
 
   @Option(
       names = "--log-rows",
       paramLabel = "event|tick|beat",
-      description = "A row of the log for each event taken in, each tick (the default) or beat.")
+      description = "Rows of the log: one for each accepted event, tick (default) or beat.")
   WingLogFormat.Rows logRows = WingLogFormat.Rows.TICK;
 
   @Option(
       names = "--log-layout",
       paramLabel = "table|original",
-      description = "A table with commas (the default), or the original wing tracker's layout.")
+      description =
+          "Layout of the log: comma-separated (default), or that of the original wing tracker.")
   WingLogFormat.Layout logLayout = WingLogFormat.Layout.TABLE;
 
   @Option(
@@ -96,13 +97,13 @@ final class WingsCommand extends Subcommand {
       description = "Extended Kalman filter (the default) or weighted running average.")
   WingMethod method;
 
-  @Option(names = "--rate", paramLabel = "HZ", description = "Ticks a second; 1000 if not given.")
+  @Option(names = "--rate", paramLabel = "HZ", description = "Ticks per second; default 1000.")
   Double rateHz;
 
   @Option(
       names = "--initial-frequency",
       paramLabel = "HZ",
-      description = "The wing beat frequency, where it is known; it is found otherwise.")
+      description = "The wing beat frequency, if known; default: estimated.")
   Double initialHz;
 
   @Option(names = "--flip-heading", description = "Exchange head and tail.")
@@ -111,7 +112,7 @@ final class WingsCommand extends Subcommand {
   @Option(
       names = "--preset",
       paramLabel = "NAME",
-      description = "original: the method of 2006 with its defaults, for comparison.")
+      description = "original: the tracker of Cardinale (2006) with its defaults, for comparison.")
   String preset;
 
   @Option(

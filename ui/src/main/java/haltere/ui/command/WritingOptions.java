@@ -14,7 +14,7 @@ import picocli.CommandLine.Option;
 
 /** Options of every command that writes files, and the checks that come before the work. */
 class WritingOptions extends OptionGroup {
-  @Option(names = "--overwrite", description = "Replace output files that exist.")
+  @Option(names = "--overwrite", description = "Replace existing output files.")
   boolean overwrite;
 
   /**
@@ -28,7 +28,7 @@ class WritingOptions extends OptionGroup {
     }
     if (folder == null || !Files.isDirectory(folder)) {
       throw new CommandProblem(
-          output + ": there is no folder " + folder + "; make it, or choose another place");
+          output + ": there is no folder " + folder + "; create it, or choose another place");
     }
     Tables.problem(output)
         .ifPresent(
@@ -56,7 +56,7 @@ class WritingOptions extends OptionGroup {
         checkDifferent(input, output);
       }
       if (!seen.add(output.toAbsolutePath().normalize())) {
-        throw wrong(output + " is named for two outputs");
+        throw wrong(output + " is given for two outputs");
       }
     }
   }

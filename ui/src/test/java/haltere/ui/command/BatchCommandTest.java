@@ -89,7 +89,7 @@ class BatchCommandTest {
     CommandRun run = batch(out);
     assertEquals(0, run.status(), run.err());
     assertTrue(run.out().startsWith("4 recordings: 4 done"), run.out());
-    assertTrue(run.err().contains("1 files in the folders are no recordings"), run.err());
+    assertTrue(run.err().contains("1 files in the folders are not recordings"), run.err());
     assertEquals(
         List.of(
             "a.aedat/background-activity.shares.csv",

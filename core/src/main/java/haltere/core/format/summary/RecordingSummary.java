@@ -20,7 +20,7 @@ import java.util.Objects;
 import java.util.Set;
 
 /**
- * What a recording holds, found by reading it once from start to end.
+ * The summary of a recording from one pass.
  *
  * <p>Thread rule: immutable.
  *

@@ -1,2 +1,2 @@
-/** What one pass over a recording tells of it: counts, rates, gaps. */
+/** Summaries of a recording from one pass: counts, rates, gaps. */
 package haltere.core.format.summary;

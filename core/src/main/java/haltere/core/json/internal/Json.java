@@ -47,7 +47,7 @@ public final class Json {
    */
   public static Object read(Path file) throws IOException {
     if (Files.exists(file) && !Files.isRegularFile(file)) {
-      throw new JsonProblem(file + ": this is a folder, a pipe or a device, no file");
+      throw new JsonProblem(file + ": this is a folder, a pipe or a device, not a file");
     }
     if (Files.size(file) > MAX_BYTES) {
       throw new JsonProblem(
@@ -55,8 +55,8 @@ public final class Json {
     }
     try {
       return parse(Files.readString(file), file.toString());
-    } catch (CharacterCodingException notText) {
-      throw new JsonProblem(file + ": not a text in UTF-8");
+    } catch (CharacterCodingException ignored) {
+      throw new JsonProblem(file + ": this is not UTF-8 text");
     }
   }
 
@@ -72,7 +72,7 @@ public final class Json {
     String json = text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text;
     try (JsonParser parser = FACTORY.createParser(json)) {
       if (parser.nextToken() == null) {
-        throw new JsonProblem(name + ": there is nothing in it, a JSON value was expected");
+        throw new JsonProblem(name + ": it is empty, a JSON value was expected");
       }
       Object value = value(parser);
       if (parser.nextToken() != null) {

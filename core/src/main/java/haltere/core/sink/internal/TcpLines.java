@@ -62,7 +62,7 @@ final class TcpLines implements LineOutput {
         } else {
           refuse(socket);
         }
-      } catch (IOException notThisOne) {
+      } catch (IOException ignored) {
         // it has gone again, this output is being closed, or there are no more sockets for now
         LockSupport.parkNanos(REST_NANOS);
       }
@@ -83,7 +83,7 @@ final class TcpLines implements LineOutput {
   private void refuse(Socket socket) throws IOException {
     refused.incrementAndGet();
     try (socket) {
-      String place = MAX_RECEIVERS + " receivers are connected, and there may be no more";
+      String place = MAX_RECEIVERS + " receivers are connected, the maximum";
       socket.getOutputStream().write(protocol.refusal(place));
     }
   }
@@ -136,13 +136,13 @@ final class TcpLines implements LineOutput {
     closed = true;
     try {
       server.close();
-    } catch (IOException nothingToSave) {
+    } catch (IOException ignored) {
       // nobody can connect any more
     }
     receivers.forEach(TcpReceiver::finish);
     try {
       await();
-    } catch (InterruptedException hurried) {
+    } catch (InterruptedException ignored) {
       Thread.currentThread().interrupt();
     }
     receivers.forEach(TcpReceiver::abandon);

@@ -113,7 +113,7 @@ final class TcpReceiver {
         thread(this::listen, thread.getName() + "-in").start();
       }
       write(socket.getOutputStream());
-    } catch (IOException | InterruptedException gone) {
+    } catch (IOException | InterruptedException ignored) {
       // it does not want any more, or is not waited for
     } finally {
       left.accept(this);
@@ -147,7 +147,7 @@ final class TcpReceiver {
   private void listen() {
     try {
       peer.listen(bytes -> waiting.offer(new OutgoingLine(bytes, false)));
-    } catch (IOException gone) {
+    } catch (IOException ignored) {
       stop();
     }
   }
@@ -155,7 +155,7 @@ final class TcpReceiver {
   private void stop() {
     try {
       socket.close();
-    } catch (IOException nothingToSave) {
+    } catch (IOException ignored) {
       // it has gone
     }
     thread.interrupt();

@@ -40,7 +40,7 @@ final class UdpLines implements LineOutput {
     int sent = 0;
     try {
       sent = channel.send(ByteBuffer.wrap(line), target);
-    } catch (IOException unreachable) {
+    } catch (IOException ignored) {
       // as lost as a datagram on its way
     }
     if (sent == 0) {
@@ -62,7 +62,7 @@ final class UdpLines implements LineOutput {
   public void close() {
     try {
       channel.close();
-    } catch (IOException nothingToSave) {
+    } catch (IOException ignored) {
       // datagrams do not wait
     }
   }

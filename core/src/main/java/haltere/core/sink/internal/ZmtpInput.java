@@ -34,15 +34,15 @@ final class ZmtpInput {
   private final long deadlineNanos;
   private boolean unlimited;
 
-  /** Reads for so long at the most, unless that is lifted. */
+  /** Reads until a time limit, unless it is removed. */
   ZmtpInput(Socket socket, int limitMs) throws IOException {
     this.socket = socket;
     in = new BufferedInputStream(socket.getInputStream());
     deadlineNanos = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(limitMs);
   }
 
-  /** Lifts the limit of time. */
-  void waitForEver() throws IOException {
+  /** Removes the time limit of reads. */
+  void removeTimeLimit() throws IOException {
     unlimited = true;
     socket.setSoTimeout(0);
   }
@@ -93,7 +93,7 @@ final class ZmtpInput {
     }
     int next = in.read();
     if (next < 0) {
-      throw new EOFException("it has gone");
+      throw new EOFException("it disconnected");
     }
     return next;
   }

@@ -53,15 +53,15 @@ final class ZmtpPeer implements LineProtocol.Peer {
     ByteBuffer rest = ByteBuffer.wrap(in.read(GREETING_BYTES - VERSION_AT - 1));
     rest.position(MECHANISM_AT - VERSION_AT - 1);
     if (!ZmtpInput.text(rest, MECHANISM_BYTES).trim().equals(MECHANISM)) {
-      throw new ProtocolException("it wants to be authenticated");
+      throw new ProtocolException("it requires authentication");
     }
     byte[] ready = ZmtpProtocol.command("READY", property("Socket-Type", "PUB"));
     socket.getOutputStream().write(ready);
     ZmtpInput.Frame theirs = in.readFrame();
     if (!theirs.command().equals("READY") || !subscribes(ByteBuffer.wrap(theirs.data()))) {
-      throw new ProtocolException("it is no subscriber");
+      throw new ProtocolException("it is not a subscriber");
     }
-    in.waitForEver();
+    in.removeTimeLimit();
   }
 
   private static byte[] greeting() {

@@ -43,7 +43,7 @@ class JsonTest {
     assertProblem("x.json, line 1, column ", "[NaN]");
     assertProblem("x.json, line 3, column ", "[\n1,\n");
     assertProblem("x.json, line 2: text follows the end of the JSON value", "{}\n{}");
-    assertProblem("x.json: there is nothing in it, a JSON value was expected", " \n");
+    assertProblem("x.json: it is empty, a JSON value was expected", " \n");
     assertProblem("x.json, line 1, column ", "[".repeat(100_000));
   }
 
@@ -65,6 +65,6 @@ class JsonTest {
     Path file = folder.resolve("x.json");
     Files.write(file, "[\"ü\"]".getBytes(StandardCharsets.ISO_8859_1));
     JsonProblem problem = assertThrows(JsonProblem.class, () -> Json.read(file));
-    assertEquals(file + ": not a text in UTF-8", problem.getMessage());
+    assertEquals(file + ": this is not UTF-8 text", problem.getMessage());
   }
 }

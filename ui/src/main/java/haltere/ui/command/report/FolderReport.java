@@ -71,7 +71,7 @@ public record FolderReport(Path folder, RecordingJob.ChainMaker chains, ReadOpti
               .map(failure -> List.of(failure.item().name(), failure.cause()))
               .toList());
     }
-    page.section("What was read");
+    page.section("Input");
     page.table(
         List.of("", "recording", "format", "sensor", "events", "rows", "warnings", "SHA-256"),
         IntStream.range(0, done.size()).mapToObj(i -> row(i + 1, results.get(i))).toList());

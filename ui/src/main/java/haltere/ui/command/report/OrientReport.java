@@ -42,7 +42,7 @@ public final class OrientReport implements BiConsumer<String, OrientationEstimat
       Map<String, String> read,
       OrientationSettings settings,
       List<String> summary) {
-    page.section("What was read");
+    page.section("Input");
     page.facts(read);
     page.section("Settings that differ from their defaults");
     List<String> differing = ChainTable.differing(settings);

@@ -150,7 +150,7 @@ public final class ReportPage {
 
   /** Adds how to do it again: the program's version, and the command as a shell reads it. */
   public void addCommand(String version, String command) {
-    section("How to do it again");
+    section("How to repeat it");
     text(List.of(command));
     facts(Map.of("Version", version));
   }

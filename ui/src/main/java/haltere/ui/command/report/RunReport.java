@@ -108,7 +108,7 @@ public final class RunReport implements JobResults {
       read.put("Also", job.samples().toString());
     }
     read.put("Warnings", job.warnings().isEmpty() ? "none" : String.join("\n", job.warnings()));
-    page.section("What was read");
+    page.section("Input");
     page.facts(read);
     page.section("Chain");
     page.table(ChainTable.HEADER, stages);

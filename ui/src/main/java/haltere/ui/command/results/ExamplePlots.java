@@ -58,7 +58,7 @@ public final class ExamplePlots {
     double[] plain = all.column("plain_frequency_rad_s");
     SvgPlot both = SvgPlot.around(all.t, all.column("frequency_rad_s"), plain);
     both.line("linearised once", RED, all.t, plain);
-    all.band(both, "linearised anew, ± 1 SD", BLUE, "frequency_rad_s");
+    all.band(both, "iterated, ± 1 SD", BLUE, "frequency_rad_s");
     all.put("linearisation", both, "Frequency by two filters", "ω (rad/s)");
     all.gains("gain_s", "gain_v_per_s", "gain_damping_per_m", "gain_frequency_rad_s_m");
     all.plots.put("integrators", integrators());

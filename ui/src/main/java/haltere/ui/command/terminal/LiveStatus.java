@@ -54,7 +54,7 @@ public final class LiveStatus extends TerminalLine {
         ? most
         : most
             + Quantities.text(
-                ", %d waiting, half within %d us",
+                ", %d waiting, median latency %d us",
                 statistics.waiting(), statistics.medianLatencyUs());
   }
 }

@@ -18,7 +18,7 @@ public final class StandardOutput extends OutputStream {
 
     /** Nothing is said here: the process says it once, at its end. */
     public Gone() {
-      super("the standard output takes no more");
+      super("the standard output is closed");
     }
 
     /** Whether a failure or one of its causes is of this class. */

@@ -54,7 +54,7 @@ class LiveStatusTest {
       status.show();
 
       assertTrue(screen().startsWith("\r1:01  simulated:fly "), screen());
-      assertTrue(screen().contains("ev/s, 0 lost, 0 waiting, half within "), screen());
+      assertTrue(screen().contains("ev/s, 0 lost, 0 waiting, median latency "), screen());
       int length = screen().length();
       status.show();
       assertEquals(length, screen().length(), "not twice within a tenth of a second");

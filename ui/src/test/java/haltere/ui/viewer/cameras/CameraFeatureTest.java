@@ -185,7 +185,7 @@ class CameraFeatureTest {
       }
       harness.run(() -> feature.start("nonsense"));
       harness.waitFor(
-          "the problem", () -> harness.text("status-message").contains("is no address"));
+          "the problem", () -> harness.text("status-message").contains("is not an address"));
     }
   }
 }

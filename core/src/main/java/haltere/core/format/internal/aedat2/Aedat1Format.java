@@ -85,7 +85,7 @@ public final class Aedat1Format implements RecordingFormat {
     AedatHeader header = AedatReader.header(bytes);
     List<String> remarks = new ArrayList<>();
     if (header.version().isEmpty()) {
-      remarks.add("there is no line #!AER-DAT1.0; it is read as AEDAT-1.0 of a DVS128");
+      remarks.add("the line #!AER-DAT1.0 is missing; it is read as AEDAT-1.0 of a DVS128");
     } else if (header.version().getAsInt() != 1) {
       throw new RecordingProblem(
           bytes.path(),

@@ -66,7 +66,7 @@ public final class Aedat2Format implements RecordingFormat {
     AedatHeader header = AedatReader.header(bytes);
     List<String> remarks = new ArrayList<>();
     if (header.version().isEmpty()) {
-      remarks.add("there is no line #!AER-DAT2.0; it is read as AEDAT-2.0 all the same");
+      remarks.add("the line #!AER-DAT2.0 is missing; it is still read as AEDAT-2.0");
     } else if (header.version().getAsInt() != 2) {
       throw new RecordingProblem(
           bytes.path(),

@@ -10,6 +10,7 @@ import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.clock.WrittenClock;
 import haltere.core.format.internal.decoding.HeaderText;
 import haltere.core.format.internal.decoding.OutputBuffer;
+import haltere.core.format.internal.decoding.WriterLosses;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -62,7 +63,7 @@ final class Aedat2Writer implements RecordingWriter {
           path,
           "a sensor of "
               + geometry
-              + " does not fit into AEDAT-2.0, which has room for "
+              + " does not fit into AEDAT-2.0, whose limit is "
               + DavisAddressDecoder.MAX_WIDTH
               + "x"
               + DavisAddressDecoder.MAX_HEIGHT
@@ -162,10 +163,7 @@ final class Aedat2Writer implements RecordingWriter {
 
   @Override
   public List<String> losses() {
-    List<String> lines = new ArrayList<>();
-    if (outside > 0) {
-      lines.add(outside + " events outside of " + geometry + " were left out");
-    }
+    List<String> lines = new ArrayList<>(WriterLosses.outside(outside, geometry));
     if (clock != null) {
       clock.loss().ifPresent(lines::add);
     }

@@ -33,7 +33,7 @@ final class AedatReader {
       }
     }
     throw new RecordingProblem(
-        file.path(), MAX_HEADER, "the text header goes on and on; this is no AEDAT recording");
+        file.path(), MAX_HEADER, "the text header does not end; this is not an AEDAT recording");
   }
 
   static RecordingReader open(

@@ -78,7 +78,7 @@ record AedatSensor(Layout layout, SensorGeometry geometry, List<String> remarks)
           file.path(),
           "its camera "
               + chip
-              + " is a silicon cochlea, no retina; --format aedat2 reads its words as pixels");
+              + " is a silicon cochlea, not a retina; --format aedat2 reads its words as pixels");
     }
     Optional<SensorGeometry> chipSize =
         DAVIS_CHIPS.entrySet().stream()
@@ -112,8 +112,8 @@ record AedatSensor(Layout layout, SensorGeometry geometry, List<String> remarks)
             file.path(),
             String.format(
                 Locale.ROOT,
-                "%s, and its addresses are no events of a DVS128 or a DAVIS (%.0f %% of them fit a %s);"
-                    + " name the sensor with --sensor WxH, or the --format",
+                "%s, and its addresses are not events of a DVS128 or a DAVIS (%.0f %% of "
+                    + "them fit a %s); name the sensor with --sensor WxH, or the --format",
                 unknown,
                 100 * evidence.explained(layout),
                 camera));
@@ -136,7 +136,7 @@ record AedatSensor(Layout layout, SensorGeometry geometry, List<String> remarks)
     }
     SensorGeometry guess = evidence.smallest(DAVIS_SIZES);
     remarks.add(
-        "the header does not say how large the sensor is; "
+        "the header does not state the sensor's size; "
             + guess
             + " was taken from the addresses (--sensor WxH states it)");
     return new AedatSensor(layout, guess, remarks);

@@ -74,7 +74,7 @@ public final class Aedat3Format implements RecordingFormat {
     Aedat3Header header = Aedat3Header.read(file);
     List<String> remarks = new ArrayList<>();
     if (header.version().isEmpty()) {
-      remarks.add("there is no line #!AER-DAT3.1; it is read as AEDAT-3.1 all the same");
+      remarks.add("the line #!AER-DAT3.1 is missing; it is still read as AEDAT-3.1");
     } else if (!header.isVersion3()) {
       throw new RecordingProblem(
           file.path(), "the header says AEDAT-" + header.version() + ", not 3; leave out --format");
@@ -82,7 +82,7 @@ public final class Aedat3Format implements RecordingFormat {
     if (!header.format().isEmpty()) {
       throw new RecordingProblem(
           file.path(),
-          "its packets are packed as "
+          "its packets are compressed as "
               + header.format()
               + ", which is not known; record it again as RAW");
     }
@@ -114,7 +114,7 @@ public final class Aedat3Format implements RecordingFormat {
     try (EventCursor cursor = cursor(file, header, any, new ViolationCounts())) {
       SensorGeometry guess = SensorGuess.of(cursor, Origin.TOP);
       remarks.add(
-          "the header does not say how large the sensor is; "
+          "the header does not state the sensor's size; "
               + guess
               + " was taken from the events (--sensor WxH states it)");
       return guess;

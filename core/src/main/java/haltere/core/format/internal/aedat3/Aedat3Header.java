@@ -44,7 +44,7 @@ record Aedat3Header(
     Aedat3Header header = parse(bytes, bytes.length == file.size());
     if (header.cutOff && bytes.length < file.size()) {
       throw new RecordingProblem(
-          file.path(), MAX_BYTES, "the text header goes on and on; this is no AEDAT recording");
+          file.path(), MAX_BYTES, "the text header does not end; this is not an AEDAT recording");
     }
     return header;
   }

@@ -142,7 +142,8 @@ public final class Aedat4Format implements RecordingFormat {
 
     RecordingReader open(OptionalInt wanted) throws IOException {
       if (!header.described()) {
-        remarks.add("the description of the streams is damaged; packets are told by their content");
+        remarks.add(
+            "the description of the streams is damaged; packets are recognised by their content");
       }
       List<Aedat4Stream> events = header.streams().stream().filter(Aedat4Stream::isEvents).toList();
       int stream = wanted.isPresent() ? wanted.getAsInt() : first(events);
@@ -251,7 +252,7 @@ public final class Aedat4Format implements RecordingFormat {
       }
       SensorGeometry guess = guess(stream, origin);
       remarks.add(
-          "the header does not say how large the sensor is; "
+          "the header does not state the sensor's size; "
               + guess
               + " was taken from the events (--sensor WxH states it)");
       return guess;

@@ -6,6 +6,7 @@ import haltere.core.event.SensorSample;
 import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.decoding.WriterLosses;
 import haltere.core.format.internal.packed.LittleEndian;
 import java.io.Closeable;
 import java.io.IOException;
@@ -206,14 +207,11 @@ public final class Aedat4Writer implements RecordingWriter {
 
   @Override
   public List<String> losses() {
-    List<String> lines = new ArrayList<>();
-    if (payload.outside() > 0) {
-      lines.add(payload.outside() + " events outside of " + geometry + " were left out");
-    }
+    List<String> lines = new ArrayList<>(WriterLosses.outside(payload.outside(), geometry));
     if (samples.channelsLost() > 0) {
       lines.add(
           samples.channelsLost()
-              + " triggers are of other inputs than the first, which the format does not tell");
+              + " triggers are of other inputs than the first, which the format does not store");
     }
     return lines;
   }

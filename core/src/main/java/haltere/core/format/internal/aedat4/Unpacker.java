@@ -54,7 +54,7 @@ final class Unpacker {
     int at = size < 4 ? -1 : window.require(offset, 4);
     Aedat4Compression packing = at < 0 ? null : packing(window.bytes(), at, size);
     if (packing == null) {
-      throw new DamagedPacketException("a packet of no known packing");
+      throw new DamagedPacketException("a packet of an unknown compression");
     }
     if (packing.isLz4()) {
       lz4 = lz4 == null ? new Lz4Payload(window) : lz4;

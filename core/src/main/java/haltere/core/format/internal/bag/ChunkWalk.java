@@ -152,7 +152,7 @@ abstract class ChunkWalk implements MessageWalk {
         zstd = zstd == null ? new ZstdPayload(window) : zstd;
         return zstd;
       }
-      default -> throw new DamagedPacketException("a chunk of no known packing");
+      default -> throw new DamagedPacketException("a chunk of an unknown compression");
     }
   }
 

@@ -38,8 +38,8 @@ public final class McapFormat implements RecordingFormat {
   @Override
   public ProbeResult probe(FileHead head) {
     return McapIndex.isMcap(head.head())
-        ? new ProbeResult(Support.CERTAIN, "it begins as MCAP files do")
-        : new ProbeResult(Support.NONE, "it does not begin as MCAP files do");
+        ? new ProbeResult(Support.CERTAIN, "it starts with the signature of MCAP")
+        : new ProbeResult(Support.NONE, "it does not start with the signature of MCAP");
   }
 
   @Override

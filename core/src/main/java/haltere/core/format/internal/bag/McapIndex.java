@@ -56,7 +56,7 @@ final class McapIndex {
       throws IOException {
     if (!isMcap(file.read(0, MAGIC.length))) {
       throw new RecordingProblem(
-          file.path(), "it does not begin as MCAP files do; leave out --format");
+          file.path(), "it does not start with the signature of MCAP; leave out --format");
     }
     McapIndex index = new McapIndex(file.size(), topics);
     long footerAt = file.size() - MAGIC.length - FOOTER_BYTES;

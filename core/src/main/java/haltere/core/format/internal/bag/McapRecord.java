@@ -61,7 +61,7 @@ final class McapRecord {
     left = bytes;
     payload.use(HEAD_BYTES);
     if (kind == 0 || bytes < 0) {
-      throw new DamagedPacketException("a record of no known kind");
+      throw new DamagedPacketException("a record of an unknown type");
     }
     return true;
   }

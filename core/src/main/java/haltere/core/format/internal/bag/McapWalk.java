@@ -134,7 +134,7 @@ final class McapWalk extends ChunkWalk {
           record.pass();
         }
         case McapRecord.SCHEMA, McapRecord.CHANNEL -> index.schemas().read(record);
-        default -> throw new DamagedPacketException("a record of no known kind in a chunk");
+        default -> throw new DamagedPacketException("a record of an unknown type in a chunk");
       }
       recordAt = after;
     }

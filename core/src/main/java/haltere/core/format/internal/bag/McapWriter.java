@@ -7,12 +7,12 @@ import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.decoding.WriterLosses;
 import haltere.core.format.internal.packed.LittleEndian;
 import haltere.core.format.internal.packed.ZstdPacker;
 import java.io.IOException;
 import java.lang.invoke.VarHandle;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -128,8 +128,8 @@ final class McapWriter implements RecordingWriter {
         path,
         "an event at "
             + timeUs
-            + " us is more than 68 years from 0, which messages of ROS 2 cannot say;"
-            + " choose another format");
+            + " us is more than 68 years from 0, the limit of ROS 2 messages; choose "
+            + "another format");
   }
 
   private void startMessage(long timeUs) throws IOException {
@@ -176,11 +176,7 @@ final class McapWriter implements RecordingWriter {
 
   @Override
   public List<String> losses() {
-    List<String> lines = new ArrayList<>();
-    if (outside > 0) {
-      lines.add(outside + " events outside of " + geometry + " were left out");
-    }
-    return lines;
+    return WriterLosses.outside(outside, geometry);
   }
 
   @Override

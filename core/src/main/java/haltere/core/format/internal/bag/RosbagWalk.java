@@ -48,7 +48,7 @@ final class RosbagWalk extends ChunkWalk {
         RosbagRecord record = RosbagRecord.read(records);
         int kind = record == null ? -1 : record.kind();
         if (kind < RosbagRecord.MESSAGE || kind > RosbagRecord.CONNECTION) {
-          throw new DamagedPacketException("a record of no known kind");
+          throw new DamagedPacketException("a record of an unknown type");
         }
         long data = next + record.headerBytes();
         if (kind == RosbagRecord.CHUNK) {
@@ -89,7 +89,7 @@ final class RosbagWalk extends ChunkWalk {
           payload().skip(record.dataBytes());
         }
         case RosbagRecord.CONNECTION -> record.readConnection(payload(), topics);
-        default -> throw new DamagedPacketException("a record of no known kind in a chunk");
+        default -> throw new DamagedPacketException("a record of an unknown type in a chunk");
       }
       recordAt = data + record.dataBytes();
     }

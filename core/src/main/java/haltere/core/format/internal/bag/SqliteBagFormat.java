@@ -47,7 +47,7 @@ public final class SqliteBagFormat implements RecordingFormat {
   @Override
   public ProbeResult probe(FileHead head) {
     if (!head.startsWith(SqliteFile.MAGIC)) {
-      return new ProbeResult(Support.NONE, "it does not begin as SQLite files do");
+      return new ProbeResult(Support.NONE, "it does not start with the signature of SQLite");
     }
     return head.extension().equals("db3")
         ? new ProbeResult(Support.CERTAIN, "it is an SQLite file named as bags are")
@@ -87,7 +87,7 @@ public final class SqliteBagFormat implements RecordingFormat {
       rows(topicsRoot, this::readTopic);
       Path log = Path.of(bytes.path() + "-wal");
       if (Files.isRegularFile(log) && Files.size(log) > 0) {
-        remarks.add("what is in " + log.getFileName() + " is not read; have ROS close the bag");
+        remarks.add("the content of " + log.getFileName() + " is not read; have ROS close the bag");
       }
       long first = firstFrom(Long.MIN_VALUE);
       long last = last(first);

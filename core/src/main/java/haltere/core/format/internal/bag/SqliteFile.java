@@ -33,7 +33,7 @@ final class SqliteFile {
         new String(header, 0, Math.min(header.length, MAGIC.length()), StandardCharsets.ISO_8859_1);
     if (header.length < HEADER_BYTES || !magic.equals(MAGIC)) {
       throw new RecordingProblem(
-          file.path(), "it does not begin as SQLite files do; leave out --format");
+          file.path(), "it does not start with the signature of SQLite; leave out --format");
     }
     ByteBuffer numbers = ByteBuffer.wrap(header);
     int size = numbers.getShort(16) & 0xffff;

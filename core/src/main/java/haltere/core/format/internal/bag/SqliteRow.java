@@ -131,7 +131,7 @@ final class SqliteRow extends Payload {
     }
     long type = types[column++];
     if (type < 0 || type == 10 || type == 11) {
-      throw new DamagedPacketException("a value of no known type");
+      throw new DamagedPacketException("a value of an unknown type");
     }
     return type;
   }

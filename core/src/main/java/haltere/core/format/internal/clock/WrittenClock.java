@@ -87,7 +87,7 @@ public final class WrittenClock {
         ? Optional.empty()
         : Optional.of(
             leaps
-                + " leaps of time are too long for the format's 32-bit clock;"
-                + " the times behind them read back shifted");
+                + " jumps of time are too long for the format's 32-bit clock; later times read "
+                + "back shifted");
   }
 }

@@ -67,7 +67,7 @@ public final class CsvFormat implements RecordingFormat {
   public ProbeResult probe(FileHead head) {
     Optional<CsvLayout> layout = CsvLayout.of(head.head());
     if (layout.isEmpty()) {
-      return new ProbeResult(Support.NONE, "it is no text of times, columns and rows");
+      return new ProbeResult(Support.NONE, "it is not text with times, columns and rows");
     }
     return layout.get().named()
         ? new ProbeResult(Support.CERTAIN, "it is text and names its columns")
@@ -92,11 +92,11 @@ public final class CsvFormat implements RecordingFormat {
                 () ->
                     new RecordingProblem(
                         file.path(),
-                        "it is no text of events: name the columns in a first line, such as"
-                            + " t_us,x,y,on"));
+                        "it is not a text of events: name the columns in a first line, such as "
+                            + "t_us,x,y,on"));
     List<String> remarks = new ArrayList<>();
     if (!layout.named()) {
-      remarks.add("nothing names the columns; they are taken for " + layout.roles());
+      remarks.add("no line names the columns; they are read as " + layout.roles());
     }
     Origin origin = SensorGuess.origin(Optional.empty(), options, remarks);
     SensorGeometry size = size(file, layout, options, remarks);
@@ -121,14 +121,8 @@ public final class CsvFormat implements RecordingFormat {
       return options.sensor().get();
     }
     file.requireFile(SensorGuess.ADVICE);
-    SensorGeometry guess =
-        SensorGuess.smallest(
-                cursor(file, layout, SensorGuess.square(MAX_SIDE), new ViolationCounts()),
-                MAX_SIDE,
-                SensorGuess.USUAL_SIZES)
-            .orElse(SensorGuess.top(1, 1));
-    remarks.add(SensorGuess.remark(guess));
-    return guess;
+    return SensorGuess.usual(
+        sensor -> cursor(file, layout, sensor, new ViolationCounts()), MAX_SIDE, remarks);
   }
 
   private static EventCursor cursor(

@@ -147,7 +147,7 @@ record CsvLayout(
     try {
       int size = Integer.parseInt(field);
       return size >= 1 && size <= 32768 ? size : 0;
-    } catch (NumberFormatException noNumber) {
+    } catch (NumberFormatException ignored) {
       return 0;
     }
   }
@@ -156,7 +156,7 @@ record CsvLayout(
     try {
       Double.parseDouble(field);
       return true;
-    } catch (NumberFormatException noNumber) {
+    } catch (NumberFormatException ignored) {
       return false;
     }
   }

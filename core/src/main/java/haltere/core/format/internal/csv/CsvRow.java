@@ -230,7 +230,7 @@ final class CsvRow {
           && Math.abs((long) exact.scale()) <= MAX_SCALE) {
         return exact.scaleByPowerOfTen(scale).setScale(0, RoundingMode.HALF_UP).longValueExact();
       }
-    } catch (ArithmeticException | NumberFormatException noNumber) {
+    } catch (ArithmeticException | NumberFormatException ignored) {
       // Told below.
     }
     invalid = true;

@@ -18,8 +18,8 @@ final class CsvWriter implements RecordingWriter {
   private static final int MAX_ROW = 64;
 
   private static final String ROWS_UP =
-      "rows count from the bottom, as in the source; most programs, this one too, take those of"
-          + " text to count from the top: --origin top writes them so";
+      "rows count from the bottom, as in the source; most programs, including this "
+          + "one, read text from the top: use --origin top for these";
 
   private final AtomicFile file;
   private final SensorGeometry geometry;

@@ -104,14 +104,14 @@ public final class DatFormat implements RecordingFormat {
       throw new RecordingProblem(
           file.path(),
           header.dataOffset(),
-          "events of the kind "
+          "events of type "
               + (kind[0] & 0xff)
-              + " are no pixel events; only the kinds 0 (2D) and 12 (CD) are read");
+              + " are not pixel events; only types 0 (2D) and 12 (CD) are read");
     } else if (kind[1] != DatDecoder.RECORD_BYTES) {
       throw new RecordingProblem(
           file.path(),
           header.dataOffset() + 1L,
-          "events of " + (kind[1] & 0xff) + " bytes are not known; they have 8");
+          "events of " + (kind[1] & 0xff) + " bytes are unknown; they have 8");
     }
     List<String> remarks = new ArrayList<>();
     DatDecoder.Layout layout =
@@ -161,10 +161,10 @@ public final class DatFormat implements RecordingFormat {
       if (Math.abs(baseUs) <= MAX_BASE_US) {
         return baseUs;
       }
-    } catch (NumberFormatException noNumber) {
+    } catch (NumberFormatException ignored) {
       // Told below.
     }
-    remarks.add("the header line " + TIME_BASE + " cannot be true and is passed over");
+    remarks.add("the header line " + TIME_BASE + " is impossible and is ignored");
     return 0;
   }
 

@@ -9,6 +9,7 @@ import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.clock.WrittenClock;
 import haltere.core.format.internal.decoding.HeaderText;
 import haltere.core.format.internal.decoding.OutputBuffer;
+import haltere.core.format.internal.decoding.WriterLosses;
 import haltere.core.format.internal.evt.PropheseeHeader;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -42,8 +43,8 @@ final class DatWriter implements RecordingWriter {
           path,
           "a sensor of "
               + geometry
-              + " does not fit into DAT, which has room for 16384x16384;"
-              + " choose another format or cut out a region");
+              + " does not fit into DAT, whose limit is 16384x16384; choose another format "
+              + "or cut out a region");
     }
     this.options = options;
     width = geometry.width();
@@ -135,13 +136,10 @@ final class DatWriter implements RecordingWriter {
 
   @Override
   public List<String> losses() {
-    List<String> lines = new ArrayList<>();
-    if (outside > 0) {
-      lines.add(outside + " events outside of " + options.geometry() + " were left out");
-    }
+    List<String> lines = new ArrayList<>(WriterLosses.outside(outside, options.geometry()));
     if (narrowed > 0) {
       lines.add(
-          "the format's times have 32 bits: other programs read those of about "
+          "the format's times have 32 bits: other programs read the times of about "
               + narrowed
               + " events less a multiple of 4294967296 us");
     }

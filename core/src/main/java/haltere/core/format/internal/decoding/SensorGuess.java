@@ -27,7 +27,7 @@ public final class SensorGuess {
           top(1280, 720));
 
   /** What a user does whose stream does not say how large its sensor is. */
-  public static final String ADVICE = "say how large the sensor is with --sensor WxH";
+  public static final String ADVICE = "state the sensor's size with --sensor WxH";
 
   private SensorGuess() {}
 
@@ -80,7 +80,7 @@ public final class SensorGuess {
   public static Origin origin(Optional<Origin> stated, ReadOptions options, List<String> remarks) {
     Optional<Origin> known = stated.or(options::origin);
     if (known.isEmpty()) {
-      remarks.add("rows are taken to count from the top (--rows bottom says otherwise)");
+      remarks.add("rows are read from the top (--rows bottom changes that)");
     }
     return known.orElse(Origin.TOP);
   }
@@ -114,6 +114,35 @@ public final class SensorGuess {
             .orElse(top(width, height)));
   }
 
+  /** Opens a recording's events. */
+  @FunctionalInterface
+  public interface Opening {
+    /**
+     * Opens the events as those of a sensor.
+     *
+     * @param sensor of any size; rows count from the top
+     * @return a cursor at the first event
+     * @throws IOException if the file cannot be read
+     */
+    EventCursor open(SensorGeometry sensor) throws IOException;
+  }
+
+  /**
+   * Chooses the smallest usual sensor by the events, and tells the user.
+   *
+   * @param events of the recording
+   * @param side the most columns and rows of the format
+   * @param remarks gets a line about the choice
+   * @return a sensor whose rows count from the top; a single pixel without events
+   * @throws IOException if the file cannot be read
+   */
+  public static SensorGeometry usual(Opening events, int side, List<String> remarks)
+      throws IOException {
+    SensorGeometry guess = smallest(events.open(square(side)), side, USUAL_SIZES).orElse(top(1, 1));
+    remarks.add(remark(guess));
+    return guess;
+  }
+
   /**
    * The largest sensor of a format, to look for events of any smaller one.
    *
@@ -144,6 +173,6 @@ public final class SensorGuess {
   public static String remark(SensorGeometry guess) {
     return "no size is stated; "
         + guess
-        + " is the smallest usual one that holds the events (--sensor WxH tells it sooner)";
+        + " is the smallest usual one that holds the events (--sensor WxH saves the search)";
   }
 }

@@ -71,18 +71,18 @@ public final class EventStreamFormat implements RecordingFormat {
             .orElseThrow(
                 () ->
                     new RecordingProblem(
-                        file.path(), "there is no whole header of an Event Stream"));
+                        file.path(), "the header of the Event Stream is incomplete"));
     if (header.version() != 2) {
       throw new RecordingProblem(
           file.path(),
           EventStreamHeader.MAGIC.length,
-          "version " + header.version() + " of Event Stream is not known, only 2");
+          "version " + header.version() + " of Event Stream is unknown, only 2 is read");
     }
     List<String> remarks = new ArrayList<>();
     EventStreamDecoder.Kind kind = kind(file, header);
     SensorGeometry geometry = geometry(file, header, kind, options);
     if (kind == EventStreamDecoder.Kind.GENERIC || kind == EventStreamDecoder.Kind.COLOUR) {
-      remarks.add("its messages are no pixel events with a polarity; there is nothing to show");
+      remarks.add("its messages are not pixel events with a polarity");
     }
     return new DecodingReader(
         name(),
@@ -111,7 +111,7 @@ public final class EventStreamFormat implements RecordingFormat {
           throw new RecordingProblem(
               file.path(),
               EventStreamHeader.MAGIC.length + 3L,
-              "events of the kind " + header.kind() + " are not known");
+              "events of type " + header.kind() + " are not known");
     };
   }
 
@@ -132,7 +132,7 @@ public final class EventStreamFormat implements RecordingFormat {
       throw new RecordingProblem(
           file.path(),
           EventStreamHeader.MAGIC.length + 4L,
-          "the header's size " + header.width() + "x" + header.height() + " cannot be true");
+          "the header's size " + header.width() + "x" + header.height() + " is impossible");
     }
     return new SensorGeometry(header.width(), header.height(), Origin.TOP);
   }

@@ -6,6 +6,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.decoding.OutputBuffer;
+import haltere.core.format.internal.decoding.WriterLosses;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -115,18 +116,16 @@ final class EventStreamWriter implements RecordingWriter {
 
   @Override
   public List<String> losses() {
-    List<String> lines = new ArrayList<>();
-    if (outside > 0) {
-      lines.add(outside + " events outside of " + geometry + " were left out");
-    }
+    List<String> lines = new ArrayList<>(WriterLosses.outside(outside, geometry));
     if (startShiftUs != 0) {
-      lines.add("the format's clock begins at 0: all times read back less " + startShiftUs + " us");
+      lines.add(
+          "the format's clock starts at 0: all times read back smaller by " + startShiftUs + " us");
     }
     if (leaps > 0) {
       lines.add(
           leaps
-              + " leaps of time, back or by more than a day, do not fit the format's clock;"
-              + " the times behind them read back shifted");
+              + " jumps of time, back or by more than a day, do not fit the format's clock; "
+              + "later times read back shifted");
     }
     return lines;
   }

@@ -78,7 +78,8 @@ public final class Evt21Format extends EvtFormat {
     boolean swapped =
         Evt21Decoder.plausibleWords(start, 0, true) > Evt21Decoder.plausibleWords(start, 0, false);
     if (swapped) {
-      remarks.add("the header does not say so, but the halves of the words are swapped (legacy)");
+      remarks.add(
+          "the halves of the words are swapped (legacy), which the header does not " + "state");
     }
     return new Evt21Format(swapped);
   }

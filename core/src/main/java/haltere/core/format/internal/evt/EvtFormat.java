@@ -151,10 +151,10 @@ abstract sealed class EvtFormat implements RecordingFormat
       if (Math.abs(baseUs) <= MAX_BASE_US) {
         return baseUs;
       }
-    } catch (NumberFormatException noNumber) {
+    } catch (NumberFormatException ignored) {
       // Told below.
     }
-    remarks.add("the header line " + TIME_BASE + " cannot be true and is passed over");
+    remarks.add("the header line " + TIME_BASE + " is impossible and is ignored");
     return 0;
   }
 }

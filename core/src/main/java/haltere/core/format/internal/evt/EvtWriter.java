@@ -9,6 +9,7 @@ import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.decoding.HeaderText;
 import haltere.core.format.internal.decoding.OutputBuffer;
+import haltere.core.format.internal.decoding.WriterLosses;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -59,8 +60,8 @@ abstract sealed class EvtWriter implements RecordingWriter
           path,
           "a sensor of "
               + geometry
-              + " does not fit into EVT words, which have room for 2048x2048;"
-              + " choose another format or cut out a region");
+              + " does not fit into EVT words, whose limit is 2048x2048; choose another "
+              + "format or cut out a region");
     }
     this.options = options;
     this.reader = reader;
@@ -181,21 +182,16 @@ abstract sealed class EvtWriter implements RecordingWriter
 
   @Override
   public final List<String> losses() {
-    List<String> lines = new ArrayList<>();
-    if (outside > 0) {
-      lines.add(outside + " events outside of " + options.geometry() + " were left out");
-    }
+    List<String> lines = new ArrayList<>(WriterLosses.outside(outside, options.geometry()));
     if (statedBaseUs != 0) {
       lines.add(
-          "the clock of the words begins at 0: other programs read all times less "
+          "the clock of the words starts at 0: other programs read all times smaller by "
               + statedBaseUs
               + " us");
     }
     if (shifts > 0) {
       lines.add(
-          shifts
-              + " leaps of time do not fit the format's clock;"
-              + " the times behind them read back shifted");
+          shifts + " jumps of time do not fit the format's clock; later times read back shifted");
     }
     return lines;
   }

@@ -127,7 +127,7 @@ public record PropheseeHeader(Map<String, String> keys, int dataOffset, boolean 
     PropheseeHeader header = parse(bytes, bytes.length >= file.size());
     if (header.dataOffset() > MAX_HEADER - MAX_LINE) {
       throw new RecordingProblem(
-          file.path(), MAX_HEADER, "the text header goes on and on; this is no recording");
+          file.path(), MAX_HEADER, "the text header does not end; this is not a recording");
     }
     return header;
   }
@@ -183,7 +183,7 @@ public record PropheseeHeader(Map<String, String> keys, int dataOffset, boolean 
     try {
       return Optional.of(
           new Size(Integer.parseInt(width.get().strip()), Integer.parseInt(height.get().strip())));
-    } catch (NumberFormatException noNumber) {
+    } catch (NumberFormatException ignored) {
       return Optional.empty();
     }
   }

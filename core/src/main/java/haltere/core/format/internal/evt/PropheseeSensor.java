@@ -2,7 +2,6 @@ package haltere.core.format.internal.evt;
 
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
-import haltere.core.format.internal.decoding.EventCursor;
 import haltere.core.format.internal.decoding.SensorGuess;
 import java.io.IOException;
 import java.util.List;
@@ -25,19 +24,6 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
   static final List<SensorGeometry> RAW_SIZES =
       List.of(SensorGuess.top(320, 320), SensorGuess.top(480, 360), GEN3, GEN4);
 
-  /** Opens a cursor over the events that leaves out none of them. */
-  @FunctionalInterface
-  public interface AnySize {
-    /**
-     * Opens it.
-     *
-     * @param geometry the largest sensor that the format can address
-     * @return a cursor at the first event
-     * @throws IOException if the file cannot be read
-     */
-    EventCursor open(SensorGeometry geometry) throws IOException;
-  }
-
   /**
    * Decides.
    *
@@ -54,7 +40,7 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
       ReadOptions options,
       int maxSide,
       List<SensorGeometry> sizes,
-      AnySize events)
+      SensorGuess.Opening events)
       throws IOException {
     Optional<PropheseeHeader.Size> stated = header.size();
     String lie = "";
@@ -66,7 +52,7 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
           && size.height() <= maxSide) {
         return new PropheseeSensor(SensorGuess.top(size.width(), size.height()), Optional.empty());
       }
-      lie = "the header's size " + size.width() + "x" + size.height() + " cannot be true; ";
+      lie = "the header's size " + size.width() + "x" + size.height() + " is impossible; ";
     }
     if (options.sensor().isPresent()) {
       SensorGeometry asked = options.sensor().get();
@@ -100,7 +86,8 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
   }
 
   private static PropheseeSensor lookAt(
-      AnySize events, int maxSide, List<SensorGeometry> sizes, String lie) throws IOException {
+      SensorGuess.Opening events, int maxSide, List<SensorGeometry> sizes, String lie)
+      throws IOException {
     Optional<SensorGeometry> guess =
         SensorGuess.smallest(events.open(SensorGuess.square(maxSide)), maxSide, sizes);
     SensorGeometry usual = sizes.get(sizes.size() - 1);

@@ -98,13 +98,13 @@ final class BloscBlock {
       case 1 -> Lz4Codec.decompress(in, from, to, out, outFrom, outTo);
       case 3 -> unpacker.inflate(in, from, to, out, outFrom, outTo);
       case 4 -> unpacker.zstd(in, from, to, out, outFrom, outTo);
-      default -> throw new DamagedPacketException("Blosc with a method that is not read");
+      default -> throw new DamagedPacketException("Blosc with an unsupported method");
     };
   }
 
   private static void check(boolean possible) throws DamagedPacketException {
     if (!possible) {
-      throw new DamagedPacketException("a chunk that contradicts its packing");
+      throw new DamagedPacketException("a chunk that contradicts its compression");
     }
   }
 }

@@ -36,7 +36,8 @@ final class ContainerFile {
     ContainerFile file = new ContainerFile(bytes);
     long start = signatureAt(bytes);
     if (start < 0) {
-      throw new RecordingProblem(bytes.path(), 0, "this is no HDF5 file: its signature is missing");
+      throw new RecordingProblem(
+          bytes.path(), 0, "this is not an HDF5 file: its signature is missing");
     }
     byte[] head = bytes.read(start, SUPERBLOCK_BYTES);
     file.superblock(new Metadata(file, head, SIGNATURE.length, head.length, start), start);

@@ -248,7 +248,7 @@ record Dataset(
         Optional<String> obstacle = step.obstacle();
         if (obstacle.isPresent()) {
           throw new RecordingProblem(
-              container.bytes().path(), dataset.name() + " is packed with " + obstacle.get());
+              container.bytes().path(), dataset.name() + " is compressed with " + obstacle.get());
         }
       }
       if (dataset.isChunked() && !dataset.filters.isEmpty()) {
@@ -259,10 +259,10 @@ record Dataset(
     if (unpacked + UNPACKING * largest > MEMORY_BYTES) {
       throw new RecordingProblem(
           container.bytes().path(),
-          "its data are packed in chunks of up to "
+          "its data are compressed in chunks of up to "
               + (largest >> 10)
-              + " KiB, more than a reader with bounded memory takes; rewrite it with smaller ones,"
-              + " such as h5repack -l CHUNK=65536");
+              + " KiB, too large for a reader with bounded memory; rewrite it with smaller "
+              + "ones, such as h5repack -l CHUNK=65536");
     }
   }
 }

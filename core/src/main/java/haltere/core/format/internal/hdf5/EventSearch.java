@@ -204,7 +204,7 @@ final class EventSearch {
       throw new RecordingProblem(
           file.bytes().path(),
           file.bytes().size(),
-          "the file ends before " + what + " can be told; copy it again");
+          "the file ends before " + what + " is known; copy it again");
     }
   }
 

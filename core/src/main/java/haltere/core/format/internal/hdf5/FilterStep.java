@@ -82,24 +82,24 @@ record FilterStep(int number, String name, int[] values) {
   Optional<String> obstacle() {
     if (number == BLOSC && value(BLOSC_METHOD, 0) == BLOSC_SNAPPY) {
       return Optional.of(
-          "Snappy within Blosc, filter 32001, which is not read here; take it away with h5repack -f"
-              + " GZIP=1 (HDF5 tools) where it is installed");
+          "Snappy within Blosc, filter 32001, which is not supported; replace it with "
+              + "h5repack -f GZIP=1 (HDF5 tools) where it is installed");
     }
     return switch (number) {
       case DEFLATE, SHUFFLE, FLETCHER32, LZF, BLOSC, LZ4, ZSTD -> Optional.empty();
       case 0x8ecf ->
           Optional.of(
-              "Prophesee's ECF, filter 36559, for which there is only a native plugin; convert the"
-                  + " recording to RAW or DAT with Metavision, or take the packing away with"
-                  + " h5repack -f NONE where the plugin is installed");
+              "Prophesee's ECF, filter 36559, which needs a native plugin; convert the "
+                  + "recording to RAW or DAT with Metavision, or remove the compression with "
+                  + "h5repack -f NONE where the plugin is installed");
       default ->
           Optional.of(
               known(number)
                   + ", filter "
                   + number
                   + (name.isEmpty() ? "" : " (" + name + ")")
-                  + ", which is not read here; take it away with h5repack -f GZIP=1 (HDF5 tools)"
-                  + " where it is installed");
+                  + ", which is not supported; replace it with h5repack -f GZIP=1 (HDF5 tools) "
+                  + "where it is installed");
     };
   }
 

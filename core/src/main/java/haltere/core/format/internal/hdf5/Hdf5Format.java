@@ -37,7 +37,7 @@ public final class Hdf5Format implements RecordingFormat {
 
   @Override
   public String description() {
-    return "HDF5 of the DSEC and the Prophesee kind";
+    return "HDF5 in the layouts of DSEC and Prophesee";
   }
 
   @Override
@@ -59,10 +59,10 @@ public final class Hdf5Format implements RecordingFormat {
   public ProbeResult probe(FileHead head) {
     for (int at = 0; at < head.head().length; at = at == 0 ? 512 : 2 * at) {
       if (ContainerFile.isSignature(head.head(), at)) {
-        return new ProbeResult(Support.CERTAIN, "it begins as an HDF5 file");
+        return new ProbeResult(Support.CERTAIN, "it starts with the signature of HDF5");
       }
     }
-    return new ProbeResult(Support.NONE, "it does not begin as an HDF5 file");
+    return new ProbeResult(Support.NONE, "it does not start with the signature of HDF5");
   }
 
   @Override
@@ -84,14 +84,9 @@ public final class Hdf5Format implements RecordingFormat {
     found.add(Violation.OTHER_DATA, 0, table.otherRows());
     SensorGeometry geometry = table.sensor().or(options::sensor).orElse(null);
     if (geometry == null) {
-      SensorGeometry square = SensorGuess.square(MAX_SIDE);
       geometry =
-          SensorGuess.smallest(
-                  new Hdf5Cursor(table, square, new ViolationCounts()),
-                  MAX_SIDE,
-                  SensorGuess.USUAL_SIZES)
-              .orElse(SensorGuess.top(1, 1));
-      remarks.add(SensorGuess.remark(geometry));
+          SensorGuess.usual(
+              any -> new Hdf5Cursor(table, any, new ViolationCounts()), MAX_SIDE, remarks);
     }
     SensorGeometry sensor = new SensorGeometry(geometry.width(), geometry.height(), origin);
     return new DecodingReader(

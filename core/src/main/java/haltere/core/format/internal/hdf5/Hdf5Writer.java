@@ -7,6 +7,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.decoding.WriterLosses;
 import haltere.core.format.internal.packed.LittleEndian;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -159,9 +160,7 @@ public final class Hdf5Writer implements RecordingWriter {
 
   @Override
   public List<String> losses() {
-    return outside == 0
-        ? List.of()
-        : List.of(outside + " events outside of " + geometry + " were left out");
+    return WriterLosses.outside(outside, geometry);
   }
 
   @Override

@@ -96,7 +96,7 @@ final class LzfBlock {
 
   private static void check(boolean possible) throws DamagedPacketException {
     if (!possible) {
-      throw new DamagedPacketException("a chunk that contradicts its packing");
+      throw new DamagedPacketException("a chunk that contradicts its compression");
     }
   }
 }

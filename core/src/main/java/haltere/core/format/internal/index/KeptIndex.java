@@ -73,11 +73,11 @@ public final class KeptIndex {
     try {
       Optional<TimeIndex> kept = IndexFile.read(file.path(), identity, stateLongs);
       if (kept.isEmpty()) {
-        remarks.add(beside + " is not the index of this recording as it is now and is passed over");
+        remarks.add(beside + " is out of date and is ignored");
       }
       return kept;
     } catch (IOException e) {
-      remarks.add(beside + " cannot be read and is passed over: " + e.getMessage());
+      remarks.add(beside + " cannot be read and is ignored: " + e.getMessage());
       return Optional.empty();
     }
   }
@@ -86,7 +86,7 @@ public final class KeptIndex {
     try {
       IndexFile.write(file.path(), identity, index);
     } catch (IOException e) {
-      remarks.add("the index could not be kept beside the recording: " + e.getMessage());
+      remarks.add("the index could not be stored beside the recording: " + e.getMessage());
     }
   }
 }

@@ -145,7 +145,7 @@ public final class TimeIndex {
         before = index.firstWaypoint[i];
       }
       return Optional.of(index);
-    } catch (EOFException | IllegalArgumentException | IndexOutOfBoundsException cannotBe) {
+    } catch (EOFException | IllegalArgumentException | IndexOutOfBoundsException ignored) {
       return Optional.empty();
     }
   }
@@ -189,7 +189,7 @@ public final class TimeIndex {
           offset,
           "the clock went back "
               + MAX_SEGMENTS
-              + " times; this is no recording that one can seek in");
+              + " times; seeking in this recording is impossible");
     }
     if (segment == firstWaypoint.length) {
       firstWaypoint = Arrays.copyOf(firstWaypoint, segment * 2);

@@ -123,7 +123,7 @@ record NpyHeader(List<Field> fields, int itemBytes, List<Long> shape, int dataOf
       if (!length.isBlank()) {
         try {
           lengths.add(Long.parseLong(length.strip()));
-        } catch (NumberFormatException tooLong) {
+        } catch (NumberFormatException ignored) {
           return Optional.empty();
         }
       }

@@ -98,13 +98,8 @@ public final class NpzFormat implements RecordingFormat {
               .orElse(null);
       if (geometry == null) {
         geometry =
-            SensorGuess.smallest(
-                    new NpzCursor(
-                        layout, file, SensorGuess.square(MAX_SIDE), new ViolationCounts()),
-                    MAX_SIDE,
-                    SensorGuess.USUAL_SIZES)
-                .orElse(SensorGuess.top(1, 1));
-        remarks.add(SensorGuess.remark(geometry));
+            SensorGuess.usual(
+                any -> new NpzCursor(layout, file, any, new ViolationCounts()), MAX_SIDE, remarks);
       }
     }
     SensorGeometry sensor = new SensorGeometry(geometry.width(), geometry.height(), origin);

@@ -98,7 +98,7 @@ record NpzLayout(
             file.path(),
             "its arrays "
                 + arrays.stream().map(Array::name).toList()
-                + " are no lists of events: t, x, y and p are wanted, as arrays or as fields of one");
+                + " are not events: expected are t, x, y and p, as arrays or as fields of one");
       }
     }
     if (listed.isEmpty() && !columns.containsKey(EventColumn.POLARITY)) {
@@ -208,7 +208,7 @@ record NpzLayout(
     long wanted = Math.min(start.length / itemBytes, time.array().header().rows());
     if (cutOff && !fraction && time.field().kind() == 'f' && lookedAt < wanted) {
       throw new RecordingProblem(
-          file.path(), file.size(), "the file ends before the unit of its times can be told");
+          file.path(), file.size(), "the file ends before the unit of its times is known");
     }
     return fraction ? 6 : largest >= SMALLEST_NS ? -3 : 0;
   }

@@ -7,6 +7,7 @@ import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.decoding.WriterLosses;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
@@ -132,9 +133,7 @@ final class NpzWriter implements RecordingWriter {
 
   @Override
   public List<String> losses() {
-    return outside == 0
-        ? List.of()
-        : List.of(outside + " events outside of " + geometry + " were left out");
+    return WriterLosses.outside(outside, geometry);
   }
 
   @Override

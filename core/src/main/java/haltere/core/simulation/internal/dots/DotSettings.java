@@ -7,7 +7,7 @@ import haltere.core.settings.Unit;
 
 /** The dots of {@link MovingDotsScene}: dark discs before a bright background. */
 public record DotSettings(
-    @Help("How the dots move.") DotPath path,
+    @Help("Motion of the dots.") DotPath path,
     @Help("Number of dots.") @Range(min = 1, max = 50) @Unit("dots") int count,
     @Help("Radius of a dot.") @Range(min = 0.5, max = 50, logarithmic = true) @Unit("px")
         double radiusPx,
@@ -15,7 +15,7 @@ public record DotSettings(
         @Range(min = 0, max = 100000, logarithmic = true)
         @Unit("px/s")
         double speedPxS,
-    @Help("Mean number of events that a pixel makes when the edge of a dot passes.")
+    @Help("Mean number of events of a pixel when the edge of a dot passes.")
         @Range(min = 0, max = 20, logarithmic = true)
         @Unit("events")
         double eventsPerPixel) {

@@ -15,7 +15,7 @@ public record FlightBodySettings(
         double widthM,
     @Help("Mean speed.") @Range(min = 0.001, max = 20, logarithmic = true) @Unit("m/s")
         double speedMS,
-    @Help("Saccades in a second.") @Range(min = 0, max = 5) @Unit("Hz") double saccadesPerS,
+    @Help("Saccades per second.") @Range(min = 0, max = 5) @Unit("Hz") double saccadesPerS,
     @Help("Largest angle of a saccade.") @Range(min = 0, max = 120) @Unit("deg") double saccadeDeg,
     @Help("Duration of a saccade.") @Range(min = 0.02, max = 1, logarithmic = true) @Unit("s")
         double saccadeS,

@@ -7,24 +7,21 @@ import haltere.core.settings.Unit;
 
 /** What a detector makes of the pictures of {@link FlightScene}. */
 public record FlightDetectionSettings(
-    @Help("Pictures in a second.") @Range(min = 1, max = 100000, logarithmic = true) @Unit("Hz")
+    @Help("Pictures per second.") @Range(min = 1, max = 100000, logarithmic = true) @Unit("Hz")
         double rateHz,
     @Help("Standard deviation of a detected angle.") @Range(min = 0, max = 90) @Unit("deg")
         double angleSdDeg,
-    @Help("Standard deviation of a detected place, in each coordinate.")
+    @Help("Standard deviation of a detected position, in each coordinate.")
         @Range(min = 0, max = 100)
         @Unit("px")
         double placeSdPx,
-    @Help("Share of angles that have nothing to do with the body.")
-        @Range(min = 0, max = 1)
-        @Unit("1")
+    @Help("Share of angles that are outliers.") @Range(min = 0, max = 1) @Unit("1")
         double outlierShare,
-    @Help("How far off these are at least; from there on, any angle.")
+    @Help("Minimum error of an outlier; larger errors are equally likely.")
         @Range(min = 0, max = 90)
         @Unit("deg")
         double outlierDeg,
-    @Help("Share of detections that are missing.") @Range(min = 0, max = 1) @Unit("1")
-        double missingShare) {
+    @Help("Share of missing detections.") @Range(min = 0, max = 1) @Unit("1") double missingShare) {
   /** Checks the ranges. */
   public FlightDetectionSettings {
     SettingsSchema.validate(

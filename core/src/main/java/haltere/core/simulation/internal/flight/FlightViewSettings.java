@@ -10,13 +10,14 @@ import haltere.core.settings.Unit;
  * middle.
  */
 public record FlightViewSettings(
-    @Help("How many cameras there are.") @Range(min = 1, max = 16) @Unit("cameras") int cameras,
-    @Help("Whose events are made, from 0 on.") @Range(min = 0, max = 15) @Unit("1") int camera,
+    @Help("Number of cameras.") @Range(min = 1, max = 16) @Unit("cameras") int cameras,
+    @Help("Camera whose events are simulated, from 0 on.") @Range(min = 0, max = 15) @Unit("1")
+        int camera,
     @Help("Distance of the cameras from the middle.")
         @Range(min = 0.05, max = 100, logarithmic = true)
         @Unit("m")
         double distanceM,
-    @Help("Radius of the room that the cameras see and the body keeps to.")
+    @Help("Radius of the room in which the body flies and that the cameras see.")
         @Range(min = 0.01, max = 10, logarithmic = true)
         @Unit("m")
         double roomM) {

@@ -9,11 +9,11 @@ import haltere.core.settings.Unit;
  * Where the fly is and how its body moves. The body centre is the middle between the two hinges.
  */
 public record BodySettings(
-    @Help("Mean place of the body centre, to the right of the middle of the sensor.")
+    @Help("Mean position of the body centre, to the right of the middle of the sensor.")
         @Range(min = -1000, max = 1000)
         @Unit("px")
         double offsetXPx,
-    @Help("Mean place of the body centre, above the middle of the sensor.")
+    @Help("Mean position of the body centre, above the middle of the sensor.")
         @Range(min = -1000, max = 1000)
         @Unit("px")
         double offsetYPx,
@@ -35,7 +35,7 @@ public record BodySettings(
         @Range(min = 0, max = 20)
         @Unit("px")
         double driftPx,
-    @Help("How dark the body is before its background, as the natural logarithm of the light.")
+    @Help("Contrast of the dark body to its background, as the natural logarithm of the light.")
         @Range(min = 0, max = 3)
         @Unit("ln")
         double contrast) {

@@ -7,7 +7,7 @@ import haltere.core.settings.Unit;
 
 /** The light behind the fly. */
 public record LightSettings(
-    @Help("Share of the light that the corners of the picture lack.")
+    @Help("Vignetting: share of the light missing in the corners of the picture.")
         @Range(min = 0, max = 0.9)
         @Unit("1")
         double vignetting,

@@ -34,7 +34,7 @@ public record ManoeuvreSettings(
         @Range(min = 0.005, max = 0.1, logarithmic = true)
         @Unit("s")
         double timeConstantS,
-    @Help("How long a step is held.") @Range(min = 0.05, max = 2, logarithmic = true) @Unit("s")
+    @Help("Duration of a step.") @Range(min = 0.05, max = 2, logarithmic = true) @Unit("s")
         double holdS) {
   /** Checks the values. */
   public ManoeuvreSettings {

@@ -18,11 +18,13 @@ public record MembraneSettings(
         @Range(min = 0.02, max = 0.8, logarithmic = true)
         @Unit("1")
         double chordShare,
-    @Help("How slowly the chord grows from the hinge on: 0.5 is an ellipse, 1.5 a teardrop.")
+    @Help("Exponent of the chord's growth from the hinge on: 0.5 is an ellipse, 1.5 a teardrop.")
         @Range(min = 0.1, max = 3)
         @Unit("1")
         double rootExponent,
-    @Help("How slowly the chord shrinks towards the tip: 0.5 is an ellipse, 0.1 nearly square.")
+    @Help(
+            "Exponent of the chord's decline towards the tip: 0.5 is an ellipse, 0.1 "
+                + "nearly square.")
         @Range(min = 0.1, max = 3)
         @Unit("1")
         double tipExponent,

@@ -10,11 +10,15 @@ import haltere.core.settings.Unit;
  * reversal the wing flips over.
  */
 public record PitchSettings(
-    @Help("Angle between chord and stroke plane towards the tail; at 0 the whole chord is seen.")
+    @Help(
+            "Angle between chord and stroke plane towards the tail; at 0 the whole chord "
+                + "is visible.")
         @Range(min = 0, max = 1.5)
         @Unit("rad")
         double towardsTailRad,
-    @Help("Angle between chord and stroke plane towards the head; at 0 the whole chord is seen.")
+    @Help(
+            "Angle between chord and stroke plane towards the head; at 0 the whole chord "
+                + "is visible.")
         @Range(min = 0, max = 1.5)
         @Unit("rad")
         double towardsHeadRad,
@@ -22,7 +26,7 @@ public record PitchSettings(
         @Range(min = 0.02, max = 0.45)
         @Unit("1")
         double flipShare,
-    @Help("Phase by which the middle of a flip comes before the reversal; negative is delayed.")
+    @Help("Phase of the middle of a flip before the reversal; negative is delayed.")
         @Range(min = -1, max = 1)
         @Unit("rad")
         double flipAdvanceRad) {

@@ -21,7 +21,8 @@ public record WingSettings(
         @Unit("px")
         double lengthPx,
     @Help(
-            "Where the visible wing begins, as a share of the length of the wing; the 6 pixels next to the hinge are never seen.")
+            "Start of the visible wing, as a share of its length; the 6 pixels next to "
+                + "the hinge are never visible.")
         @Range(min = 0, max = 0.9)
         @Unit("1")
         double rootShare,
@@ -30,7 +31,8 @@ public record WingSettings(
         @Unit("rad")
         double widthRad,
     @Help(
-            "How dark the wing is before its background, as the natural logarithm of the light (median).")
+            "Contrast of the dark wing to its background, as the natural logarithm of "
+                + "the light (median).")
         @Range(min = 0, max = 3)
         @Unit("ln")
         double contrast,
@@ -40,7 +42,8 @@ public record WingSettings(
         @Unit("1")
         double contrastSpread,
     @Help(
-            "Share of the wing that casts a shadow at all in one pass, the rest is clear: thins the events evenly.")
+            "Share of the wing that casts a shadow in one pass, the rest is clear; a "
+                + "smaller value thins the events evenly.")
         @Range(min = 0, max = 1)
         @Unit("1")
         double visibleShare) {

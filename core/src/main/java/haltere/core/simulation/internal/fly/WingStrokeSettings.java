@@ -13,11 +13,11 @@ public record WingStrokeSettings(
         @Range(min = 0.5, max = 2.6)
         @Unit("rad")
         double centreRad,
-    @Help("How far the wing is behind the common beat.")
+    @Help("Phase lag of the wing behind the common beat.")
         @Range(min = -3.141592653589793, max = 3.141592653589793)
         @Unit("rad")
         double phaseLagRad,
-    @Help("How much faster than the common beat the wing beats.")
+    @Help("Frequency of the wing above that of the common beat.")
         @Range(min = -50, max = 50)
         @Unit("Hz")
         double frequencyOffsetHz) {

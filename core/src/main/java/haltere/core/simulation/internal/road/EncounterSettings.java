@@ -19,9 +19,7 @@ public record EncounterSettings(
         @Range(min = 0, max = 100)
         @Unit("1")
         double cruise,
-    @Help("Weight of a vehicle that pulls out, passes a slower one and comes back.")
-        @Range(min = 0, max = 100)
-        @Unit("1")
+    @Help("Weight of a vehicle that overtakes a slower one.") @Range(min = 0, max = 100) @Unit("1")
         double overtake,
     @Help("Weight of a lorry with a motorcycle beside it.") @Range(min = 0, max = 100) @Unit("1")
         double sideBySide,
@@ -31,8 +29,7 @@ public record EncounterSettings(
         @Range(min = 0, max = 100)
         @Unit("1")
         double speedChange,
-    @Help("How long a vehicle that stops stands.") @Range(min = 0.1, max = 60) @Unit("s")
-        double stopS) {
+    @Help("Duration of a stop.") @Range(min = 0.1, max = 60) @Unit("s") double stopS) {
   /** Checks the values. */
   public EncounterSettings {
     SettingsSchema.validate(

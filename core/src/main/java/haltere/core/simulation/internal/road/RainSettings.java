@@ -10,7 +10,7 @@ import haltere.core.settings.Unit;
  * events with OFF events behind.
  */
 public record RainSettings(
-    @Help("Streaks of rain in a second, 0 for dry weather.")
+    @Help("Streaks of rain per second, 0 for dry weather.")
         @Range(min = 0, max = 100000, logarithmic = true)
         @Unit("streaks/s")
         double streaksPerS,
@@ -18,7 +18,7 @@ public record RainSettings(
         double lengthPx,
     @Help("Mean speed of a drop.") @Range(min = 500, max = 100000, logarithmic = true) @Unit("px/s")
         double speedPxS,
-    @Help("How far a drop moves to the right while it falls by 1.")
+    @Help("Motion of a drop to the right per unit of its fall.")
         @Range(min = -1, max = 1)
         @Unit("1")
         double slant) {

@@ -11,11 +11,11 @@ public record RoadCameraSettings(
         @Range(min = 4.5, max = 100, logarithmic = true)
         @Unit("m")
         double bridgeHeightM,
-    @Help("Distance along the road of what the bottom row sees.")
+    @Help("Distance along the road seen by the bottom row.")
         @Range(min = 0.5, max = 20, logarithmic = true)
         @Unit("m")
         double bottomRowM,
-    @Help("Distance along the road of what the row of the vanishing point sees.")
+    @Help("Distance along the road at the row of the vanishing point.")
         @Range(min = 30, max = 5000, logarithmic = true)
         @Unit("m")
         double vanishingRowM,

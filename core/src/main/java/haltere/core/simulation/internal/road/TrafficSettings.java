@@ -14,16 +14,16 @@ import haltere.core.settings.Unit;
  * @param encounters what the groups do
  */
 public record TrafficSettings(
-    @Help("Lanes of vehicles that drive away, on the right of the picture.")
+    @Help("Number of lanes away from the camera, on the right of the picture.")
         @Range(min = 0, max = 4)
         @Unit("lanes")
         int lanesAway,
-    @Help("Lanes of vehicles that come, on the left of the picture.")
+    @Help("Number of lanes towards the camera, on the left of the picture.")
         @Range(min = 0, max = 4)
         @Unit("lanes")
         int lanesTowards,
     @Help("Width of a lane.") @Range(min = 2.5, max = 6) @Unit("m") double laneWidthM,
-    @Help("Distance up to which vehicles are seen.")
+    @Help("Distance up to which vehicles are visible.")
         @Range(min = 30, max = 400, logarithmic = true)
         @Unit("m")
         double roadM,

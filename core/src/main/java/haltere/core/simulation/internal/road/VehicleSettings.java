@@ -18,7 +18,7 @@ public record VehicleSettings(
     @Help("Weight of the cars.") @Range(min = 0, max = 100) @Unit("1") double cars,
     @Help("Weight of the lorries.") @Range(min = 0, max = 100) @Unit("1") double lorries,
     @Help("Weight of the motorcycles.") @Range(min = 0, max = 100) @Unit("1") double motorcycles,
-    @Help("Largest difference of a size from that of its kind.")
+    @Help("Largest deviation of a size from that of its kind.")
         @Range(min = 0, max = 0.2)
         @Unit("1")
         double sizeSpread,
@@ -31,7 +31,7 @@ public record VehicleSettings(
         @Range(min = 0, max = 0.5)
         @Unit("1")
         double contrastSpread,
-    @Help("How much windows, lamps and the like stand out, 0 for bodies of one light.")
+    @Help("Contrast of windows, lamps and the like, 0 for uniform bodies.")
         @Range(min = 0, max = 2)
         @Unit("1")
         double texture) {

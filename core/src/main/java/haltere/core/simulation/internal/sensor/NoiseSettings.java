@@ -12,7 +12,7 @@ import haltere.core.settings.Unit;
  *     logarithm
  */
 public record NoiseSettings(
-    @Help("Rate of ON events that a pixel leaks, mean over the pixels.")
+    @Help("Rate of leak events (ON) of a pixel, mean over the pixels.")
         @Range(min = 0, max = 10)
         @Unit("Hz")
         double leakHz,

@@ -12,7 +12,7 @@ import haltere.core.settings.Unit;
  *     and are lost then
  */
 public record PixelSettings(
-    @Help("Change of the natural logarithm of the light that makes an event.")
+    @Help("Change of the natural logarithm of the light that triggers an event.")
         @Range(min = 0.01, max = 2, logarithmic = true)
         @Unit("ln")
         double threshold,
@@ -21,7 +21,8 @@ public record PixelSettings(
         @Unit("ln")
         double thresholdSd,
     @Help(
-            "Cut-off frequency of the photoreceptor, 0 for none: a slow one sees the wing at its reversals only.")
+            "Cut-off frequency of the photoreceptor, 0 for none; a low one sees the wing "
+                + "at its reversals only.")
         @Range(min = 0, max = 1000000, logarithmic = true)
         @Unit("Hz")
         double bandwidthHz,
@@ -33,12 +34,13 @@ public record PixelSettings(
         @Range(min = 0, max = 500)
         @Unit("us")
         double jitterUs,
-    @Help("Time after an event in which the pixel is blind.")
+    @Help("Refractory time after an event, in which the pixel is blind.")
         @Range(min = 0, max = 5000)
         @Unit("us")
         double refractoryUs,
     @Help(
-            "Events a second that the bus carries, 0 for no limit; an event waits up to 1 ms and is lost then.")
+            "Capacity of the bus in events per second, 0 for no limit; an event waits up "
+                + "to 1 ms and is then lost.")
         @Range(min = 0, max = 100000000, logarithmic = true)
         @Unit("events/s")
         double busLimitEps) {

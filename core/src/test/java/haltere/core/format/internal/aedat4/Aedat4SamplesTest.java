@@ -166,7 +166,7 @@ class Aedat4SamplesTest {
       assertTrue(
           writer.write(new Trigger(1, Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.RISING, 2)));
       assertEquals(
-          List.of("1 triggers are of other inputs than the first, which the format does not tell"),
+          List.of("1 triggers are of other inputs than the first, which the format does not store"),
           writer.losses());
       writer.finish();
     }

@@ -223,7 +223,10 @@ class EventStreamFormatTest extends RecordingFormatContract {
         writer.write(written);
         writer.finish();
         assertEquals(
-            List.of("the format's clock begins at 0: all times read back less " + startUs + " us"),
+            List.of(
+                "the format's clock starts at 0: all times read back smaller by "
+                    + startUs
+                    + " us"),
             writer.losses());
       }
       try (RecordingReader reader = format().open(file, ReadOptions.DEFAULT)) {

@@ -105,7 +105,7 @@ class Hdf5TablesTest {
     }
     Path text = Files.writeString(folder.resolve("text.h5"), "t_us,x\n");
     assertFalse(Hdf5Tables.isHdf5(text));
-    assertRefused(text, "no HDF5 file", () -> Hdf5Tables.open(text).close());
+    assertRefused(text, "not an HDF5 file", () -> Hdf5Tables.open(text).close());
     assertThrows(
         IllegalArgumentException.class,
         () -> Hdf5TableWriter.create(folder.resolve("no.h5"), "lines", List.of(), false));

@@ -105,7 +105,7 @@ class KeptIndexTest {
     Files.delete(file);
     write("changed.aedat");
 
-    String expected = index(file) + " is not the index of this recording as it is now";
+    String expected = index(file) + " is out of date and is ignored";
     assertTrue(checkSeeks(file, ReadOptions.DEFAULT).get(0).startsWith(expected));
     assertTrue(Arrays.equals(old, Files.readAllBytes(index(file))), "nobody asked to replace it");
     assertTrue(checkSeeks(file, KEEP).get(0).startsWith(expected));
