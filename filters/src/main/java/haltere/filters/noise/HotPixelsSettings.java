@@ -15,12 +15,15 @@ public record HotPixelsSettings(
         @Range(min = 1000, max = 60_000_000, logarithmic = true)
         @Unit("us")
         long periodUs,
-    @Help("A pixel may be hot only if it fires at more than this rate.")
+    @Help(value = "A pixel may be hot only if it fires at more than this rate.", label = "Min rate")
         @Range(min = 0.1, max = 10_000, logarithmic = true)
         @Unit("Hz")
         double rateHz,
     @Help(
-            "A pixel is hot only if it fires at more than this multiple of its neighbours' mean rate.")
+            value =
+                "A pixel is hot only if it fires at more than this multiple of its neighbours' mean"
+                    + " rate.",
+            label = "Rate ratio")
         @Range(min = 1, max = 1000, logarithmic = true)
         @Unit("1")
         double ratio,
@@ -28,7 +31,9 @@ public record HotPixelsSettings(
         @Range(min = 1, max = 1000, logarithmic = true)
         @Unit("periods")
         int calmPeriods,
-    @Help("No more pixels than this are blocked at a time, the busiest first.")
+    @Help(
+            value = "No more pixels than this are blocked at a time, the busiest first.",
+            label = "Max blocked pixels")
         @Range(min = 0, max = 100_000, logarithmic = true)
         @Unit("pixels")
         int mostBlocked) {
