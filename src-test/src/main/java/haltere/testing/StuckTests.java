@@ -45,7 +45,7 @@ public final class StuckTests implements TestExecutionListener {
     watch =
         Executors.newSingleThreadScheduledExecutor(
             task -> {
-              Thread thread = new Thread(task, "haltere-stuck-tests");
+              Thread thread = new Thread(task, "stuck-tests");
               thread.setDaemon(true);
               return thread;
             });

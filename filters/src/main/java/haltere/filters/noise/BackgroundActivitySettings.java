@@ -12,8 +12,10 @@ import haltere.core.settings.Unit;
  */
 public record BackgroundActivitySettings(
     @Help(
-            "A neighbour supports an event if it fired at most this long before. 0 "
-                + "derives the time from the measured noise, 1 to 500 ms.")
+            value =
+                "A neighbour supports an event if it fired at most this long before. 0 chooses the"
+                    + " time from the measured noise, 1 to 500 ms.",
+            label = "Correlation time")
         @Range(min = 0, max = BackgroundActivitySettings.MAX_CORRELATION_US, logarithmic = true)
         @Unit("us")
         int correlationUs,

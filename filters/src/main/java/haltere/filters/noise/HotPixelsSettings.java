@@ -11,27 +11,29 @@ import haltere.core.settings.Unit;
  * @since 0.1
  */
 public record HotPixelsSettings(
-    @Help("Hot pixels are detected again after each period of this length.")
+    @Help("After each period of this length it is decided anew which pixels are hot.")
         @Range(min = 1000, max = 60_000_000, logarithmic = true)
         @Unit("us")
         long periodUs,
-    @Help("A pixel is hot only if its event rate is higher than this.")
+    @Help(value = "A pixel may be hot only if it fires at more than this rate.", label = "Min rate")
         @Range(min = 0.1, max = 10_000, logarithmic = true)
         @Unit("Hz")
         double rateHz,
     @Help(
-            "A pixel is hot only if its event rate is higher than this multiple of its "
-                + "neighbours' mean rate.")
+            value =
+                "A pixel is hot only if it fires at more than this multiple of its neighbours' mean"
+                    + " rate.",
+            label = "Rate ratio")
         @Range(min = 1, max = 1000, logarithmic = true)
         @Unit("1")
         double ratio,
-    @Help(
-            "A blocked pixel is released after this many consecutive periods in which it "
-                + "was not hot.")
+    @Help("A blocked pixel passes again when it was not hot for this many periods in a row.")
         @Range(min = 1, max = 1000, logarithmic = true)
         @Unit("periods")
         int calmPeriods,
-    @Help("Largest number of blocked pixels, the busiest first.")
+    @Help(
+            value = "No more pixels than this are blocked at a time, the busiest first.",
+            label = "Max blocked pixels")
         @Range(min = 0, max = 100_000, logarithmic = true)
         @Unit("pixels")
         int mostBlocked) {

@@ -9,18 +9,24 @@ import haltere.core.settings.Unit;
 /** Settings of {@link ObjectTrackerFilter}. */
 public record ObjectTrackerSettings(
     @Help(
-            "Usual size of an object; a larger value joins pieces over wider gaps. 0: the sizes of"
-                + " the pieces themselves decide.")
+            value =
+                "Usual size of an object; a larger value joins pieces over wider gaps. 0: the sizes"
+                    + " of the pieces themselves decide.",
+            label = "Object size")
         @Range(min = 0, max = 2000)
         @Unit("px")
         double scalePx,
     @Help(
-            "Time an object is watched before all its rows are reported; a shorter time is less"
-                + " sure what is one object.")
+            value =
+                "Time an object is watched before all its rows are reported; a shorter time is less"
+                    + " sure what is one object.",
+            label = "Confirmation time")
         @Range(min = 0.1, max = 2)
         @Unit("s")
         double confirmS,
-    @Help("An object that makes no events keeps its identity for this long.")
+    @Help(
+            value = "An object that makes no events keeps its identity for this long.",
+            label = "Coasting time")
         @Range(min = 0, max = 600)
         @Unit("s")
         double rememberS,
@@ -28,7 +34,9 @@ public record ObjectTrackerSettings(
         @Range(min = 0.001, max = 100_000, logarithmic = true)
         @Unit("Hz")
         double reportRateHz,
-    @Help("The path of an object is drawn for this long.") @Range(min = 0, max = 60) @Unit("s")
+    @Help(value = "The path of an object is drawn for this long.", label = "Path duration")
+        @Range(min = 0, max = 60)
+        @Unit("s")
         double pathS)
     implements AdjustableSettings<ObjectTrackerSettings> {
   /** Checks the ranges. */
