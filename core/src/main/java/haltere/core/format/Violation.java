@@ -16,7 +16,7 @@ public enum Violation {
   UNKNOWN_WORD("words that are invalid in this format were left out"),
   /** A length, count or size that cannot be true; what it belongs to is left out. */
   LYING_LENGTH("impossible lengths or counts"),
-  /** A packet that cannot be unpacked; it is left out. */
+  /** A packet that cannot be decompressed; it is left out. */
   DAMAGED_PACKET("damaged packets were left out"),
   /** Messages that were lost before they were recorded, by the numbers of those that were not. */
   MISSING_MESSAGE("messages were lost before they were recorded"),

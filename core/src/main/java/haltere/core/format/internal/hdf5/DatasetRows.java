@@ -44,7 +44,7 @@ final class DatasetRows {
    *
    * @param row which
    * @return how many rows are there from that one on; 0 if the file has no more
-   * @throws DamagedPacketException if they are there, but cannot be unpacked
+   * @throws DamagedPacketException if they are there, but cannot be decompressed
    * @throws IOException if the file can no longer be read, or the list of chunks is damaged
    */
   long load(long row) throws IOException, DamagedPacketException {
@@ -90,7 +90,7 @@ final class DatasetRows {
     }
     int bytes = (int) dataset.chunkBytes();
     if (index.bytes() > bytes + bytes / 8 + 4096L) {
-      throw new DamagedPacketException("a chunk of " + index.bytes() + " packed bytes");
+      throw new DamagedPacketException("a chunk of " + index.bytes() + " compressed bytes");
     }
     int length = (int) index.bytes();
     if (packed.length < length) {

@@ -115,7 +115,7 @@ public final class Hdf5Tables implements RecordingTables {
         listener.row(cells);
       }
     } catch (DamagedPacketException damaged) {
-      throw problem("damaged: a chunk of " + table + " cannot be unpacked");
+      throw problem("damaged: a chunk of " + table + " cannot be decompressed");
     }
   }
 
