@@ -21,9 +21,8 @@ final class DevicesCommand extends Subcommand {
   @Option(
       names = "--json",
       description =
-          "Write a JSON object. Its key devices is an array: id, model, serial, width, "
-              + "height, canOpen, note; its key obstacles lists what prevents cameras from "
-              + "being found.")
+          "Write a JSON object. Its key devices is an array: id, model, serial, width, height, "
+              + "canOpen, note; its key obstacles lists what prevents cameras from being found.")
   boolean json;
 
   @Override

@@ -45,9 +45,8 @@ final class OrientCommand extends Subcommand {
       index = "0",
       paramLabel = "OBSERVATIONS.csv",
       description = {
-        "Observations: a table "
-            + "t_us,camera,object,x_px,y_px,angle_rad,area_px,eccentricity; or a .braidz "
-            + "file; or HDF5 with the tables of Flydra."
+        "Observations: a table t_us,camera,object,x_px,y_px,angle_rad,area_px,eccentricity; or a "
+            + ".braidz file; or HDF5 with the tables of Flydra."
       })
   Path file;
 

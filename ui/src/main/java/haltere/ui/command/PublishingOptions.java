@@ -18,9 +18,8 @@ final class PublishingOptions extends OptionGroup {
       names = "--publish",
       paramLabel = "ADDRESS",
       description =
-          "Send results of the filters while they run, one line of JSON each, to "
-              + "tcp://HOST:PORT (listens), udp://HOST:PORT or zmq://HOST:PORT (a PUB "
-              + "socket). May be repeated.")
+          "Send results of the filters while they run, one line of JSON each, to tcp://HOST:PORT "
+              + "(listens), udp://HOST:PORT or zmq://HOST:PORT (a PUB socket). May be repeated.")
   List<String> addresses = List.of();
 
   @Option(

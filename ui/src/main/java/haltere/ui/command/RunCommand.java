@@ -39,10 +39,9 @@ import picocli.CommandLine.Parameters;
     footer = {"", "Example: haltere run recording.aedat4 --chain chain.json --out left.aedat4"},
     description = {
       "Run a saved chain of filters over a recording.",
-      "Prints for each filter the events passed and the processor time. With "
-          + "--out, also writes the remaining events, with frames, inertial samples and "
-          + "triggers if the format holds them. Results of the filters go to tables "
-          + "beside them, OUT.STAGE.OUTLET.csv."
+      "Prints for each filter the events passed and the processor time. With --out, also writes "
+          + "the remaining events, with frames, inertial samples and triggers if the format holds "
+          + "them. Results of the filters go to tables beside them, OUT.STAGE.OUTLET.csv."
     })
 final class RunCommand extends Subcommand {
   @Parameters(

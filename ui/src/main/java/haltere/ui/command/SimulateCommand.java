@@ -47,17 +47,13 @@ final class SimulateCommand extends Subcommand {
       description = "Output recording; its ending gives the format.")
   Path out;
 
-  @Option(
-      names = "--truth",
-      paramLabel = "TRUTH.csv",
-      description = "Output table of the ground truth.")
+  @Option(names = "--truth", paramLabel = "TRUTH.csv", description = "Table of the ground truth.")
   Path truth;
 
   @Option(
       names = "--observations",
       paramLabel = "OBSERVATIONS.csv",
-      description =
-          "Output table of the observations of all cameras, for haltere orient; scene flight only.")
+      description = "Table of all cameras' observations, for haltere orient; scene flight only.")
   Path observations;
 
   @Option(

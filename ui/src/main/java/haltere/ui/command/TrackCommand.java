@@ -106,11 +106,10 @@ final class TrackCommand extends Subcommand {
       names = "--road",
       paramLabel = "ROAD.json",
       description = {
-        "Tracks objects on a road along the camera's view, with additional columns "
-            + "in metres. Keys, all optional: bridgeHeightM, nearestM, farthestM, "
-            + "vanishingPoint {xPx, yPx}, lanes {lanes, leftEdgeM, widthM}, countingLines "
-            + "{lines, firstM, apartM}, vehicles (prior). Or any plane: four points {xPx, "
-            + "yPx, xM, yM}."
+        "Tracks objects on a road along the camera's view, with additional columns in metres. "
+            + "Keys, all optional: bridgeHeightM, nearestM, farthestM, vanishingPoint {xPx, yPx}, "
+            + "lanes {lanes, leftEdgeM, widthM}, countingLines {lines, firstM, apartM}, vehicles "
+            + "(prior). Or any plane: four points {xPx, yPx, xM, yM}."
       })
   Path roadFile;
 

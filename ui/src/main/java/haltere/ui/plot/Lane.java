@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 
 /**
  * One plot under others: the curves of one or more fields with the same vertical axis. A curve for
@@ -62,15 +63,10 @@ public final class Lane {
 
   /** The lowest number of no curve, so that a curve that begins anew has its colour again. */
   private int freeNumber() {
-    int number = 0;
-    while (has(number)) {
-      number++;
-    }
-    return number;
-  }
-
-  private boolean has(int number) {
-    return all.stream().anyMatch(curve -> curve.number() == number);
+    return IntStream.rangeClosed(0, all.size())
+        .filter(number -> all.stream().noneMatch(curve -> curve.number() == number))
+        .findFirst()
+        .orElseThrow();
   }
 
   private static String name(PlotField field, String key) {

@@ -2,11 +2,9 @@ package haltere.ui.viewer.picture;
 
 import haltere.core.event.EventPacket;
 import haltere.core.pipeline.PacketPool;
-import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -28,9 +26,8 @@ final class PictureThread implements AutoCloseable {
   private final PacketPool pool = new PacketPool(PACKETS, PACKET_EVENTS);
   private final ConcurrentLinkedQueue<Consumer<EventPacket>> takers = new ConcurrentLinkedQueue<>();
   private final Thread thread = new Thread(this::work, "haltere-picture");
-  private final Set<CompletableFuture<?>> awaited = ConcurrentHashMap.newKeySet();
+  private final CompletableFuture<Void> end = new CompletableFuture<>();
   private volatile RuntimeException failure;
-  private volatile boolean ended;
 
   /** Begins; packets are taken on the new thread. */
   PictureThread() {
@@ -48,8 +45,7 @@ final class PictureThread implements AutoCloseable {
     } catch (InterruptedException closed) {
       Thread.currentThread().interrupt();
     } finally {
-      ended = true;
-      awaited.forEach(step -> step.cancel(false));
+      end.completeExceptionally(new CancellationException("closed"));
     }
   }
 
@@ -89,16 +85,14 @@ final class PictureThread implements AutoCloseable {
     }
   }
 
-  private boolean hand(EventPacket source, Consumer<EventPacket> taker) {
+  private void hand(EventPacket source, Consumer<EventPacket> taker) {
     try {
       EventPacket copy = pool.take();
       copy.append(source, 0, source.size());
       takers.add(taker);
       pool.hand(copy);
-      return true;
     } catch (InterruptedException ending) {
       Thread.currentThread().interrupt();
-      return false;
     }
   }
 
@@ -108,19 +102,12 @@ final class PictureThread implements AutoCloseable {
    * @throws CancellationException if this is closed before
    */
   <T> T now(Supplier<T> step) {
-    tellFailure();
-    CompletableFuture<T> result = new CompletableFuture<>();
-    awaited.add(result);
+    CompletableFuture<T> result = CompletableFuture.supplyAsync(step, this::later);
     try {
-      boolean handed = hand(NONE, empty -> result.completeAsync(step, Runnable::run));
-      if (!handed || ended) {
-        result.cancel(false);
-      }
+      CompletableFuture.anyOf(result, end).join();
       return result.join();
     } catch (CompletionException thrown) {
       throw thrown.getCause() instanceof RuntimeException cause ? cause : thrown;
-    } finally {
-      awaited.remove(result);
     }
   }
 
