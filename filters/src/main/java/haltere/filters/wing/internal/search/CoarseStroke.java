@@ -27,7 +27,8 @@ final class CoarseStroke {
   /**
    * Searches the events of a side about a hinge, neither too near nor too far; false if there are
    * too few. Angles are measured from a direction, counterclockwise for turn 1, clockwise for −1;
-   * phases are of an angular frequency, 0 at a time.
+   * phases are of an angular frequency, 0 at a time. The centre is beyond π/2 for end 1, not for
+   * −1.
    */
   boolean search(
       SideSplit split,
@@ -38,7 +39,8 @@ final class CoarseStroke {
       double referenceRad,
       double turn,
       double omega,
-      double middleS) {
+      double middleS,
+      int end) {
     StrokeSample sample = split.sample;
     int stride = Math.max(1, split.count(side) / EVENTS);
     int seen = 0;
@@ -66,7 +68,7 @@ final class CoarseStroke {
       for (double amplitude : AMPLITUDES) {
         for (double middle : CENTRES) {
           double score = score(middle, amplitude * pc, amplitude * ps);
-          if (score > best) {
+          if (score > best && end * (middle - CENTRES[1]) >= 0) {
             best = score;
             centre = middle;
             cosine = amplitude * pc;

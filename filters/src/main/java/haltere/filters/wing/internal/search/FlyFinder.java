@@ -8,6 +8,7 @@ import haltere.filters.wing.WingTrackerState;
 import haltere.filters.wing.WingTrackerState.Phase;
 import haltere.filters.wing.internal.stroke.StrokeSeed;
 import java.util.function.Consumer;
+import org.apache.commons.statistics.distribution.TDistribution;
 
 /**
  * Finds a fly in the events of a few beats. 2-means says roughly where the wings are; the beat and
@@ -31,8 +32,6 @@ final class FlyFinder {
   /** Cosine of the most by which one wing may be behind the other. */
   private static final double MIN_TOGETHER = 0.5;
 
-  private static final double HEAD_SD_RAD = 0.03;
-
   /** Region of interest over the size of the fly. */
   private static final double REGION_SLACK = 1.05;
 
@@ -45,6 +44,7 @@ final class FlyFinder {
   private final SideSplit split;
   private final WingPairFit bodyLine = new WingPairFit();
   private final StrokeFit[] fits = {new StrokeFit(), new StrokeFit()};
+  private final StrokeFit[] otherEnd = {new StrokeFit(), new StrokeFit()};
   private final double[] px;
   private final double[] py;
   private final boolean[] fitted = new boolean[2];
@@ -237,14 +237,14 @@ final class FlyFinder {
 
   /** The fly of what was fitted: of a lone wing, the head is where that wing keeps away from. */
   private FoundFly conclude() {
+    double confidence = headTailConfidence();
     StrokeFit first = fits[fitted[0] ? 0 : 1];
     StrokeFit second = fits[fitted[1] ? 1 : 0];
     double turn =
         fitted[0] && fitted[1] && bodyLine.bring(fits, fittedAxis)
             ? bodyLine.turnRad
             : (first.centre() - second.centre()) / 2;
-    double asymmetry = (backwards(first) + backwards(second)) / 2;
-    boolean flipped = asymmetry < 0;
+    boolean flipped = first.asymmetry() + second.asymmetry() < 0;
     StrokeFit left = flipped ? second : first;
     StrokeFit right = flipped ? first : second;
     StrokeSeed[] seeds = new StrokeSeed[2];
@@ -265,13 +265,54 @@ final class FlyFinder {
             left.hingeY(),
             right.hingeX(),
             right.hingeY(),
-            Math.tanh(Math.abs(asymmetry) / HEAD_SD_RAD),
+            confidence,
             sample.endUs);
     return new FoundFly(geometry, REGION_SLACK * outerPx, seeds);
   }
 
-  /** How far the stroke is beyond the cross line, by its mean and by its extremes alike. */
-  private static double backwards(StrokeFit fit) {
-    return (fit.centre() + fit.middle() - Math.PI) / 2;
+  /**
+   * Keeps the likelier fits of both hypotheses of the head, and tells how sure that is.
+   *
+   * <p>The log-likelihoods of both fits differ by D_g in a part g of the beat and by D in all. What
+   * the model lacks repeats from beat to beat, so that all events of a part are one draw: D over
+   * the root of the sum of D_g² (Vuong, 1989, theorem 5.1, for models none of which need be true;
+   * Liang and Zeger, 1986, for draws of many events) is Student's t with (sum of D_g²)² / sum of
+   * D_g⁴ degrees of freedom (Satterthwaite, 1946). The confidence is its two-sided one.
+   */
+  private double headTailConfidence() {
+    double first = fits[fitted[0] ? 0 : 1].asymmetry();
+    double second = fits[fitted[1] ? 1 : 0].asymmetry();
+    int end = first + second < 0 ? 1 : -1;
+    double beyond = 0;
+    double all = 0;
+    double squares = 0;
+    double fourth = 0;
+    for (int side = 0; side < 2; side++) {
+      if (!fitted[side]) {
+        continue;
+      }
+      double turn = (side == 0 ? first - second : second - first) / 2;
+      StrokeFit other = otherEnd[side];
+      if (!other.fit(fits[side], end, turn) || !isWing(other)) {
+        return 1;
+      }
+      beyond += end * other.asymmetry();
+      for (int part = 0; part < other.losses.length; part++) {
+        double square = Math.pow(other.losses[part] - fits[side].losses[part], 2);
+        all += other.losses[part] - fits[side].losses[part];
+        squares += square;
+        fourth += square * square;
+      }
+    }
+    if (all <= 0 && beyond <= StrokeFit.BOUND_SD_RAD) {
+      return 0; // the end of these fits is as likely at the bound
+    }
+    if (all < 0) {
+      StrokeFit[] less = fits.clone();
+      System.arraycopy(otherEnd, 0, fits, 0, 2);
+      System.arraycopy(less, 0, otherEnd, 0, 2);
+    }
+    TDistribution student = TDistribution.of(squares * squares / fourth);
+    return 1 - 2 * student.survivalProbability(Math.abs(all) / Math.sqrt(squares));
   }
 }

@@ -44,6 +44,14 @@ final class StrokeFit {
   private static final double TIMING_S = 40e-6;
   private static final double[] SERIES_SD = {1, 0.08, 0.03, 0.012};
 
+  /** How far residuals go, in standard deviations, until a weight has fallen to a quarter. */
+  private static final double WIDE = 2.5;
+
+  static final double BOUND_SD_RAD = 1e-3;
+
+  /** Parts of a beat: four harmonics have as many independent values. */
+  private static final int PARTS = 2 * HARMONICS;
+
   private final NormalEquations normal = new NormalEquations(SIZE);
   private final double[] step = new double[SIZE];
   private final double[] row = new double[SIZE];
@@ -58,6 +66,15 @@ final class StrokeFit {
 
   /** Root mean square of the residuals of what fits, in standard deviations. */
   double residual;
+
+  /** Negative log-likelihood of the OFF and of the ON events in each part of a beat. */
+  final double[] losses = new double[2 * PARTS];
+
+  /** End of the fly that is towards the reference: 1 the head, -1 the tail, 0 not stated. */
+  private int end;
+
+  private double boundRad;
+  private boolean isBound;
 
   private final CoarseStroke coarse = new CoarseStroke();
   private int stride = 1;
@@ -93,21 +110,29 @@ final class StrokeFit {
     return Math.hypot(cosine(1), sine(1));
   }
 
-  /** The middle between the extremes. */
-  double middle() {
-    double low = Double.POSITIVE_INFINITY;
-    double high = Double.NEGATIVE_INFINITY;
-    for (int i = 0; i < 64; i++) {
-      double value = centre();
-      for (int k = 1; k <= HARMONICS; k++) {
-        value +=
-            cosine(k) * Math.cos(2 * Math.PI * k * i / 64)
-                + sine(k) * Math.sin(2 * Math.PI * k * i / 64);
-      }
-      low = Math.min(low, value);
-      high = Math.max(high, value);
+  /** Stroke beyond the cross line, mean of centre and middle; puts derivatives in {@link #row}. */
+  double asymmetry() {
+    double low = 0;
+    double high = 0;
+    for (double phase = 0; phase < 2 * Math.PI; phase += Math.PI / 32) {
+      low = swing(phase) < swing(low) ? phase : low;
+      high = swing(phase) > swing(high) ? phase : high;
     }
-    return (low + high) / 2;
+    Arrays.fill(row, 0);
+    row[CENTRE] = 1;
+    for (int k = 1; k <= HARMONICS; k++) {
+      row[SERIES + 2 * k - 2] = (Math.cos(k * low) + Math.cos(k * high)) / 4;
+      row[SERIES + 2 * k - 1] = (Math.sin(k * low) + Math.sin(k * high)) / 4;
+    }
+    return centre() + (swing(low) + swing(high)) / 4 - Math.PI / 2;
+  }
+
+  private double swing(double phase) {
+    double value = 0;
+    for (int k = 1; k <= HARMONICS; k++) {
+      value += cosine(k) * Math.cos(k * phase) + sine(k) * Math.sin(k * phase);
+    }
+    return value;
   }
 
   /** The stroke as a seed; flipped angles are measured from the opposite direction. */
@@ -156,7 +181,7 @@ final class StrokeFit {
       double farthestPx,
       double startOmega,
       boolean quick) {
-    Arrays.fill(p, 0);
+    end = 0;
     split = events;
     side = own;
     referenceRad = reference;
@@ -164,6 +189,27 @@ final class StrokeFit {
     outerPx = farthestPx;
     StrokeSample sample = events.sample;
     middleS = sample.size == 0 ? 0 : sample.timeS[sample.size - 1] / 2;
+    stride = Math.max(1, split.count(side) / (quick ? QUICK_EVENTS : MAX_EVENTS));
+    return fit(hingeX, hingeY, startOmega, quick ? QUICK_ROUNDS : ROUNDS);
+  }
+
+  /** Fits the events of another fit; asymmetry above a bound for end 1, below it for −1. */
+  boolean fit(StrokeFit fit, int stated, double bound) {
+    end = stated;
+    boundRad = bound;
+    split = fit.split;
+    side = fit.side;
+    referenceRad = fit.referenceRad;
+    turn = fit.turn;
+    outerPx = fit.outerPx;
+    middleS = fit.middleS;
+    stride = fit.stride;
+    return fit(fit.prior[HINGE_X], fit.prior[HINGE_Y], fit.prior[OMEGA], ROUNDS);
+  }
+
+  private boolean fit(double hingeX, double hingeY, double startOmega, int rounds) {
+    isBound = false;
+    Arrays.fill(p, 0);
     p[OMEGA] = startOmega;
     p[HINGE_X] = hingeX;
     p[HINGE_Y] = hingeY;
@@ -172,8 +218,6 @@ final class StrokeFit {
     if (!coarse()) {
       return false;
     }
-    int rounds = quick ? QUICK_ROUNDS : ROUNDS;
-    stride = Math.max(1, split.count(side) / (quick ? QUICK_EVENTS : MAX_EVENTS));
     for (int round = 0; round < rounds; round++) {
       int unknowns = round < WITH_HARMONICS ? SERIES + 2 : SIZE;
       if (!accumulate(round) || !normal.solve(unknowns, step)) {
@@ -194,7 +238,7 @@ final class StrokeFit {
 
   private boolean coarse() {
     if (!coarse.search(
-        split, side, p[HINGE_X], p[HINGE_Y], outerPx, referenceRad, turn, p[OMEGA], middleS)) {
+        split, side, p[HINGE_X], p[HINGE_Y], outerPx, referenceRad, turn, p[OMEGA], middleS, end)) {
       return false;
     }
     p[CENTRE] = coarse.centre;
@@ -222,11 +266,16 @@ final class StrokeFit {
       believe(SERIES + 2 * k - 1, 0, SERIES_SD[k - 1]);
     }
     double wide =
-        round < WITH_HARMONICS ? 6 : round < WITH_HINGE ? 4 : round < WITH_EDGES ? 3 : 2.5;
+        round < WITH_HARMONICS ? 6 : round < WITH_HINGE ? 4 : round < WITH_EDGES ? 3 : WIDE;
     int harmonics = round < WITH_HARMONICS ? 1 : HARMONICS;
     events = 0;
     inliers = 0;
     double squares = 0;
+    Arrays.fill(losses, 0);
+    isBound |= end != 0 && end * (asymmetry() - boundRad) < 0;
+    if (isBound) {
+      normal.add(1 / (BOUND_SD_RAD * BOUND_SD_RAD), row, SIZE, boundRad - asymmetry());
+    }
     double outerSquare = outerPx * outerPx;
     int seen = 0;
     for (int i = 0; i < sample.size; i++) {
@@ -236,11 +285,14 @@ final class StrokeFit {
       double dx = sample.x[i] - p[HINGE_X];
       double dy = sample.y[i] - p[HINGE_Y];
       double rr = dx * dx + dy * dy;
+      double sign = sample.sign[i];
+      double beats = prior[OMEGA] * (sample.timeS[i] - middleS) / (2 * Math.PI);
+      int part = (int) (PARTS * (beats - Math.floor(beats))) % PARTS + (sign < 0 ? PARTS : 0);
       if (rr < 9 || rr > outerSquare) {
+        losses[part] += WIDE * WIDE / 2;
         continue;
       }
       events++;
-      double sign = sample.sign[i];
       double sinceS = sample.timeS[i] - middleS - (sign < 0 ? p[LAG] : 0);
       double c1 = Math.cos(p[OMEGA] * sinceS);
       double s1 = Math.sin(p[OMEGA] * sinceS);
@@ -267,6 +319,7 @@ final class StrokeFit {
       double scaled = y * y / (variance * wide * wide);
       double w = 1 / ((1 + scaled) * (1 + scaled));
       inliers += w;
+      losses[part] += WIDE * WIDE / 2 * scaled / (1 + scaled);
       squares += w * y * y / variance;
       row[CENTRE] = 1;
       row[OMEGA] = slope * sinceS;
