@@ -5,11 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import haltere.core.event.EventPacket;
+import haltere.testing.Waiting;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletionException;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -93,6 +96,15 @@ class PictureThreadTest {
   @Test
   void whoWaitsForAStepIsToldThatTheThreadHasEnded() {
     PictureThread thread = new PictureThread();
+    CountDownLatch begun = new CountDownLatch(1);
+    thread.later(
+        () -> {
+          begun.countDown();
+          while (!Thread.currentThread().isInterrupted()) {
+            LockSupport.park();
+          }
+        });
+    Waiting.until("the step before", () -> begun.getCount() == 0);
     thread.close();
     assertThrows(CancellationException.class, () -> thread.now(() -> "never"));
   }
