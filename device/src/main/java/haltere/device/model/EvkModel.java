@@ -13,7 +13,7 @@ final class EvkModel implements CameraModel {
   static final SensorGeometry GEOMETRY = new SensorGeometry(1280, 720, Origin.TOP);
 
   private static final String REMARK =
-      "experimental: it streams only after another program has configured its " + "sensor";
+      "experimental: it streams only after another program has configured its sensor";
 
   @Override
   public String key() {

@@ -171,7 +171,7 @@ final class StreamAssembly {
   /** Puts notices of what is missing before what comes next: what was counted, what was not. */
   void tellLoss(long nextUs) {
     if (losing) {
-      String place = "not consumed in time: buffers of " + camera + " in time";
+      String place = "buffers of " + camera + " were not consumed in time";
       ready.add(new DataLost(lostBytes, lostEvents, lastUs, nextUs, place));
       losing = false;
       lostBytes = 0;

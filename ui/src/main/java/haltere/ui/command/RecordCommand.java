@@ -27,7 +27,7 @@ import picocli.CommandLine.Parameters;
     name = "record",
     footer = {"", "Example: haltere record recording.aedat4 --duration 10"},
     description = {
-      "Record a camera for a given time or until Ctrl+C; the recording is complete " + "then.",
+      "Record a camera for a given time or until Ctrl+C; the recording is complete then.",
       "Records the first connected camera, or that of --device. With several --device, each has "
           + "its own file, OUT.ID. Its header relates the camera's clock to this computer's.",
       "After unplugging and reconnection, the recording continues in another part "

@@ -31,7 +31,7 @@ final class RecordingWritingOptions extends WritingOptions {
       names = "--origin",
       paramLabel = "top|bottom",
       description =
-          "Origin of the rows in plain exports (CSV, NumPy, HDF5); default: as in the " + "source.")
+          "Origin of the rows in plain exports (CSV, NumPy, HDF5); default: as in the source.")
   Origin origin;
 
   /**

@@ -7,7 +7,7 @@ import picocli.CommandLine.Command;
 @Command(
     name = "scenes",
     description =
-        "List the simulated scenes with their settings: unit, range, default and " + "meaning.")
+        "List the simulated scenes with their settings: unit, range, default and meaning.")
 final class ScenesCommand extends SettingsListing {
   ScenesCommand() {
     super(Scenes::all, Scenes::named);

@@ -78,8 +78,7 @@ public final class Evt21Format extends EvtFormat {
     boolean swapped =
         Evt21Decoder.plausibleWords(start, 0, true) > Evt21Decoder.plausibleWords(start, 0, false);
     if (swapped) {
-      remarks.add(
-          "the halves of the words are swapped (legacy), which the header does not " + "state");
+      remarks.add("the halves of the words are swapped (legacy), which the header does not state");
     }
     return new Evt21Format(swapped);
   }

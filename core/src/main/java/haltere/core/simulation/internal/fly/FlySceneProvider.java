@@ -15,7 +15,7 @@ public final class FlySceneProvider implements SceneProvider<FlySceneSettings> {
 
   @Override
   public String description() {
-    return "A tethered fruit fly with beating wings, and the truth about its wings and " + "body.";
+    return "A tethered fruit fly with beating wings, and the truth about its wings and body.";
   }
 
   @Override
