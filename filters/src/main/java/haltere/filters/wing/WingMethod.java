@@ -6,6 +6,6 @@ public enum WingMethod {
   EKF,
   /** The weighted running average. */
   WRA,
-  /** The extended Kalman filter, and the running average beside it for comparison. */
+  /** Both, for comparison. */
   BOTH
 }

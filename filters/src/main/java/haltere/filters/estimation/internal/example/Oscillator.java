@@ -106,7 +106,7 @@ public final class Oscillator {
                 + (float) series.dtS(k)
                 + " s before t_s = "
                 + series.get(k).tS()
-                + "; an oscillation needs one a second");
+                + "; an oscillation needs one per second");
       }
     }
   }

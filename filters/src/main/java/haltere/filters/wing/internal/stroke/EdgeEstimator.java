@@ -69,6 +69,6 @@ abstract class EdgeEstimator {
   }
 
   void edit(WingFilterEdit edit) {
-    throw new IllegalArgumentException("the running average has no filter to change");
+    throw new IllegalArgumentException("the running average has no filter to edit");
   }
 }
