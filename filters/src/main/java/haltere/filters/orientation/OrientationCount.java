@@ -13,7 +13,7 @@ public enum OrientationCount {
   /** Observations without an angle; their position may have been used. */
   WITHOUT_ANGLE("without an angle"),
   /** Observations of an unusable camera, or outside the image of its lens. */
-  UNUSABLE_CAMERA("of an unusable camera or outside the image of its lens"),
+  UNUSABLE_CAMERA("of a camera that cannot be used, or outside the image of its lens"),
   /** Lines of a body at the camera's centre, in its focal plane, or pointing at it. */
   WITHOUT_LINE("of a body at the camera's centre, in its focal plane or pointing at it"),
   /** A second observation of one camera at one time. */

@@ -123,7 +123,7 @@ public final class CameraModel {
     Vectors.cross(m0, m1, across);
     double volume = Math.abs(Vectors.dot(across, m2));
     double size = Vectors.length(m0) * Vectors.length(m1) * Vectors.length(m2);
-    return volume > 1e-9 * size ? null : "the left 3 by 3 part of its matrix is singular";
+    return volume > 1e-9 * size ? null : "the left part of its matrix has a rank of less than 3";
   }
 
   /** A row of the left part. */

@@ -180,7 +180,7 @@ final class FlydraDetections {
       throw new RecordingProblem(file, "the table " + DETECTIONS + " has no column y or intercept");
     }
     if (!isAssociated && !there.isEmpty() && !there.contains("obj_id")) {
-      listener.remark("no table assigns detections to bodies; all are assigned to one");
+      listener.remark("no table assigns detections to bodies; all are taken for one");
     }
     tables.read(DETECTIONS, COLUMNS, REQUIRED, this::detection);
   }
