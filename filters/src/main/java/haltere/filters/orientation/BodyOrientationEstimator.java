@@ -4,6 +4,11 @@ import haltere.filters.estimation.FilterStep;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.Vectors;
+import haltere.filters.orientation.internal.axis.AxisFilter;
+import haltere.filters.orientation.internal.axis.AxisLaunch;
+import haltere.filters.orientation.internal.axis.LineMeasurement;
+import haltere.filters.orientation.internal.axis.QuaternionFilter;
+import haltere.filters.orientation.internal.axis.SphereFilter;
 import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
@@ -85,8 +90,8 @@ public final class BodyOrientationEstimator {
     position = new PositionFilter(List.copyOf(cameras), settings.position());
     axis =
         settings.form() == OrientationSettings.Form.QUATERNION
-            ? new QuaternionFilter(settings)
-            : new SphereFilter(settings);
+            ? new QuaternionFilter(settings.axisModel())
+            : new SphereFilter(settings.axisModel());
     search = new AxisLaunch(settings.gate().outlierShare());
     head = new HeadOrTail(settings.direction());
     lines = measurements(count);

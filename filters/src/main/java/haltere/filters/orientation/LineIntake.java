@@ -2,6 +2,7 @@ package haltere.filters.orientation;
 
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
+import haltere.filters.orientation.internal.axis.LineMeasurement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

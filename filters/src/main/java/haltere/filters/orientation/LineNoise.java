@@ -1,5 +1,6 @@
 package haltere.filters.orientation;
 
+import haltere.filters.orientation.internal.axis.LineMeasurement;
 import java.util.Arrays;
 
 /** Variance of each camera's angles, learnt from its own detections. */

@@ -5,6 +5,7 @@ import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
+import haltere.filters.orientation.internal.axis.AxisModel;
 
 /**
  * Settings of {@link BodyOrientationEstimator}.
@@ -70,6 +71,19 @@ public record OrientationSettings(
             "line.calibrate=false");
   }
 
+  /** The model of the axis; without outliers if the gate accepts all lines. */
+  AxisModel axisModel() {
+    return new AxisModel(
+        turning.calmRateRadS,
+        turning.saccadeRateRadS,
+        turning.decayS,
+        turning.saccadesPerS,
+        turning.saccadeS,
+        turning.updateNoise,
+        Math.toRadians(gate.angleDeg),
+        gate.angleDeg >= 90 ? 0 : gate.outlierShare);
+  }
+
   /** Acceptance of observations. */
   public record ObservationGate(
       @Help(
@@ -93,12 +107,7 @@ public record OrientationSettings(
                   + " residual decides.")
           @Range(min = 0, max = 0.5)
           @Unit("1")
-          double outlierShare) {
-    /** The outlier share, 0 where the angle accepts all. */
-    double effectiveOutlierShare() {
-      return angleDeg >= 90 ? 0 : outlierShare;
-    }
-  }
+          double outlierShare) {}
 
   /** Process model of the axis: rates that decay, driven by noise of calm flight or saccades. */
   public record Turning(
@@ -127,18 +136,7 @@ public record OrientationSettings(
                   + " instead of noise of the rates (Straw et al., 2011).")
           @Range(min = 0, max = 1000)
           @Unit("1")
-          double updateNoise) {
-    /** Share of the time that is spent in saccades. */
-    double saccadeShare() {
-      return saccadesPerS * saccadeS / (1 + saccadesPerS * saccadeS);
-    }
-
-    /** Variance of a rate, over calm flight and saccades. */
-    double meanRateVariance() {
-      double share = saccadeShare();
-      return (1 - share) * calmRateRadS * calmRateRadS + share * saccadeRateRadS * saccadeRateRadS;
-    }
-  }
+          double updateNoise) {}
 
   /** Measurement noise of angles. */
   public record AngleNoise(

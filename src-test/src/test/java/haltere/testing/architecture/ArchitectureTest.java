@@ -257,8 +257,12 @@ class ArchitectureTest {
         "a motion is one without an example");
     knowsNoneOf(
         "haltere.filters.orientation.camera",
-        Set.of("haltere.filters.orientation"),
+        Set.of("haltere.filters.orientation", "haltere.filters.orientation.internal.axis"),
         "a camera is one without a filter");
+    knowsNoneOf(
+        "haltere.filters.orientation.internal.axis",
+        Set.of("haltere.filters.orientation", "haltere.filters.orientation.line"),
+        "a filter of an axis knows no settings of an estimator");
     knowsNoneOf(
         "haltere.filters.wing",
         Set.of(

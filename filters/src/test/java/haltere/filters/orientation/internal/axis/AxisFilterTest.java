@@ -1,9 +1,11 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.internal.axis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.filters.estimation.Angles;
+import haltere.filters.orientation.AxisModels;
+import haltere.filters.orientation.OrientationSettings;
 import haltere.filters.orientation.camera.RandomCameras;
 import haltere.filters.orientation.camera.Vectors;
 import java.util.SplittableRandom;
@@ -23,11 +25,11 @@ class AxisFilterTest {
   private static AxisFilter launched(
       OrientationSettings settings, double[] axis, double[] covariance) {
     if (settings.form() == OrientationSettings.Form.QUATERNION) {
-      QuaternionFilter filter = new QuaternionFilter(settings);
+      QuaternionFilter filter = new QuaternionFilter(AxisModels.of(settings));
       filter.launch(axis, covariance);
       return filter;
     }
-    SphereFilter filter = new SphereFilter(settings);
+    SphereFilter filter = new SphereFilter(AxisModels.of(settings));
     filter.launch(axis, covariance);
     return filter;
   }
@@ -223,7 +225,7 @@ class AxisFilterTest {
     for (int i = 0; i < 50; i++) {
       double dtS = random.nextDouble(1e-4, 0.03);
       SpherePath start = SpherePath.random(random, 25);
-      SphereFilter filter = new SphereFilter(OrientationSettings.defaults());
+      SphereFilter filter = new SphereFilter(AxisModels.of(OrientationSettings.defaults()));
       start.putInto(filter);
       AxisState before = SpherePath.state(filter);
       filter.predict(dtS);
@@ -305,8 +307,9 @@ class AxisFilterTest {
     OrientationSettings settings =
         OrientationSettings.defaults()
             .with("turning.saccadeRateRadS=2", "turning.calmRateRadS=2", "gate.outlierShare=0");
-    SphereFilter sphere = new SphereFilter(settings);
-    QuaternionFilter quaternion = new QuaternionFilter(settings.with("form=quaternion"));
+    SphereFilter sphere = new SphereFilter(AxisModels.of(settings));
+    QuaternionFilter quaternion =
+        new QuaternionFilter(AxisModels.of(settings.with("form=quaternion")));
     double[] covariance = {0.001, 0, 0, 0, 0.001, 0, 0, 0, 0};
     sphere.launch(new double[] {0, 0, 1}, covariance);
     quaternion.launch(new double[] {0, 0, 1}, covariance);

@@ -1,11 +1,11 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.internal.axis;
 
 /**
  * Follows the undirected axis of a body through what cameras see of it.
  *
  * <p>Thread rule: one thread at a time.
  */
-sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
+public sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
   /**
    * Estimate of an axis.
    *

@@ -1,4 +1,4 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.internal.axis;
 
 import haltere.filters.orientation.camera.CameraModel;
 
@@ -6,28 +6,28 @@ import haltere.filters.orientation.camera.CameraModel;
  * The line that a camera measured, for a filter of the axis: its angle without the lens, variance
  * and derivatives; after an update, residual and result. Reused.
  */
-final class LineMeasurement {
+public final class LineMeasurement {
   /** n₀ and n₁ of {@link CameraModel#lineNormals}. */
-  final double[] n = new double[6];
+  public final double[] n = new double[6];
 
-  int camera;
+  public int camera;
   private double sin;
   private double cos = 1;
-  double varianceRad2;
+  public double varianceRad2;
 
-  boolean used;
+  public boolean used;
 
   /** Angle from the expected line, before any update. */
-  double residualRad;
+  public double residualRad;
 
   /** Normalised innovation squared at its update. */
-  double nis;
+  public double nis;
 
   /** Estimate of its own variance; NaN where the innovation does not tell. */
-  double ownRad2;
+  public double ownRad2;
 
   /** Sets what was observed: an angle in radians, modulo pi. */
-  void setAngle(double angleRad) {
+  public void setAngle(double angleRad) {
     used = false;
     residualRad = Double.NaN;
     sin = Math.sin(angleRad);

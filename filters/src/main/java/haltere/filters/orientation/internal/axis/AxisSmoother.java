@@ -1,4 +1,4 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.internal.axis;
 
 import haltere.filters.estimation.RtsSmoother;
 import java.util.ArrayList;
@@ -11,11 +11,11 @@ import org.ejml.data.DMatrixRMaj;
  * differences along great circles. P⁻ holds the noise of calm flight and of saccades as likely as
  * each was.
  */
-final class AxisSmoother {
+public final class AxisSmoother {
   private AxisSmoother() {}
 
   /** A smoothed state for each step. */
-  static List<AxisState> smooth(List<AxisStep> steps) {
+  public static List<AxisState> smooth(List<AxisStep> steps) {
     List<AxisState> smoothed = new ArrayList<>(steps.size());
     AxisState later = null;
     for (int k = steps.size() - 1; k >= 0; k--) {

@@ -1,4 +1,4 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.internal.axis;
 
 import org.ejml.data.DMatrixRMaj;
 
@@ -11,4 +11,5 @@ import org.ejml.data.DMatrixRMaj;
  * @param updated the state after them
  * @param before the time before; null after a launch
  */
-record AxisStep(AxisState predicted, DMatrixRMaj transition, AxisState updated, AxisStep before) {}
+public record AxisStep(
+    AxisState predicted, DMatrixRMaj transition, AxisState updated, AxisStep before) {}

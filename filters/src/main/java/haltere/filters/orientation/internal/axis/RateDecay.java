@@ -1,4 +1,4 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.internal.axis;
 
 /**
  * What a step of time does to rates that decay and are driven by white noise, and to the angle that

@@ -1,11 +1,11 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.internal.axis;
 
 import haltere.filters.orientation.camera.RandomCameras;
 import haltere.filters.orientation.camera.Vectors;
 import java.util.SplittableRandom;
 
 /** A point that moves on a sphere, worked out with rotations (Rodrigues) only. */
-final class SpherePath {
+public final class SpherePath {
   private double[] u;
   private double[] v;
 
@@ -46,7 +46,7 @@ final class SpherePath {
   }
 
   /** What a filter holds, all hypotheses together. */
-  static AxisState state(SphereFilter filter) {
+  public static AxisState state(SphereFilter filter) {
     return filter.mixture.mean().state();
   }
 

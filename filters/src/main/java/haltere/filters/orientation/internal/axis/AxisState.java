@@ -1,4 +1,4 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.internal.axis;
 
 /**
  * What {@link SphereFilter} holds at one time.
@@ -10,9 +10,9 @@ package haltere.filters.orientation;
  * @param vb velocity along e2
  * @param p covariance of the error, order a, ȧ, b, ḃ, sixteen entries
  */
-record AxisState(double[] u, double[] e1, double[] e2, double va, double vb, double[] p) {
+public record AxisState(double[] u, double[] e1, double[] e2, double va, double vb, double[] p) {
   /** Velocity of the axis' tip, per second. */
-  double[] tipVelocity() {
+  public double[] tipVelocity() {
     double[] tip = new double[3];
     for (int i = 0; i < 3; i++) {
       tip[i] = va * e1[i] + vb * e2[i];

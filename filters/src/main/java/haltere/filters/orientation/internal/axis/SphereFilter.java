@@ -1,4 +1,4 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.internal.axis;
 
 /**
  * The error-state form: a few {@link AxisHypothesis hypotheses} of the axis on the unit sphere,
@@ -16,7 +16,7 @@ package haltere.filters.orientation;
  * <p>The estimate is the mean of the hypotheses with their second moment, that of an unknown axis
  * included.
  */
-final class SphereFilter implements AxisFilter {
+public final class SphereFilter implements AxisFilter {
   /** Logarithm of the odds to the best hypothesis beyond which one is dropped. */
   private static final double MAX_LOG_ODDS = Math.log(1e5);
 
@@ -42,7 +42,7 @@ final class SphereFilter implements AxisFilter {
   private static final double UNKNOWN_VARIANCE = (Math.PI - 2) / 2;
 
   final double[] rateVariances;
-  private final OrientationSettings.Turning turning;
+  private final AxisModel model;
   private final double gateRad;
   private final double outliers;
   private final double logOutlier;
@@ -62,15 +62,16 @@ final class SphereFilter implements AxisFilter {
 
   private boolean recording;
 
-  SphereFilter(OrientationSettings settings) {
-    turning = settings.turning();
-    double calm = turning.calmRateRadS();
-    double wild = turning.saccadeRateRadS();
+  /** A filter without an axis. */
+  public SphereFilter(AxisModel model) {
+    this.model = model;
+    double calm = model.calmRateRadS();
+    double wild = model.saccadeRateRadS();
     rateVariances =
         calm == wild ? new double[] {calm * calm} : new double[] {calm * calm, wild * wild};
-    decay = new RateDecay(turning.decayS());
-    gateRad = Math.toRadians(settings.gate().angleDeg());
-    outliers = settings.gate().effectiveOutlierShare();
+    decay = new RateDecay(model.decayS());
+    gateRad = model.gateRad();
+    outliers = model.outlierShare();
     logOutlier = outliers == 0 ? Double.NEGATIVE_INFINITY : Math.log(outliers / Math.PI);
     logInlier = Math.log(1 - outliers);
   }
@@ -94,8 +95,8 @@ final class SphereFilter implements AxisFilter {
   }
 
   private AxisHypothesis start(AxisHypothesis hypothesis, double[] axis, double[] covariance) {
-    hypothesis.launch(axis, covariance, turning.meanRateVariance());
-    hypothesis.saccadeShare = turning.saccadeShare();
+    hypothesis.launch(axis, covariance, model.meanRateVariance());
+    hypothesis.saccadeShare = model.saccadeShare();
     hypothesis.expect(0);
     if (recording) {
       hypothesis.step = new AxisStep(null, null, hypothesis.state(), null);
@@ -112,8 +113,8 @@ final class SphereFilter implements AxisFilter {
   public void predict(double dtS) {
     hasStepped = dtS > 0;
     decay.step(dtS);
-    begins = -Math.expm1(-turning.saccadesPerS() * dtS);
-    ends = -Math.expm1(-dtS / turning.saccadeS());
+    begins = -Math.expm1(-model.saccadesPerS() * dtS);
+    ends = -Math.expm1(-dtS / model.saccadeS());
     for (int i = 0; i < hypotheses.size(); i++) {
       hypotheses.get(i).predict(decay);
     }

@@ -1,4 +1,4 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.internal.axis;
 
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;

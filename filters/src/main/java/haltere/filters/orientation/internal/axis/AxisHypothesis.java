@@ -1,4 +1,4 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.internal.axis;
 
 import haltere.filters.estimation.GaussianState;
 import haltere.filters.orientation.camera.Vectors;

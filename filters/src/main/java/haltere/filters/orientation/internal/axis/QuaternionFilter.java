@@ -1,4 +1,4 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.internal.axis;
 
 import haltere.filters.estimation.GaussianState;
 import org.ejml.data.DMatrixRMaj;
@@ -10,7 +10,7 @@ import org.ejml.dense.row.CommonOps_DDRM;
  * projected. The rotation about the axis is a state here although no camera sees it, so its
  * variance grows. For comparison; steps allocate.
  */
-final class QuaternionFilter implements AxisFilter {
+public final class QuaternionFilter implements AxisFilter {
   private static final int N = 7;
 
   /** Times in a row at which most lines were rejected, after which an axis is lost. */
@@ -36,13 +36,13 @@ final class QuaternionFilter implements AxisFilter {
 
   private int agreements;
 
-  QuaternionFilter(OrientationSettings settings) {
-    OrientationSettings.Turning turning = settings.turning();
-    rateVariance = turning.meanRateVariance();
-    updateNoise = turning.updateNoise();
-    motion = new QuaternionMotion(turning.decayS(), rateVariance, updateNoise);
-    gateRad = Math.toRadians(settings.gate().angleDeg());
-    outlierShare = settings.gate().effectiveOutlierShare();
+  /** A filter without an axis. */
+  public QuaternionFilter(AxisModel model) {
+    rateVariance = model.meanRateVariance();
+    updateNoise = model.updateNoise();
+    motion = new QuaternionMotion(model.decayS(), rateVariance, updateNoise);
+    gateRad = model.gateRad();
+    outlierShare = model.outlierShare();
   }
 
   @Override

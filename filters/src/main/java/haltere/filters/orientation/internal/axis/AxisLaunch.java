@@ -1,4 +1,4 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.internal.axis;
 
 import haltere.filters.orientation.camera.Vectors;
 import java.util.Arrays;
@@ -10,7 +10,7 @@ import org.ejml.dense.row.CommonOps_DDRM;
  * lies in all of them. The intersection of two planes with the most inliers is refined by least
  * squares (Gauss-Newton). Reused.
  */
-final class AxisLaunch {
+public final class AxisLaunch {
   /** Sine of the angle of two planes below which they have no usable intersection. */
   private static final double MIN_CROSSING = Math.sin(Math.toRadians(4));
 
@@ -40,12 +40,12 @@ final class AxisLaunch {
   private int tried;
 
   /** A search among lines of which a share is not of the body. */
-  AxisLaunch(double outlierShare) {
+  public AxisLaunch(double outlierShare) {
     this.outlierShare = outlierShare;
   }
 
   /** The axis that was found last: a unit vector; not a copy. */
-  double[] axis() {
+  public double[] axis() {
     return axis;
   }
 
@@ -60,7 +60,7 @@ final class AxisLaunch {
   }
 
   /** Takes the opposite direction of the same line. */
-  void turnRound() {
+  public void turnRound() {
     System.arraycopy(Vectors.scaled(-1, axis), 0, axis, 0, 3);
   }
 
@@ -76,7 +76,7 @@ final class AxisLaunch {
    * Searches the first lines; false with fewer than two, lines that contradict, or planes that are
    * all one.
    */
-  boolean find(LineMeasurement[] lines, int count) {
+  public boolean find(LineMeasurement[] lines, int count) {
     tried = count;
     double bestScore = 0;
     for (int i = 0; i < count; i++) {

@@ -1,10 +1,12 @@
-package haltere.filters.orientation;
+package haltere.filters.orientation.internal.axis;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.filters.estimation.Consistency;
 import haltere.filters.estimation.Interval;
 import haltere.filters.estimation.Whiteness;
+import haltere.filters.orientation.AxisModels;
+import haltere.filters.orientation.OrientationSettings;
 import haltere.filters.orientation.camera.RandomCameras;
 import haltere.filters.orientation.camera.Vectors;
 import java.util.SplittableRandom;
@@ -51,7 +53,7 @@ class AxisConsistencyTest {
         RandomCameras.random(random).lineNormals(new double[3], lines[i].n);
         lines[i].varianceRad2 = sd * sd;
       }
-      SphereFilter filter = new SphereFilter(settings);
+      SphereFilter filter = new SphereFilter(AxisModels.of(settings));
       truth.frame();
       double[] off = {
         0.05 * random.nextGaussian(),
