@@ -1,11 +1,8 @@
 package haltere.filters.wing.internal.stroke;
 
-/**
- * What a phase is usually off by in steady flight, as a share of what the noise of events explains,
- * and what is clearly more than that.
- */
-final class UsualPhase {
-  /** Events of one beat repeat each other's errors: so many of them count for one. */
+/** Usual squared innovation of a phase in steady flight, over its expectation, and its excess. */
+final class InnovationBaseline {
+  /** Number of events of one beat that count as one, since their errors are correlated. */
   private static final double REPEATING = 3;
 
   private static final double FIRST = 0.25;
@@ -19,25 +16,25 @@ final class UsualPhase {
   private double weight = FIRST_WEIGHT;
 
   /**
-   * What is usual where nothing was seen yet.
+   * A baseline without data.
    *
-   * @param times a square is clearly more if it is so many times the usual one
-   * @param least and at least so many times what noise explains
-   * @param most clear in any case, times what noise explains
+   * @param times multiple of the baseline above which a square is an excess
+   * @param least smallest threshold, as a multiple of the expectation
+   * @param most largest threshold, as a multiple of the expectation
    */
-  UsualPhase(double times, double least, double most) {
+  InnovationBaseline(double times, double least, double most) {
     this.times = times;
     this.least = least;
     this.most = most;
   }
 
   /**
-   * Square of what a phase is off by beyond what is usual.
+   * Excess of a squared phase innovation over the baseline.
    *
    * @param y weighted sum of residuals
    * @param w sum of weights times slopes
-   * @param calm whether the fly flies steadily, so that this one counts as usual
-   * @return squared radians; 0 where it is nothing unusual
+   * @param calm whether the flight is steady, so that the square updates the baseline
+   * @return squared radians; 0 without an excess
    */
   double excess(double y, double w, boolean calm) {
     double square = y / w * (y / w);

@@ -1,10 +1,10 @@
 package haltere.filters.wing.internal.stroke;
 
 /**
- * Tells whether a filter is still on its wing: its events still come at their usual rate, more of
- * them lie near the wing than chance explains, and the state is one of a wing.
+ * Decides whether a filter is in lock: events at their usual rate, more of them near the wing than
+ * by chance, and a possible state of a wing.
  */
-final class LockJudge {
+final class LockMonitor {
   private static final int PATIENCE = 25;
   private static final double MIN_EXCESS = 0.1;
   private static final double SILENT_SHARE = 0.12;
@@ -22,15 +22,15 @@ final class LockJudge {
   private int poor;
 
   /**
-   * Looks, about once in a millisecond.
+   * Update, about once a millisecond.
    *
-   * @param dtS since the last time
-   * @param taken events that the filter has taken in since its launch
+   * @param dtS since the last time, seconds
+   * @param taken events that the filter has used since its launch
    * @param omega angular frequency
    * @param amplitude of the stroke
-   * @param excess share of events near the wing beyond what chance explains
+   * @param excess share of events near the wing beyond chance
    */
-  void look(double dtS, long taken, double omega, double amplitude, double excess) {
+  void update(double dtS, long taken, double omega, double amplitude, double excess) {
     double rate = (taken - counted) / dtS;
     counted = taken;
     double quickS = QUICK_BEATS * 2 * Math.PI / Math.max(MIN_OMEGA, omega);
@@ -46,7 +46,7 @@ final class LockJudge {
     poor = !possible ? poor + PATIENCE : good ? 0 : poor + 1;
   }
 
-  /** Whether it has looked bad for long enough. */
+  /** Whether lock was lost for long enough. */
   boolean isLost() {
     return poor >= PATIENCE;
   }

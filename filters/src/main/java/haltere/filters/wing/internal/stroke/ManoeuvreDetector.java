@@ -1,29 +1,26 @@
 package haltere.filters.wing.internal.stroke;
 
 /**
- * Notices a manoeuvre: the phase runs away from what is expected by more than it usually does
- * ({@link UsualPhase}). The frequency's process noise is then raised, by as much as the phase is
- * off, and falls back slowly, because a manoeuvre that has begun goes on.
- *
- * <p>A fly's wings are driven as one: what both phases are off by together tells of a manoeuvre
- * sooner, and noise is less often taken for one, than each does alone. A wing that runs away alone
- * has to do so more clearly.
+ * Detects a manoeuvre: the innovation of the phase exceeds its baseline ({@link
+ * InnovationBaseline}). The process noise of the frequency then increases with the excess and
+ * decays slowly, since manoeuvres last. The mean innovation of both wings is tested with a low
+ * threshold, since both are driven together; that of one wing with a higher one.
  */
-final class RunAway {
-  /** Density of the frequency's noise for each squared radian by which the phase runs away. */
+final class ManoeuvreDetector {
+  /** Density of the frequency's noise per squared radian of excess. */
   private static final double DENSITY = 4e8;
 
   private static final double HOLD_S = 0.03;
   private static final double MIN_DENSITY = 1;
 
-  private final UsualPhase together = new UsualPhase(20, 1.5, 6);
-  private final UsualPhase alone = new UsualPhase(26, 6, 12);
+  private final InnovationBaseline together = new InnovationBaseline(20, 1.5, 6);
+  private final InnovationBaseline alone = new InnovationBaseline(26, 6, 12);
   private double y;
   private double w;
   private double density;
 
   /**
-   * Takes a residual.
+   * Adds a residual.
    *
    * @param residual radians
    * @param weight one over its variance, times the slope
@@ -35,10 +32,10 @@ final class RunAway {
   }
 
   /**
-   * Looks, about once in a millisecond; the residuals of the last beat count. The other wing is the
-   * one that is driven together with this one; null if none is known.
+   * Update, about once a millisecond, from the residuals of the last beat. The other wing may be
+   * null.
    */
-  void look(double dtS, double omega, double most, RunAway other) {
+  void update(double dtS, double omega, double most, ManoeuvreDetector other) {
     if (w > 0) {
       double excess = excess(other);
       density = Math.max(density * Math.exp(-dtS / HOLD_S), Math.min(most, DENSITY * excess));
@@ -51,7 +48,7 @@ final class RunAway {
     w *= fade;
   }
 
-  private double excess(RunAway other) {
+  private double excess(ManoeuvreDetector other) {
     boolean calm = density == 0;
     if (other == null) {
       return together.excess(y, w, calm);
@@ -61,7 +58,7 @@ final class RunAway {
         together.excess(y + other.y, w + other.w, calm && other.density == 0));
   }
 
-  /** What is to be added to the density of the angular frequency's noise; 0 in steady flight. */
+  /** Added density of the process noise of the angular frequency; 0 in steady flight. */
   double density() {
     return density;
   }

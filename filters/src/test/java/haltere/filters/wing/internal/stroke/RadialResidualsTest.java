@@ -34,7 +34,7 @@ class RadialResidualsTest {
       }
     }
     double variance = NOISE_RAD * NOISE_RAD;
-    radial.look(1e-3, HALF_APART_S, new double[] {variance, variance}, isSpread);
+    radial.update(1e-3, HALF_APART_S, new double[] {variance, variance}, isSpread);
   }
 
   @Test
