@@ -4,14 +4,11 @@ import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.RecordingClock;
 import haltere.core.format.RecordingOutline;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.clock.AscendingTimes;
-import haltere.core.format.internal.clock.EventTimes;
 import haltere.core.format.internal.decoding.EventColumn;
-import haltere.core.format.internal.decoding.EventCursor;
+import haltere.core.format.internal.decoding.RowCursor;
 import haltere.core.format.internal.packed.DamagedPacketException;
 import haltere.core.format.internal.packed.LittleEndian;
 import java.io.IOException;
@@ -20,7 +17,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /** Reads the columns of events side by side. */
-final class Hdf5Cursor implements EventCursor {
+final class Hdf5Cursor extends RowCursor {
   private final EventTable table;
   private final ViolationCounts violations;
   private final ChunkUnpacker unpacker = new ChunkUnpacker();
@@ -35,12 +32,8 @@ final class Hdf5Cursor implements EventCursor {
   private final boolean usual;
   private final boolean wideTimes;
 
-  private long row;
-
   /** Rows before this one were read before; what was wrong there is not counted again. */
   private long counted;
-
-  private final AscendingTimes times = new AscendingTimes();
 
   Hdf5Cursor(EventTable table, SensorGeometry geometry, ViolationCounts violations) {
     this.table = table;
@@ -230,36 +223,13 @@ final class Hdf5Cursor implements EventCursor {
   }
 
   @Override
-  public RecordingClock clock() {
-    return RecordingClock.wide(RecordingClock.Zero.WRITERS_CHOICE);
+  protected long rows() {
+    return table.rows();
   }
 
   @Override
-  public EventTimes times() {
-    return times;
-  }
-
-  @Override
-  public long positionBytes() {
-    long size = table.container().bytes().size();
-    return row >= table.rows() ? size : (long) (size * ((double) row / table.rows()));
-  }
-
-  @Override
-  public int stateLongs() {
-    return 2;
-  }
-
-  @Override
-  public void save(long[] state, int at) {
-    state[at] = row;
-    times.save(state, at + 1);
-  }
-
-  @Override
-  public void restore(long[] state, int at) {
-    row = state[at];
-    times.restore(state, at + 1);
+  protected long fileBytes() {
+    return table.container().bytes().size();
   }
 
   @Override
