@@ -1,6 +1,6 @@
 package haltere.filters.wing;
 
-/** How wings are tracked. */
+/** Method of tracking. */
 public enum WingMethod {
   /** The extended Kalman filter. */
   EKF,
