@@ -36,7 +36,7 @@ import org.junit.jupiter.api.Test;
 public abstract class RecordingFormatContract extends RecordingTimeContract {
   private static final int[] PACKET_SIZES = {1, 7, 1000, 8192, 1 << 20};
 
-  /** Places in which a file is cut, at the most; a longer one is cut in every second, third... */
+  /** Places in which a file is cut, at most; a longer one is cut in every second, third... */
   private static final int MAX_CUTS = 2500;
 
   /** Bytes at the start of a file of which none is passed over. */

@@ -80,7 +80,7 @@ public final class Batch {
    *
    * @param chain makes the chain of each recording
    * @param options how to run
-   * @param words the line for a person of what a job threw
+   * @param words the line for users of what a job threw
    * @throws IOException if the chain cannot be made
    */
   public Batch(

@@ -39,7 +39,7 @@ public interface Camera extends EventSource {
    * Hands over the next packet, notification or sample; waits for it, however long that takes.
    * {@link #close} ends the waiting; the stream then still gets its end.
    *
-   * @param handler takes it
+   * @param handler receives it
    * @return false, and nothing was handed over, after the {@link EndOfStream} that nothing follows
    * @throws java.io.InterruptedIOException if the thread is interrupted while it waits
    * @throws IOException if the camera cannot be started

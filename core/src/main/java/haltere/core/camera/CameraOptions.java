@@ -12,7 +12,7 @@ import java.util.Objects;
  *     beyond them events are lost, counted, and told in the stream
  * @param whenFull which events are lost then
  * @param samples whether frames, inertial samples and triggers are wanted too
- * @param reconnect whether the camera goes on with a new stream when it is plugged in again
+ * @param reconnect whether the camera continues with a new stream when it is plugged in again
  * @since 0.1
  */
 public record CameraOptions(
@@ -95,7 +95,7 @@ public record CameraOptions(
   /**
    * The same options but for what happens after the camera was unplugged.
    *
-   * @param newReconnect whether it goes on when it is plugged in again
+   * @param newReconnect whether it continues when it is plugged in again
    * @return new options
    */
   public CameraOptions withReconnect(boolean newReconnect) {

@@ -37,7 +37,7 @@ public final class CameraProblem extends IOException {
    * A problem.
    *
    * @param kind what is wrong, for a program
-   * @param message what is wrong and what to do, for a person
+   * @param message what is wrong and what to do, for users
    */
   public CameraProblem(Kind kind, String message) {
     super(message);

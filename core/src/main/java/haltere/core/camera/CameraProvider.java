@@ -59,7 +59,7 @@ public interface CameraProvider {
   /**
    * What keeps this way from seeing any camera at all, such as a library that is missing.
    *
-   * @return a line for a person, or empty
+   * @return a line for users, or empty
    */
   default Optional<String> obstacle() {
     return Optional.empty();

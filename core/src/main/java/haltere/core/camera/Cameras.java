@@ -58,7 +58,7 @@ public final class Cameras {
   /**
    * What keeps providers from seeing any camera at all.
    *
-   * @return a line for a person for each that cannot, beginning with its name
+   * @return a line for users for each that cannot, beginning with its name
    */
   public List<String> obstacles() {
     return providers.stream()

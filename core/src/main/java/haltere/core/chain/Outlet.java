@@ -88,8 +88,8 @@ public final class Outlet<T> {
   }
 
   /**
-   * Subscribes to results, except during a run-up, whose events are repeated. A subscriber that throws
-   * is removed with a line in the log of this class; the filter continues.
+   * Subscribes to results, except during a run-up, whose events are repeated. A subscriber that
+   * throws is removed with a line in the log of this class; the filter continues.
    *
    * @param subscriber called on the processing thread for each result
    * @return ends the subscription when closed

@@ -38,8 +38,8 @@ public record ResultOrder<T>(
   }
 
   /**
-   * Delays results until no earlier one can come. A time that goes back further starts a new order, as
-   * at a restart of the clock of a recording.
+   * Delays results until no earlier one can come. A time that goes back further starts a new order,
+   * as at a restart of the clock of a recording.
    *
    * <p>Thread rule: one thread at a time.
    *

@@ -267,7 +267,7 @@ public final class EventPacket {
   }
 
   /**
-   * Makes room, by doubling.
+   * Reserves space, by doubling.
    *
    * @param capacity events that must fit
    * @throws IllegalArgumentException beyond 2<sup>28</sup> events

@@ -77,8 +77,8 @@ public final class Frame implements SensorSample {
    * @param exposureEndUs end of its exposure, microseconds
    * @param readoutStartUs start of its readout, microseconds; the start of the exposure if the
    *     recording does not state it
-   * @param readoutEndUs end of its readout, microseconds; the end of the exposure if the
-   *     recording does not state it
+   * @param readoutEndUs end of its readout, microseconds; the end of the exposure if the recording
+   *     does not state it
    */
   public record Times(
       long exposureStartUs, long exposureEndUs, long readoutStartUs, long readoutEndUs) {

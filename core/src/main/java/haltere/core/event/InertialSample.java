@@ -1,9 +1,9 @@
 package haltere.core.event;
 
 /**
- * A measurement of the inertial sensor of a camera. The axes are those of the recording. Acceleration
- * is in standard gravities and rotation in degrees per second, as in all formats. Missing values are
- * NaN.
+ * A measurement of the inertial sensor of a camera. The axes are those of the recording.
+ * Acceleration is in standard gravities and rotation in degrees per second, as in all formats.
+ * Missing values are NaN.
  *
  * @param timeUs microseconds on the source's clock
  * @param accelerationXG acceleration along x, in standard gravities (9.80665 m/s²)

@@ -13,7 +13,7 @@ import java.util.Optional;
  * @param topic which of several streams of events is read; the name of a bag's topic
  * @param origin where rows count from in plain tables of events (text, NumPy, HDF5) that do not say
  *     it; where nobody does, from the top
- * @param packetEvents events per packet at the most, 1 to 1,048,576
+ * @param packetEvents events per packet at most, 1 to 1,048,576
  * @param samples whether frames, inertial samples and triggers are wanted too
  * @param keepIndex whether the index that seeking needs is kept in a file beside the recording; one
  *     that is there is used in any case
@@ -97,7 +97,7 @@ public record ReadOptions(
   /**
    * The same options but for the size of packets.
    *
-   * @param events events per packet at the most
+   * @param events events per packet at most
    * @return new options
    */
   public ReadOptions withPacketEvents(int events) {

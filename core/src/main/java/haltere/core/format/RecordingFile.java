@@ -187,7 +187,7 @@ public final class RecordingFile implements Closeable {
       return;
     }
     if (!channel.isOpen() && !closed) {
-      // An interrupt closes a channel; whoever goes on reading afterwards may.
+      // An interrupt closes a channel; whoever continues reading afterwards may.
       channel = FileChannel.open(path, StandardOpenOption.READ);
     }
     try {
@@ -253,7 +253,7 @@ public final class RecordingFile implements Closeable {
    * Reads some bytes.
    *
    * @param offset where in the file to start
-   * @param bytes how many at the most
+   * @param bytes how many at most
    * @return as many as there are
    * @throws IOException as {@link #read(ByteBuffer, long)}
    */

@@ -24,7 +24,7 @@ public interface RecordingFormat {
   String name();
 
   /**
-   * What the format is, in a few words for a person.
+   * What the format is, in a few words for users.
    *
    * @return such as "AEDAT-2.0 (jAER)"
    */
@@ -60,7 +60,7 @@ public interface RecordingFormat {
    * Opens a recording.
    *
    * @param file a file that is, or is said to be, of this format
-   * @param options what the user says about it
+   * @param options of the user
    * @return a reader at its start
    * @throws IOException a {@link RecordingProblem} where the file is not what it should be
    */
@@ -80,7 +80,7 @@ public interface RecordingFormat {
    * Opens a recording that comes as a stream of bytes.
    *
    * @param stream of this format
-   * @param options what the user says about it
+   * @param options of the user
    * @return a reader at its start, which can go forth only
    * @throws IOException a {@link RecordingProblem} where the stream is not what it should be, or
    *     the format cannot be read in one pass

@@ -25,7 +25,7 @@ public record RecordingOutline(long events, long firstUs, long lastUs) {
   }
 
   /**
-   * Of this recording and one that goes on where it ends.
+   * Of this recording and one that continues where it ends.
    *
    * @param next what follows
    * @return of both together

@@ -131,7 +131,7 @@ public interface RecordingReader extends EventSource {
    * Goes on at the first event at or after a time within a segment; behind the segment's end that
    * is the start of the next. What is handed over next is a {@code Reset(SEEK)} (before the first
    * call of {@link #next} it is the start of the stream). May be called after the end of the
-   * stream, which then starts anew.
+   * stream, which then restarts.
    *
    * @param segment index into {@link #segments()}
    * @param timeUs time on the recording's clock

@@ -65,7 +65,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
    * @param maxEvents how many events may wait
    * @param packetEvents larger packets are cut, 1 to {@code maxEvents}
    * @param policy what happens when as many wait
-   * @param place who loses events then, in words for a person, for {@link DataLost#place()}
+   * @param place who loses events then, in words for users, for {@link DataLost#place()}
    */
   public LiveBuffer(
       SensorGeometry geometry,
@@ -110,7 +110,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
    * @param maxEvents how many events may wait
    * @param packetEvents larger packets are cut, 1 to {@code maxEvents}
    * @param policy what happens when as many wait
-   * @param place who loses events then, in words for a person, for {@link DataLost#place()}
+   * @param place who loses events then, in words for users, for {@link DataLost#place()}
    * @return a buffer
    */
   public static LiveBuffer gathering(
@@ -131,7 +131,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
    * @param packets how many may wait, with one in the consumer's hands, at least 2
    * @param packetEvents larger packets are cut, at least 1
    * @param policy what happens when as many wait
-   * @param place who loses events then, in words for a person, for {@link DataLost#place()}
+   * @param place who loses events then, in words for users, for {@link DataLost#place()}
    * @return a buffer
    */
   public static LiveBuffer ofPackets(
@@ -198,7 +198,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     return packets >= maxPackets ? 0 : maxEvents - waiting.events();
   }
 
-  /** Makes room as the policy says; returns how many of the events may wait. */
+  /** Reserves space as the policy says; returns how many of the events may wait. */
   private int admitted(int events) {
     if (policy == OverflowPolicy.BLOCK) {
       try {
@@ -286,7 +286,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   /**
    * Hands over the next packet, notification or sample; waits for it.
    *
-   * @param handler takes it
+   * @param handler receives it
    * @return false after the end of the stream, or once closed
    * @throws InterruptedIOException if the thread is interrupted
    */

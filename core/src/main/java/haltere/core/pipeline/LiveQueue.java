@@ -40,7 +40,7 @@ final class LiveQueue {
   /**
    * An empty queue.
    *
-   * @param place who loses events, in words for a person
+   * @param place who loses events, in words for users
    */
   LiveQueue(String place) {
     this.place = place;

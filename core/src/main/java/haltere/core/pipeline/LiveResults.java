@@ -262,7 +262,7 @@ public final class LiveResults implements StreamHandler, Closeable {
   /**
    * The reason why sending has stopped.
    *
-   * @return a few words for a person; empty while messages are sent
+   * @return a few words for users; empty while messages are sent
    */
   public Optional<String> failure() {
     return Optional.ofNullable(failure).or(output::failure);
@@ -271,13 +271,13 @@ public final class LiveResults implements StreamHandler, Closeable {
   /**
    * Sets who is told as soon as nothing is sent any more.
    *
-   * @param listener gets a few words for a person, on the sending thread
+   * @param listener gets a few words for users, on the sending thread
    */
   public void onFailure(Consumer<String> listener) {
     onFailure = listener;
   }
 
-  /** Ends the subscriptions, sends what waits, for some seconds at the most, and ends. */
+  /** Ends the subscriptions, sends what waits, for some seconds at most, and ends. */
   @Override
   public void close() {
     closed = true;

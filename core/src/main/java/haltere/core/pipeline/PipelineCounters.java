@@ -49,7 +49,7 @@ public final class PipelineCounters {
     /**
      * What it counts.
      *
-     * @return a sentence for a person
+     * @return a sentence for users
      */
     public String sentence() {
       return sentence;

@@ -48,7 +48,7 @@ public final class Recorder implements StreamHandler, Closeable {
   /** Events of a packet that waits for the disk. */
   public static final int PACKET_EVENTS = 8192;
 
-  /** Packets that wait for the disk at the most. */
+  /** Packets that wait for the disk at most. */
   public static final int QUEUE_PACKETS = 256;
 
   /** Milliseconds after which what has come is written though its packet is not full. */

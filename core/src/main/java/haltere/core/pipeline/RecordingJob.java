@@ -143,7 +143,7 @@ public final class RecordingJob {
   /**
    * The same job on a recording that is read in another way.
    *
-   * @param with what the user says of the recording
+   * @param with options of the user for the recording
    * @param whole whether a recording that is cut off or damaged is an error
    * @return another job
    */

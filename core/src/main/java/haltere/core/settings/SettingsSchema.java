@@ -21,8 +21,8 @@ import java.util.stream.Stream;
  * calls {@link #validate} with all of its components, which checks those of nested records too.
  *
  * <p>A record with renamed settings may have a static method {@code formerNames()}: a map from the
- * former name of a setting, or of a group, to its present name or to a sentence with its replacement.
- * Files may have such names, see {@link SettingsJson}; elsewhere they are explained.
+ * former name of a setting, or of a group, to its present name or to a sentence with its
+ * replacement. Files may have such names, see {@link SettingsJson}; elsewhere they are explained.
  *
  * <p>Thread rule: immutable, may be used from any thread.
  *
@@ -215,8 +215,8 @@ public final class SettingsSchema<S extends Record> {
   }
 
   /**
-   * Applies {@code name=value} texts, as a command line has them. The last part of a name is sufficient
-   * if only one setting ends in it: {@code seed} for {@code run.seed}.
+   * Applies {@code name=value} texts, as a command line has them. The last part of a name is
+   * sufficient if only one setting ends in it: {@code seed} for {@code run.seed}.
    *
    * @param settings a record, unchanged
    * @param assignments texts with an equals sign

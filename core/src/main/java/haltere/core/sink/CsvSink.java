@@ -128,8 +128,8 @@ public final class CsvSink<R extends Record> implements TableSink<R> {
   }
 
   /**
-   * Writes a line that is no row: # and words for a person. Readers of tables leave such lines out
-   * if they are told to.
+   * Writes a line that is no row: # and words for users. Readers of tables leave such lines out if
+   * they are told to.
    *
    * @param words one line
    * @throws UncheckedIOException if it cannot be written

@@ -55,13 +55,13 @@ public interface LineOutput extends Closeable {
   /**
    * The reason why sending has stopped.
    *
-   * @return a few words for a person; empty while lines are sent
+   * @return a few words for users; empty while lines are sent
    */
   default Optional<String> failure() {
     return Optional.empty();
   }
 
-  /** Sends what waits, for a second at the most, and ends. */
+  /** Sends what waits, for a second at most, and ends. */
   @Override
   void close();
 }

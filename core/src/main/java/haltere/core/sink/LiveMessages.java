@@ -110,7 +110,7 @@ public final class LiveMessages {
    * The message that others are missing.
    *
    * @param messages how many
-   * @param place who had no room for them, in words for a person
+   * @param place who had no room for them, in words for users
    * @return a line in ASCII with its line feed
    */
   public byte[] lost(long messages, String place) {
@@ -125,7 +125,7 @@ public final class LiveMessages {
   /**
    * The only message of a receiver that is turned away.
    *
-   * @param place why, in words for a person
+   * @param place why, in words for users
    * @return a line in ASCII with its line feed
    */
   public byte[] refused(String place) {

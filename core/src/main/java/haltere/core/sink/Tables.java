@@ -51,7 +51,7 @@ public final class Tables {
    * Why a table cannot be written under a name.
    *
    * @param file where it will be
-   * @return one line for a person; empty if its format is there, which is CSV for all names that no
+   * @return one line for users; empty if its format is there, which is CSV for all names that no
    *     format answers to
    */
   public static Optional<String> problem(Path file) {

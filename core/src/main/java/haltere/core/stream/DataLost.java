@@ -3,7 +3,7 @@ package haltere.core.stream;
 import java.util.Objects;
 
 /**
- * Events are missing between the packet before and the packet after. Time goes on.
+ * Events are missing between the packet before and the packet after. Time continues.
  *
  * @param bytes raw bytes lost, or -1 if unknown
  * @param estimatedEvents events lost, or -1 without an estimate

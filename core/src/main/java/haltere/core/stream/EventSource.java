@@ -21,7 +21,8 @@ public interface EventSource extends Closeable {
   SensorGeometry geometry();
 
   /**
-   * Passes the next element of the stream to the handler: one packet, one sample or one notification.
+   * Passes the next element of the stream to the handler: one packet, one sample or one
+   * notification.
    *
    * @param handler receives it
    * @return false, without a call, after {@link EndOfStream}

@@ -1,9 +1,9 @@
 package haltere.core.stream;
 
 /**
- * Regular times of reports at any rate, without drift: the n-th time of each thousand seconds is at the
- * rounded n-th multiple of the period. The times do not depend on the start of a stream or its division
- * into packets.
+ * Regular times of reports at any rate, without drift: the n-th time of each thousand seconds is at
+ * the rounded n-th multiple of the period. The times do not depend on the start of a stream or its
+ * division into packets.
  *
  * <p>Thread rule: that of its owner.
  *

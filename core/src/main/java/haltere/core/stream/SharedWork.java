@@ -5,13 +5,13 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.IntConsumer;
 
 /**
- * Independent pieces of a filter's work, done by the processing thread alone or together with a second
- * thread. The pieces are the same in both cases, so that results are identical; a filter publishes
- * between pieces only.
+ * Independent pieces of a filter's work, done by the processing thread alone or together with a
+ * second thread. The pieces are the same in both cases, so that results are identical; a filter
+ * publishes between pieces only.
  *
- * <p>A thread takes the next piece when it has done one. The first thread does what the second has not
- * begun, so that it never waits for a thread that does not run. The second thread spins for a while
- * before it sleeps. Nothing is allocated.
+ * <p>A thread takes the next piece when it has done one. The first thread does what the second has
+ * not begun, so that it never waits for a thread that does not run. The second thread spins for a
+ * while before it sleeps. Nothing is allocated.
  *
  * <p>Thread rule: {@link #each} and {@link #close} are for the processing thread.
  *

@@ -6,8 +6,8 @@ import java.util.function.IntConsumer;
 
 /**
  * Queues of events for the parts of a filter, such as two wings. The parts process their events one
- * after the other, or in parallel by {@link SharedWork}. Each part sees its events in order, so that
- * results are identical.
+ * after the other, or in parallel by {@link SharedWork}. Each part sees its events in order, so
+ * that results are identical.
  *
  * <p>Thread rule: as the filter, except for the taker, which may be called for two parts at once.
  *

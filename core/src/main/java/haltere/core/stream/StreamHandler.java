@@ -26,9 +26,9 @@ public interface StreamHandler {
   default void notified(StreamNotification notification) {}
 
   /**
-   * Receives a frame, an inertial sample or a trigger, after all events before its time and before all
-   * events at or after it, as exactly as the source orders them. Sources pass samples only on request;
-   * handlers may ignore them.
+   * Receives a frame, an inertial sample or a trigger, after all events before its time and before
+   * all events at or after it, as exactly as the source orders them. Sources pass samples only on
+   * request; handlers may ignore them.
    *
    * @param sample immutable; it may be stored
    */

@@ -16,9 +16,9 @@ package haltere.core.stream;
  * from one packet to the next unless a notification that {@link #endsContinuity() ends continuity}
  * stands between them. {@link StreamGrammar} checks all of this.
  *
- * <p>Only sources and the chain create notifications. A filter ignores unknown ones; the chain passes
- * them on. {@link EndOfStream} means: publish what is buffered. {@link Reset} means: return to the
- * initial state.
+ * <p>Only sources and the chain create notifications. A filter ignores unknown ones; the chain
+ * passes them on. {@link EndOfStream} means: publish what is buffered. {@link Reset} means: return
+ * to the initial state.
  *
  * <p>Thread rule: immutable; delivered on the processing thread.
  *
@@ -30,8 +30,8 @@ public sealed interface StreamNotification
   long NO_TIME_US = Long.MIN_VALUE;
 
   /**
-   * Whether events after this have no relation in time to those before, which invalidates the state of
-   * filters.
+   * Whether events after this have no relation in time to those before, which invalidates the state
+   * of filters.
    *
    * @return true if a filter should reset itself by default
    */

@@ -122,7 +122,7 @@ final class DavisBiases implements Biases, BiasSliders {
     DavisBias bias = bias(name);
     double near = bias.nearest((Double) bias.asParameter().convert(value));
     send(bias, near);
-    // What is set by name is what is in effect from now on: the sliders begin anew around it.
+    // What is set by name is what is in effect from now on: the sliders restart around it.
     middle.replaceAll((other, usual) -> effective(bias(other), sliders));
     middle.put(name, near);
     sliders = sliders.centred();

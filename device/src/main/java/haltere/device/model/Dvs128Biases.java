@@ -126,7 +126,7 @@ final class Dvs128Biases implements Biases, BiasSliders {
       throw new IllegalArgumentException(
           "bias " + name + " is " + value + ", it must be 0 to " + LARGEST);
     }
-    // What is set by name is what is in effect from now on: the sliders begin anew around it.
+    // What is set by name is what is in effect from now on: the sliders restart around it.
     int[] values = effective(middle, sliders);
     values[bias.ordinal()] = (int) Math.round(value);
     take(values);

@@ -54,7 +54,7 @@ final class StreamAssembly {
    * @param buffers give what comes
    * @param decoder of a new stream
    * @param recover called when a transfer did not end well
-   * @param camera its name, for a person
+   * @param camera its name, for users
    * @param samples whether samples are handed over
    * @param latency is told how long each buffer took
    * @param clock is told of times

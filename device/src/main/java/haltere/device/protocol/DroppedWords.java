@@ -103,7 +103,7 @@ public abstract class DroppedWords {
   /**
    * Gives the words that have the same effect on the decoder's state, without events.
    *
-   * @param decoder takes them, piece by piece
+   * @param decoder receives them, piece by piece
    */
   public abstract void replay(Consumer<ByteBuffer> decoder);
 

@@ -147,7 +147,7 @@ final class SimulatedTransfers {
     return Math.floorDiv(nanoTime.getAsLong() - anchorNanos, NANOS_PER_US);
   }
 
-  /** Makes the transfers whose time has come, for some milliseconds at the most. */
+  /** Makes the transfers whose time has come, for some milliseconds at most. */
   void makeDue() {
     lock.lock();
     try {

@@ -29,7 +29,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Simulated cameras in real time: their clock goes on whatever the consumer does. */
+/** Simulated cameras in real time: their clock continues whatever the consumer does. */
 @Timeout(60)
 class LiveSimulatedCameraTest {
   private final Cameras cameras = new Cameras(List.of(new SimulatedCameraProvider()));
@@ -54,7 +54,7 @@ class LiveSimulatedCameraTest {
     }
     long zeroNanos = camera.clockRelation().orElseThrow().hostNanos();
 
-    // nobody takes anything, and the camera goes on
+    // nobody takes anything, and the camera continues
     Waiting.until("60 transfers", () -> camera.statistics().transfers() >= 60);
     assertTrue(camera.statistics().lostEvents() > 0);
     assertEquals(zeroNanos, camera.clockRelation().orElseThrow().hostNanos());

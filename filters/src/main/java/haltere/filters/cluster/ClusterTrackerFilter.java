@@ -83,14 +83,16 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
     showing = false;
   }
 
-  /** {@inheritDoc} Identities begin anew. */
+  /** {@inheritDoc} Identities restart. */
   @Override
   public void rewind() {
     reset();
     tracker.restartIdentities();
   }
 
-  /** Time goes on over a gap in the data, and clusters live on for as long as they live anyway. */
+  /**
+   * Time continues over a gap in the data, and clusters live on for as long as they live anyway.
+   */
   @Override
   public boolean bridgesGaps() {
     return true;

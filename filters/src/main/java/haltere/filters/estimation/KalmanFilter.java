@@ -57,7 +57,7 @@ public final class KalmanFilter {
   }
 
   /**
-   * Begins (again) from a state. The clock goes on.
+   * Begins (again) from a state. The clock continues.
    *
    * @param x state, copied
    * @param p its covariance, symmetric and positive definite, copied

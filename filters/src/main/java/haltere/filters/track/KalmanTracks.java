@@ -111,7 +111,7 @@ final class KalmanTracks {
 
   /**
    * Takes new settings from the next packet on. Tracks and clusters go on, unless the road changes:
-   * then tracks start anew.
+   * then tracks restart.
    */
   public void apply(KalmanTracksSettings newSettings) {
     if (settings == null || !settings.road().equals(newSettings.road())) {

@@ -100,14 +100,14 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
     trails.clear();
   }
 
-  /** {@inheritDoc} Identities begin anew. */
+  /** {@inheritDoc} Identities restart. */
   @Override
   public void rewind() {
     reset();
     tracks.restartIdentities();
   }
 
-  /** Time goes on over a gap in the data, and tracks coast for as long as they do anyway. */
+  /** Time continues over a gap in the data, and tracks coast for as long as they do anyway. */
   @Override
   public boolean bridgesGaps() {
     return true;

@@ -133,7 +133,7 @@ public final class EmulatedDevice {
   /**
    * Bounds the device's own queue of packets.
    *
-   * @param packets so many at the most; more are dropped
+   * @param packets so many at most; more are dropped
    */
   public void limitQueue(int packets) {
     maxQueuedPackets = packets;

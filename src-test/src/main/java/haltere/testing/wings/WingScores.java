@@ -120,7 +120,7 @@ public final class WingScores implements WingListener {
           }
         };
     while (!ended[0] && scene.next(handler)) {
-      // goes on until the end
+      // continues until the end
     }
     for (WingScores scores : all) {
       scores.scene = null;

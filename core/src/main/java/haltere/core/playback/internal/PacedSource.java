@@ -80,7 +80,7 @@ public final class PacedSource implements EventSource {
     }
   }
 
-  /** Keeps a packet until it is due; the rest has no time of its own and goes on at once. */
+  /** Keeps a packet until it is due; the rest has no time of its own and continues at once. */
   private final class Forwarder implements StreamHandler {
     private final StreamHandler handler;
 

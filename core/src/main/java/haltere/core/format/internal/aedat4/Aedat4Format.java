@@ -72,7 +72,7 @@ public final class Aedat4Format implements RecordingFormat {
    * Opens a recording that has several streams of events.
    *
    * @param file a file of this format
-   * @param options what the user says about it
+   * @param options of the user
    * @param stream number of the stream whose events are read; empty for the first that has any
    * @return a reader at its start
    * @throws IOException a {@link RecordingProblem} where the file is not what it should be, or has

@@ -22,7 +22,7 @@ final class DataTable {
   private long[] entries = new long[64 * ENTRY_LONGS];
   private int count;
 
-  /** Whether a table begins at a place, packed or not. */
+  /** Whether a table begins at a place, compressed or not. */
   static boolean isThere(RecordingFile file, long offset) throws IOException {
     byte[] start = file.read(offset, 12);
     if (start.length < 8) {

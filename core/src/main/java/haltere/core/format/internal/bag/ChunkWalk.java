@@ -11,7 +11,7 @@ import haltere.core.format.internal.packed.StoredPayload;
 import haltere.core.format.internal.packed.ZstdPayload;
 import java.io.IOException;
 
-/** What the walks through bags have in common whose messages lie in chunks, packed or not. */
+/** What the walks through bags have in common whose messages lie in chunks, compressed or not. */
 abstract class ChunkWalk implements MessageWalk {
   final RecordingFile file;
   final BagTopics topics;

@@ -56,7 +56,7 @@ interface MessageWalk extends Closeable {
    */
   long offset(long done);
 
-  /** Where {@link #find} goes on. */
+  /** Where {@link #find} continues. */
   long position();
 
   /**
@@ -66,10 +66,10 @@ interface MessageWalk extends Closeable {
    */
   void pass(long unused) throws IOException;
 
-  /** Counts damage in the message that was found, and goes on where the next one may be. */
+  /** Counts damage in the message that was found, and continues where the next one may be. */
   void damaged(DamagedPacketException damage) throws IOException;
 
-  /** Notes where the message that was found starts; without one, where {@link #find} goes on. */
+  /** Notes where the message that was found starts; without one, where {@link #find} continues. */
   void save(long[] state, int at);
 
   /** Goes to a place that was noted: {@link #find} finds the message there. */

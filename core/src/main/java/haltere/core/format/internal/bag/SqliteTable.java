@@ -73,7 +73,7 @@ final class SqliteTable {
    * Finds the next row.
    *
    * @return false at the end
-   * @throws DamagedPacketException if a page or row is damaged; the next call goes on behind it
+   * @throws DamagedPacketException if a page or row is damaged; the next call continues behind it
    */
   boolean next() throws IOException, DamagedPacketException {
     while (!ended) {

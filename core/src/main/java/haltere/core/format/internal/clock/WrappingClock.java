@@ -6,9 +6,9 @@ package haltere.core.format.internal.clock;
  * values of the file:
  *
  * <ul>
- *   <li>D at least 0: time goes on by D;
- *   <li>D below -W/2: the clock has wrapped, time goes on by D + W;
- *   <li>any other D: the clock went back. By a second at the most, that is disorder within the same
+ *   <li>D at least 0: time continues by D;
+ *   <li>D below -W/2: the clock has wrapped, time continues by D + W;
+ *   <li>any other D: the clock went back. By a second at most, that is disorder within the same
  *       turn of the clock; by more, the camera's clock was set anew and the first turn begins
  *       again;
  *   <li>one exception: shortly after a wrap, a D so large that it leads back to at most a second

@@ -38,7 +38,7 @@ public final class OutputBuffer implements Closeable {
   }
 
   /**
-   * Makes room for a word.
+   * Reserves space for a word.
    *
    * @param count its bytes, few
    * @throws IOException if the file cannot be written

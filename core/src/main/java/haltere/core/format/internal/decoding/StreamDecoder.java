@@ -49,7 +49,7 @@ public interface StreamDecoder {
   }
 
   /**
-   * Whether the bytes that were decoded last belong to a unit that goes on.
+   * Whether the bytes that were decoded last belong to a unit that continues.
    *
    * @return true if a file that ends here is cut off
    */

@@ -12,7 +12,7 @@ import haltere.core.format.internal.decoding.StreamDecoder;
 import java.nio.ByteBuffer;
 
 /**
- * Turns the bytes of an Event Stream into packets: a byte tells how far time goes on, and what
+ * Turns the bytes of an Event Stream into packets: a byte gives the advance of time, and what
  * follows. The clock of the format cannot go back.
  *
  * <p>Thread rule: one thread.

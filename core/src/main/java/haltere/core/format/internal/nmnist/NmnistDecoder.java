@@ -14,8 +14,8 @@ import java.nio.ByteBuffer;
 
 /**
  * Turns the records of N-MNIST and N-Caltech101 into packets: big-endian, 8 bits of column, 8 of
- * row, a polarity and 23 bits of time. A row of 240 is no event but says that time goes on by 8,192
- * us for all records behind it.
+ * row, a polarity and 23 bits of time. A row of 240 is no event but says that time continues by
+ * 8,192 us for all records behind it.
  *
  * <p>Thread rule: one thread.
  */

@@ -8,7 +8,7 @@ import java.util.zip.Inflater;
 
 /**
  * The bytes of an array, wherever they lie: in a file as they are, so that any place can be gone
- * to, or packed, so that going back means to start anew.
+ * to, or packed, so that going back means to restart.
  *
  * <p>Thread rule: one thread.
  */

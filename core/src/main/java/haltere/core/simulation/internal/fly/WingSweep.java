@@ -16,7 +16,7 @@ import java.util.Arrays;
  * <p>Thread rule: one thread at a time.
  */
 final class WingSweep {
-  /** Motion of the fly, at the wing's tip, after which the pixels' angles are computed anew. */
+  /** Motion of the fly, at the wing's tip, after which the pixels' angles are recomputed. */
   static final double STALE_PX = 0.05;
 
   /** Pixels nearer to the hinge than this never see the wing. */

@@ -101,7 +101,7 @@ public final class BackgroundNoise {
    * Makes the events before a time.
    *
    * @param untilUs microseconds since the beginning
-   * @param merger takes them
+   * @param merger receives them
    */
   public void addUntil(double untilUs, EventMerger merger) {
     while (nextUs < untilUs) {

@@ -10,7 +10,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 
-/** Puts a ROS 2 bag in SQLite together: a page for each message, and pages that it goes on over. */
+/**
+ * Puts a ROS 2 bag in SQLite together: a page for each message, and pages that it continues over.
+ */
 final class SqliteBagFile {
   private static final int PAGE = 512;
   private static final int MESSAGE_EVENTS = 4000;

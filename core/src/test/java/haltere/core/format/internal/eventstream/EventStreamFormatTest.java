@@ -31,7 +31,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Event Stream keeps the contract of all formats, as far as a clock that only goes on can. */
+/** Event Stream keeps the contract of all formats, as far as a clock that only continues can. */
 class EventStreamFormatTest extends RecordingFormatContract {
   private static final SensorGeometry SENSOR = new SensorGeometry(320, 240, Origin.TOP);
 

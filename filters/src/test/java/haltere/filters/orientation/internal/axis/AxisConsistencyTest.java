@@ -128,7 +128,7 @@ class AxisConsistencyTest {
     return n[from] * u[0] + n[from + 1] * u[1] + n[from + 2] * u[2];
   }
 
-  /** A draw of what driven rates do in a step: Q's Cholesky factor, worked out by quadrature. */
+  /** A draw of what driven rates do in a step: Q's Cholesky factor, computed by quadrature. */
   private static double[] noise(SplittableRandom random, double size, double dtS) {
     int pieces = 200;
     double[] sum = new double[4];

@@ -4,7 +4,7 @@ import haltere.filters.orientation.camera.RandomCameras;
 import haltere.filters.orientation.camera.Vectors;
 import java.util.SplittableRandom;
 
-/** A point that moves on a sphere, worked out with rotations (Rodrigues) only. */
+/** A point that moves on a sphere, computed with rotations (Rodrigues) only. */
 public final class SpherePath {
   private double[] u;
   private double[] v;
