@@ -83,7 +83,7 @@ public final class RecordingFile implements Closeable {
   }
 
   /**
-   * Refuses a pipe or a device, of which nobody knows where it ends.
+   * Rejects pipes and devices, which have no known end.
    *
    * @param path any path
    * @throws RecordingProblem if something is there that is neither file nor folder
@@ -235,7 +235,7 @@ public final class RecordingFile implements Closeable {
     buffer.flip();
   }
 
-  /** Forgets what lies far before an offset where there is no room for more. */
+  /** Removes bytes far before an offset if there is no space for more. */
   private void makeRoom(long offset) {
     if (keptCount < kept.length) {
       return;

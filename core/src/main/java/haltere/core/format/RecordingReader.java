@@ -70,10 +70,10 @@ public interface RecordingReader extends EventSource {
   RecordingClock clock();
 
   /**
-   * What the recording says of itself, where it can be believed without decoding the events. Does
-   * not move this reader.
+   * Number and times of the events as stated by the file, if it is consistent. Does not move this
+   * reader.
    *
-   * @return empty where only reading all of it tells; see {@link RecordingSummary}
+   * @return empty if only reading shows them; see {@link RecordingSummary}
    * @throws IOException if the file can no longer be read
    */
   default Optional<RecordingOutline> outline() throws IOException {
@@ -81,7 +81,7 @@ public interface RecordingReader extends EventSource {
   }
 
   /**
-   * What the recording says of the camera, its settings and the chain of filters.
+   * Metadata of the recording: camera, its settings and the chain of filters.
    *
    * @return as {@link WriteOptions#metadata()} when it was written; empty for formats without
    *     metadata

@@ -41,9 +41,9 @@ public final class LiveMessages {
   private final Map<Class<? extends Record>, RowFields> types = new HashMap<>();
 
   /**
-   * Messages that bear the time of a clock.
+   * Messages with the time of a clock.
    *
-   * @param clock tells the time of sending
+   * @param clock for the time of sending
    */
   public LiveMessages(Clock clock) {
     this.clock = Objects.requireNonNull(clock, "clock");
