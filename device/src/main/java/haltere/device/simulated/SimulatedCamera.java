@@ -139,7 +139,7 @@ final class SimulatedCamera implements Camera, TimestampReset, RegionOfInterest,
     }
   }
 
-  /** Sees to it that what is due is made. */
+  /** Starts due transfers. */
   private void goOn() {
     transfers.start();
     if (heartbeat.isPresent()) {

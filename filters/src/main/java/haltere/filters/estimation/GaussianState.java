@@ -183,7 +183,7 @@ public final class GaussianState {
   }
 
   /**
-   * {@link #shear} of the covariance alone, where the mean has gone on already.
+   * {@link #shear} of the covariance alone, after the mean was predicted.
    *
    * @param i the entry that changes
    * @param j another entry

@@ -39,8 +39,8 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
   /**
    * A filter in its initial state.
    *
-   * @param geometry the sensor whose events it will see
-   * @param settings what to do
+   * @param geometry of the sensor
+   * @param settings of the filter
    */
   public KalmanTracksFilter(SensorGeometry geometry, KalmanTracksSettings settings) {
     tracks = new KalmanTracks(geometry, settings, this::report);
