@@ -30,7 +30,7 @@ record FilterStep(int number, String name, int[] values) {
     int version = body.u1();
     int count = body.u1();
     if (version < 1 || version > 2 || count > MAX_STEPS) {
-      throw body.problem("a packing of " + count + " steps");
+      throw body.problem("a compression of " + count + " steps");
     }
     if (version == 1) {
       body.skip(6);
