@@ -182,10 +182,11 @@ public final class Recordings {
     if (surest.size() == 1) {
       return surest.get(0);
     }
-    Optional<String> unpacking = surest.isEmpty() ? PackedWhole.program(head) : Optional.empty();
-    if (unpacking.isPresent()) {
+    Optional<String> decompressing =
+        surest.isEmpty() ? CompressedWhole.program(head) : Optional.empty();
+    if (decompressing.isPresent()) {
       throw new RecordingProblem(
-          file, "it is compressed as a whole; decompress it first: " + unpacking.get());
+          file, "it is compressed as a whole; decompress it first: " + decompressing.get());
     }
     String extension = FileHead.extension(file);
     boolean claimed =

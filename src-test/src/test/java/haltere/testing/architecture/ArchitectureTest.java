@@ -92,7 +92,7 @@ class ArchitectureTest {
                 "haltere.core.json.internal",
                 "haltere.core.format.internal.aedat4",
                 "haltere.core.format.internal.bag",
-                "haltere.core.format.internal.packed")
+                "haltere.core.format.internal.compression")
             .should()
             .onlyDependOnClassesThat(resideInAnyPackage("java..", "haltere.core.."))
             .because("a library is a promise to every embedder"));
@@ -117,7 +117,7 @@ class ArchitectureTest {
         classes()
             .that()
             .resideInAnyPackage(
-                "haltere.core.format.internal.aedat4", "haltere.core.format.internal.packed")
+                "haltere.core.format.internal.aedat4", "haltere.core.format.internal.compression")
             .should()
             .onlyDependOnClassesThat(
                 resideInAnyPackage(

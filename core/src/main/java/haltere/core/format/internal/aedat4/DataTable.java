@@ -1,7 +1,7 @@
 package haltere.core.format.internal.aedat4;
 
 import haltere.core.format.RecordingFile;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;

@@ -2,7 +2,7 @@ package haltere.core.format.internal.aedat4;
 
 import haltere.core.event.SampleKind;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.compression.DamagedPacketException;
 import java.io.StringReader;
 import java.util.ArrayDeque;
 import java.util.ArrayList;

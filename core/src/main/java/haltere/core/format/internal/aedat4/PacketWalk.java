@@ -2,8 +2,8 @@ package haltere.core.format.internal.aedat4;
 
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.packed.FileWindow;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.FileWindow;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Set;
@@ -167,9 +167,9 @@ final class PacketWalk {
     if (id < 0 || said <= 4 || said > end - offset - HEADER_BYTES) {
       return false;
     }
-    Aedat4Compression packing = Unpacker.packing(bytes, at + HEADER_BYTES, said);
-    return packing != null
-        && (packing != Aedat4Compression.NONE || isIdentifier(bytes, at + HEADER_BYTES + 8));
+    Aedat4Compression compression = Decompressor.compression(bytes, at + HEADER_BYTES, said);
+    return compression != null
+        && (compression != Aedat4Compression.NONE || isIdentifier(bytes, at + HEADER_BYTES + 8));
   }
 
   private static boolean isIdentifier(byte[] bytes, int at) {

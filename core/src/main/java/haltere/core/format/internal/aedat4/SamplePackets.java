@@ -5,7 +5,7 @@ import haltere.core.event.InertialSample;
 import haltere.core.event.SampleKind;
 import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -35,7 +35,7 @@ final class SamplePackets {
      * Writes a packet.
      *
      * @param stream number of its stream
-     * @param payload not packed
+     * @param payload not compressed
      * @param elements what it holds
      * @param firstUs time of the first
      * @param lastUs time of the last

@@ -4,8 +4,8 @@ import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
 import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.util.Collection;
 
 /**

@@ -7,8 +7,8 @@ import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.ViolationCounts;
+import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.decoding.SensorGuess;
-import haltere.core.format.internal.packed.DamagedPacketException;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
 import java.io.InterruptedIOException;
@@ -107,7 +107,7 @@ final class BagOpening {
 
   private MessageWalk messages(MessageWalk.Wanted wanted, ViolationCounts violations)
       throws IOException {
-    return new UnpackingWalk(walks.from(wanted, violations));
+    return new DecompressingWalk(walks.from(wanted, violations));
   }
 
   private boolean isAskedFor(BagTopic topic) {

@@ -1,14 +1,14 @@
 package haltere.core.format.internal.bag;
 
-import haltere.core.format.internal.packed.ByteSource;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.LittleEndian;
-import haltere.core.format.internal.packed.Payload;
+import haltere.core.format.internal.compression.ByteSource;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.LittleEndian;
+import haltere.core.format.internal.compression.Payload;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The bytes of one message, read from its start; also as a source of packed ones.
+ * The bytes of one message, read from its start; also as a source of compressed ones.
  *
  * <p>Thread rule: one thread.
  */

@@ -1,7 +1,7 @@
 package haltere.core.format.internal.bag;
 
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.Payload;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.Payload;
 import java.io.Closeable;
 import java.io.IOException;
 
@@ -50,7 +50,8 @@ interface MessageWalk extends Closeable {
   long recordedNs();
 
   /**
-   * Where a byte of the message that was found is in the file, or would be if it were not packed.
+   * Where a byte of the message that was found is in the file, or would be if it were not
+   * compressed.
    *
    * @param done bytes of the message before it
    */

@@ -1,6 +1,6 @@
 package haltere.core.format.internal.hdf5;
 
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.LittleEndian;
 
 /**
  * Puts the bytes (or bits) of elements together again that were sorted by their place in the

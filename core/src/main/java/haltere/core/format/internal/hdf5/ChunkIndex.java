@@ -52,9 +52,9 @@ abstract class ChunkIndex {
     long position = at.position();
     bytes = dataset.chunkBytes();
     skippedFilters = 0;
-    int packedSize = size - file.offsetBytes() - 4;
-    if (packedSize > 0) {
-      bytes = at.number(Math.min(8, packedSize));
+    int compressedSize = size - file.offsetBytes() - 4;
+    if (compressedSize > 0) {
+      bytes = at.number(Math.min(8, compressedSize));
       skippedFilters = at.u4();
     }
     offset = file.offsetOf(position);

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A step of the packing of chunks, by its registered number.
+ * A step of the compression of chunks, by its registered number.
  *
  * @param number of the filter
  * @param name that the file gives it, may be empty

@@ -7,10 +7,10 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingOutline;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.LittleEndian;
 import haltere.core.format.internal.decoding.EventColumn;
 import haltere.core.format.internal.decoding.RowCursor;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.LittleEndian;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
@@ -20,7 +20,7 @@ import java.util.Optional;
 final class Hdf5Cursor extends RowCursor {
   private final EventTable table;
   private final ViolationCounts violations;
-  private final ChunkUnpacker unpacker = new ChunkUnpacker();
+  private final ChunkDecompressor decompressor = new ChunkDecompressor();
   private final Map<Dataset, DatasetRows> rowsOf = new HashMap<>();
   private final int width;
   private final int height;
@@ -61,7 +61,8 @@ final class Hdf5Cursor extends RowCursor {
         ? null
         : new NumberColumn(
             rowsOf.computeIfAbsent(
-                column.dataset(), dataset -> new DatasetRows(table.container(), dataset, unpacker)),
+                column.dataset(),
+                dataset -> new DatasetRows(table.container(), dataset, decompressor)),
             column);
   }
 
@@ -234,6 +235,6 @@ final class Hdf5Cursor extends RowCursor {
 
   @Override
   public void close() {
-    unpacker.close();
+    decompressor.close();
   }
 }

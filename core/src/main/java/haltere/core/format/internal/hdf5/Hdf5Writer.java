@@ -7,8 +7,8 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.compression.LittleEndian;
 import haltere.core.format.internal.decoding.WriterLosses;
-import haltere.core.format.internal.packed.LittleEndian;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -72,8 +72,8 @@ public final class Hdf5Writer implements RecordingWriter {
    *
    * @param path where the file will be
    * @param options about the events
-   * @param level how hard events are packed by deflate (which every program with HDF5 has): 0 not
-   *     at all, 1 fast to 9 slow
+   * @param level how hard events are compressed by deflate (which every program with HDF5 has): 0
+   *     not at all, 1 fast to 9 slow
    * @return a writer without events
    * @throws IOException if the file cannot be made
    */

@@ -139,7 +139,7 @@ final class NpzCursor extends RowCursor {
     if (rows == 0) {
       return Optional.of(RecordingOutline.NOTHING);
     }
-    // The end of a packed column is reached only through all of it.
+    // The end of a compressed column is reached only through all of it.
     if (layout.columns().values().stream().anyMatch(column -> column.array().method() != 0)
         || time.read(0, 1, layout.timeScale()) < 1) {
       return Optional.empty();

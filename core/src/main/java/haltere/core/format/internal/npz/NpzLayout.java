@@ -163,7 +163,8 @@ record NpzLayout(
         continue;
       }
       Array unknown =
-          new Array(arrayName(entry), null, entry.method(), entry.offset(), entry.packedBytes());
+          new Array(
+              arrayName(entry), null, entry.method(), entry.offset(), entry.compressedBytes());
       byte[] start = new byte[NpyHeader.MAX_BYTES];
       ArrayBytes bytes = unknown.open(file);
       int length = bytes.read(0, start, start.length);

@@ -13,7 +13,7 @@ import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
 import haltere.core.format.Violation;
 import haltere.core.format.WriteOptions;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.LittleEndian;
 import haltere.testing.EventPackets;
 import haltere.testing.RecordingFormatContract;
 import haltere.testing.StreamRecorder;

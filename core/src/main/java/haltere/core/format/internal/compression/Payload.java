@@ -1,12 +1,12 @@
-package haltere.core.format.internal.packed;
+package haltere.core.format.internal.compression;
 
 import java.io.Closeable;
 import java.io.IOException;
 
 /**
- * A stretch of a file that may be packed, unpacked piece by piece, so that memory is bounded
- * whatever its size. The bytes that are there and not yet used lie in {@link #data} from {@link
- * #from} to {@link #to}.
+ * A stretch of a file that may be compressed, decompressed piece by piece, so that memory is
+ * bounded whatever its size. The bytes that are there and not yet used lie in {@link #data} from
+ * {@link #from} to {@link #to}.
  *
  * <p>Thread rule: one thread.
  */
@@ -20,7 +20,7 @@ public abstract class Payload implements Closeable {
   /** Index behind the last byte that is there. */
   protected int to;
 
-  /** For the ways of packing. */
+  /** For the ways of compression. */
   protected Payload() {}
 
   /**
@@ -29,7 +29,7 @@ public abstract class Payload implements Closeable {
    * @param offset where it starts in the file
    * @param size bytes that it takes there
    * @throws IOException if the file cannot be read
-   * @throws DamagedPacketException if it is not packed as it should be
+   * @throws DamagedPacketException if it is not compressed as it should be
    */
   public abstract void open(long offset, long size) throws IOException, DamagedPacketException;
 
@@ -38,7 +38,7 @@ public abstract class Payload implements Closeable {
    *
    * @return false at the end
    * @throws IOException if the file cannot be read
-   * @throws DamagedPacketException if the bytes contradict their packing
+   * @throws DamagedPacketException if the bytes contradict their compression
    */
   public abstract boolean more() throws IOException, DamagedPacketException;
 

@@ -1,11 +1,11 @@
-package haltere.core.format.internal.packed;
+package haltere.core.format.internal.compression;
 
 import com.github.luben.zstd.ZstdDecompressCtx;
 import com.github.luben.zstd.ZstdException;
 import java.io.Closeable;
 
 /**
- * Unpacks Zstandard frames from one array to another.
+ * Decompresses Zstandard frames from one array to another.
  *
  * <p>Thread rule: one thread.
  */
@@ -16,7 +16,7 @@ public final class ZstdBlock implements Closeable {
   public ZstdBlock() {}
 
   /**
-   * Unpacks a frame.
+   * Decompresses a frame.
    *
    * @param in holds it
    * @param from its start

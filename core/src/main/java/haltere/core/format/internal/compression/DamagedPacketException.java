@@ -1,4 +1,4 @@
-package haltere.core.format.internal.packed;
+package haltere.core.format.internal.compression;
 
 /** The bytes of a packet contradict their format. It carries no stack trace: damage is counted. */
 public final class DamagedPacketException extends Exception {

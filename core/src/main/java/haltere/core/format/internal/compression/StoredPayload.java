@@ -1,8 +1,8 @@
-package haltere.core.format.internal.packed;
+package haltere.core.format.internal.compression;
 
 import java.io.IOException;
 
-/** A payload that is not packed: it is used where the file's window holds it. */
+/** A payload that is not compressed: it is used where the file's window holds it. */
 public final class StoredPayload extends Payload {
   private final FileWindow window;
   private long next;

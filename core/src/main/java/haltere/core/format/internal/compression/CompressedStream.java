@@ -1,4 +1,4 @@
-package haltere.core.format.internal.packed;
+package haltere.core.format.internal.compression;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -8,7 +8,7 @@ import java.io.InputStream;
  *
  * <p>Thread rule: one thread.
  */
-public final class PackedStream extends InputStream {
+public final class CompressedStream extends InputStream {
   private static final int MAX_STEP_BYTES = 64 * 1024;
 
   private final ByteSource source;
@@ -23,7 +23,7 @@ public final class PackedStream extends InputStream {
    * @param offset where the stretch starts
    * @param size its bytes
    */
-  public PackedStream(ByteSource source, long offset, long size) {
+  public CompressedStream(ByteSource source, long offset, long size) {
     this.source = source;
     next = offset;
     end = offset + size;

@@ -1,4 +1,4 @@
-package haltere.core.format.internal.packed;
+package haltere.core.format.internal.compression;
 
 import haltere.core.format.RecordingFile;
 import java.io.IOException;

@@ -1,4 +1,4 @@
-package haltere.core.format.internal.packed;
+package haltere.core.format.internal.compression;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;

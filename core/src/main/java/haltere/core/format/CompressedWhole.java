@@ -4,9 +4,10 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Files that are packed as a whole, which no format reads: events must be found in them by time.
+ * Files that are compressed as a whole, which no format reads: events must be found in them by
+ * time.
  */
-final class PackedWhole {
+final class CompressedWhole {
   private static final Map<String, String> PROGRAMS =
       Map.of(
           "\u0028\u00b5\u002f\u00fd", "zstd -d",
@@ -18,13 +19,13 @@ final class PackedWhole {
           "Rar!", "unrar x",
           "PK\u0003\u0004", "unzip");
 
-  private PackedWhole() {}
+  private CompressedWhole() {}
 
   /**
-   * What unpacks a file.
+   * What decompresses a file.
    *
    * @param head its start
-   * @return a command without the file's name, or empty if it is not packed as far as is known
+   * @return a command without the file's name, or empty if it is not compressed as far as is known
    */
   static Optional<String> program(FileHead head) {
     return PROGRAMS.entrySet().stream()

@@ -1,4 +1,4 @@
-package haltere.core.format.internal.packed;
+package haltere.core.format.internal.compression;
 
 import com.github.luben.zstd.Zstd;
 import com.github.luben.zstd.ZstdDecompressCtx;
@@ -11,8 +11,8 @@ import java.io.InputStream;
 import java.util.Arrays;
 
 /**
- * A payload that is a Zstandard frame: unpacked at once where it says that it is small, else as a
- * stream.
+ * A payload that is a Zstandard frame: decompressed at once where it says that it is small, else as
+ * a stream.
  */
 public final class ZstdPayload extends Payload {
   private static final int AT_ONCE_BYTES = 4 * 1024 * 1024;
@@ -31,7 +31,7 @@ public final class ZstdPayload extends Payload {
   /**
    * A payload that is not opened yet.
    *
-   * @param source holds the packed bytes; it is not closed with the payload
+   * @param source holds the compressed bytes; it is not closed with the payload
    */
   public ZstdPayload(ByteSource source) {
     this.source = source;
@@ -52,7 +52,7 @@ public final class ZstdPayload extends Payload {
       return;
     }
     stream =
-        new ZstdInputStreamNoFinalizer(new PackedStream(source, offset, size))
+        new ZstdInputStreamNoFinalizer(new CompressedStream(source, offset, size))
             .setLongMax(MAX_WINDOW_LOG);
   }
 

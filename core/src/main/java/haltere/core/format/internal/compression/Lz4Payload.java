@@ -1,9 +1,9 @@
-package haltere.core.format.internal.packed;
+package haltere.core.format.internal.compression;
 
 import java.io.IOException;
 import java.util.Arrays;
 
-/** A payload that is an LZ4 frame, unpacked block by block. */
+/** A payload that is an LZ4 frame, decompressed block by block. */
 public final class Lz4Payload extends Payload {
   private static final int VERSION_MASK = 0xC0;
   private static final int VERSION = 0x40;

@@ -1,9 +1,9 @@
-package haltere.core.format.internal.packed;
+package haltere.core.format.internal.compression;
 
 import java.io.IOException;
 
 /**
- * Where packed bytes come from, stretch by stretch.
+ * Where compressed bytes come from, stretch by stretch.
  *
  * <p>Thread rule: one thread.
  */

@@ -1,17 +1,17 @@
 package haltere.core.format.internal.bag;
 
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.LittleEndian;
-import haltere.core.format.internal.packed.Payload;
-import haltere.core.format.internal.packed.ZstdPayload;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.LittleEndian;
+import haltere.core.format.internal.compression.Payload;
+import haltere.core.format.internal.compression.ZstdPayload;
 import java.io.IOException;
 
 /**
- * A walk whose messages are unpacked where they are packed one by one ({@code compression_mode:
- * message} of rosbag2). A message of ROS 2 begins with the name of its serialisation, which is
- * never what a Zstandard frame begins with.
+ * A walk whose messages are decompressed where they are compressed one by one ({@code
+ * compression_mode: message} of rosbag2). A message of ROS 2 begins with the name of its
+ * serialisation, which is never what a Zstandard frame begins with.
  */
-final class UnpackingWalk implements MessageWalk {
+final class DecompressingWalk implements MessageWalk {
   private static final int FRAME = 0xfd2f_b528;
   private static final int NAME_BYTES = 4;
 
@@ -19,16 +19,16 @@ final class UnpackingWalk implements MessageWalk {
   private static final long ANY_SIZE = Long.MAX_VALUE / 2;
 
   private final MessageWalk walk;
-  private final MessageBody packed = new MessageBody();
+  private final MessageBody compressed = new MessageBody();
   private ZstdPayload frame;
-  private boolean unpacking;
+  private boolean decompressing;
 
   /**
    * A walk.
    *
    * @param walk through the messages as they are; closed with this one
    */
-  UnpackingWalk(MessageWalk walk) {
+  DecompressingWalk(MessageWalk walk) {
     this.walk = walk;
   }
 
@@ -36,8 +36,8 @@ final class UnpackingWalk implements MessageWalk {
   public boolean find() throws IOException {
     while (walk.find()) {
       try {
-        unpacking = walk.topic().cdr() && isFrame(walk.payload(), walk.size());
-        if (unpacking) {
+        decompressing = walk.topic().cdr() && isFrame(walk.payload(), walk.size());
+        if (decompressing) {
           open();
         }
         return true;
@@ -45,7 +45,7 @@ final class UnpackingWalk implements MessageWalk {
         damaged(e);
       }
     }
-    unpacking = false;
+    decompressing = false;
     return false;
   }
 
@@ -57,8 +57,8 @@ final class UnpackingWalk implements MessageWalk {
   }
 
   private void open() throws IOException, DamagedPacketException {
-    frame = frame == null ? new ZstdPayload(packed) : frame;
-    packed.open(walk.payload(), walk.size());
+    frame = frame == null ? new ZstdPayload(compressed) : frame;
+    compressed.open(walk.payload(), walk.size());
     frame.open(0, walk.size());
   }
 
@@ -69,12 +69,12 @@ final class UnpackingWalk implements MessageWalk {
 
   @Override
   public Payload payload() {
-    return unpacking ? frame : walk.payload();
+    return decompressing ? frame : walk.payload();
   }
 
   @Override
   public long size() {
-    if (!unpacking) {
+    if (!decompressing) {
       return walk.size();
     }
     return frame.claimedBytes() < 0 ? ANY_SIZE : frame.claimedBytes();
@@ -82,7 +82,7 @@ final class UnpackingWalk implements MessageWalk {
 
   @Override
   public String compression() {
-    return unpacking ? "zstd" : walk.compression();
+    return decompressing ? "zstd" : walk.compression();
   }
 
   @Override
@@ -92,7 +92,7 @@ final class UnpackingWalk implements MessageWalk {
 
   @Override
   public long offset(long done) {
-    if (!unpacking) {
+    if (!decompressing) {
       return walk.offset(done);
     }
     double part = Math.min(1.0, done / Math.max(1.0, size()));
@@ -106,13 +106,13 @@ final class UnpackingWalk implements MessageWalk {
 
   @Override
   public void pass(long unused) throws IOException {
-    walk.pass(unpacking ? packed.left() : unused);
-    unpacking = false;
+    walk.pass(decompressing ? compressed.left() : unused);
+    decompressing = false;
   }
 
   @Override
   public void damaged(DamagedPacketException damage) throws IOException {
-    unpacking = false;
+    decompressing = false;
     walk.damaged(damage);
   }
 
@@ -123,7 +123,7 @@ final class UnpackingWalk implements MessageWalk {
 
   @Override
   public void restore(long[] state, int at) throws IOException {
-    unpacking = false;
+    decompressing = false;
     walk.restore(state, at);
   }
 

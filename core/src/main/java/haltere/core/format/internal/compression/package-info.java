@@ -7,4 +7,4 @@
  * window of at most 32 MiB for what does not say that it is small. No size in a file makes memory
  * grow.
  */
-package haltere.core.format.internal.packed;
+package haltere.core.format.internal.compression;

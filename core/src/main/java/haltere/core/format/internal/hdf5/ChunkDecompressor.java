@@ -1,9 +1,9 @@
 package haltere.core.format.internal.hdf5;
 
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.LittleEndian;
-import haltere.core.format.internal.packed.Lz4Codec;
-import haltere.core.format.internal.packed.ZstdBlock;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.LittleEndian;
+import haltere.core.format.internal.compression.Lz4Codec;
+import haltere.core.format.internal.compression.ZstdBlock;
 import java.io.Closeable;
 import java.nio.ByteBuffer;
 import java.util.List;
@@ -15,7 +15,7 @@ import java.util.zip.Inflater;
  *
  * <p>Thread rule: one thread.
  */
-final class ChunkUnpacker implements Closeable {
+final class ChunkDecompressor implements Closeable {
   private static final int CHECKSUM = 4;
 
   private final BloscBlock blosc = new BloscBlock(this);
@@ -32,11 +32,11 @@ final class ChunkUnpacker implements Closeable {
    *
    * @param steps in the order in which they were applied
    * @param skipped a bit for each that was not
-   * @param in the packed chunk at its start
-   * @param length packed bytes
+   * @param in the compressed chunk at its start
+   * @param length compressed bytes
    * @param out receives the chunk at its start
    * @param wanted bytes that it must have
-   * @throws DamagedPacketException if it contradicts its packing
+   * @throws DamagedPacketException if it contradicts its compression
    */
   void unpack(List<FilterStep> steps, long skipped, byte[] in, int length, byte[] out, int wanted)
       throws DamagedPacketException {
@@ -104,7 +104,7 @@ final class ChunkUnpacker implements Closeable {
     };
   }
 
-  /** Unpacks a Zstandard frame; returns the end of the bytes. */
+  /** Decompresses a Zstandard frame; returns the end of the bytes. */
   int zstd(byte[] in, int from, int to, byte[] out, int outFrom, int outTo)
       throws DamagedPacketException {
     if (zstd == null) {
@@ -113,7 +113,7 @@ final class ChunkUnpacker implements Closeable {
     return zstd.unpack(in, from, to, out, outFrom, outTo);
   }
 
-  /** Unpacks a zlib stream; returns the end of the bytes. */
+  /** Decompresses a zlib stream; returns the end of the bytes. */
   int inflate(byte[] in, int from, int to, byte[] out, int outFrom, int outTo)
       throws DamagedPacketException {
     if (inflater == null) {
@@ -152,18 +152,18 @@ final class ChunkUnpacker implements Closeable {
     int done = 0;
     while (done < whole) {
       int count = (int) Math.min(blockBytes, whole - done);
-      int packed = length - at < 4 ? -1 : numbers.getInt(at);
+      int compressed = length - at < 4 ? -1 : numbers.getInt(at);
       at += 4;
-      if (packed < 0 || packed > length - at) {
+      if (compressed < 0 || compressed > length - at) {
         throw new DamagedPacketException("a chunk that ends too early");
       }
-      if (packed == count) {
+      if (compressed == count) {
         System.arraycopy(in, at, out, done, count);
-      } else if (Lz4Codec.decompress(in, at, at + packed, out, done, done + count)
+      } else if (Lz4Codec.decompress(in, at, at + compressed, out, done, done + count)
           != done + count) {
         throw new DamagedPacketException("a block that ends too early");
       }
-      at += packed;
+      at += compressed;
       done += count;
     }
     return done;

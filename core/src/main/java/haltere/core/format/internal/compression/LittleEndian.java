@@ -1,4 +1,4 @@
-package haltere.core.format.internal.packed;
+package haltere.core.format.internal.compression;
 
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;

@@ -1,11 +1,11 @@
-package haltere.core.format.internal.packed;
+package haltere.core.format.internal.compression;
 
 import com.github.luben.zstd.Zstd;
 import com.github.luben.zstd.ZstdCompressCtx;
 import java.io.Closeable;
 
 /**
- * Packs bytes as one Zstandard frame each.
+ * Compresses bytes as one Zstandard frame each.
  *
  * <p>Thread rule: one thread.
  */
@@ -13,7 +13,7 @@ public final class ZstdPacker implements Closeable {
   private final ZstdCompressCtx context = new ZstdCompressCtx();
 
   /**
-   * A packer.
+   * A compressor.
    *
    * @param level 1 (fast) to 22 (small)
    */
@@ -22,9 +22,9 @@ public final class ZstdPacker implements Closeable {
   }
 
   /**
-   * Bytes that packed bytes need at the worst.
+   * Bytes that compressed bytes need at the worst.
    *
-   * @param bytes how many are packed
+   * @param bytes how many are compressed
    * @return bytes
    */
   public static int bound(int bytes) {
@@ -32,7 +32,7 @@ public final class ZstdPacker implements Closeable {
   }
 
   /**
-   * Packs bytes.
+   * Compresses bytes.
    *
    * @param bytes what to pack, from index 0
    * @param count how many

@@ -1,23 +1,23 @@
 package haltere.core.format.internal.aedat4;
 
 import haltere.core.format.RecordingFile;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.FileWindow;
-import haltere.core.format.internal.packed.LittleEndian;
-import haltere.core.format.internal.packed.Lz4Payload;
-import haltere.core.format.internal.packed.Payload;
-import haltere.core.format.internal.packed.StoredPayload;
-import haltere.core.format.internal.packed.ZstdPayload;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.FileWindow;
+import haltere.core.format.internal.compression.LittleEndian;
+import haltere.core.format.internal.compression.Lz4Payload;
+import haltere.core.format.internal.compression.Payload;
+import haltere.core.format.internal.compression.StoredPayload;
+import haltere.core.format.internal.compression.ZstdPayload;
 import java.io.IOException;
 
 /**
- * Unpacks the payload of a packet piece by piece, so that memory is bounded whatever its size. The
- * bytes that are there and not yet used lie in {@link #data} from {@link #from} to {@link #to}; who
- * uses some moves {@link #from}.
+ * Decompresses the payload of a packet piece by piece, so that memory is bounded whatever its size.
+ * The bytes that are there and not yet used lie in {@link #data} from {@link #from} to {@link #to};
+ * who uses some moves {@link #from}.
  *
  * <p>Thread rule: one thread.
  */
-final class Unpacker {
+final class Decompressor {
   /** A packet's table and the vector of events must start within so many bytes. */
   private static final int TABLE_BYTES = 4096;
 
@@ -27,7 +27,7 @@ final class Unpacker {
   private ZstdPayload zstd;
   private Payload method;
 
-  Unpacker(RecordingFile file) {
+  Decompressor(RecordingFile file) {
     window = new FileWindow(file);
     stored = new StoredPayload(window);
     method = stored;
@@ -37,8 +37,8 @@ final class Unpacker {
     return window;
   }
 
-  /** How a payload is packed, by its first bytes; empty for nothing that could be one. */
-  static Aedat4Compression packing(byte[] bytes, int at, long size) {
+  /** How a payload is compressed, by its first bytes; empty for nothing that could be one. */
+  static Aedat4Compression compression(byte[] bytes, int at, long size) {
     int first = LittleEndian.getInt(bytes, at);
     if (first == Aedat4Compression.LZ4_MAGIC) {
       return Aedat4Compression.LZ4;
@@ -49,17 +49,17 @@ final class Unpacker {
     return first == size - 4 ? Aedat4Compression.NONE : null;
   }
 
-  /** Starts with a payload of any packing. */
+  /** Starts with a payload of any compression. */
   void open(long offset, long size) throws IOException, DamagedPacketException {
     int at = size < 4 ? -1 : window.require(offset, 4);
-    Aedat4Compression packing = at < 0 ? null : packing(window.bytes(), at, size);
-    if (packing == null) {
+    Aedat4Compression compression = at < 0 ? null : compression(window.bytes(), at, size);
+    if (compression == null) {
       throw new DamagedPacketException("a packet of an unknown compression");
     }
-    if (packing.isLz4()) {
+    if (compression.isLz4()) {
       lz4 = lz4 == null ? new Lz4Payload(window) : lz4;
       method = lz4;
-    } else if (packing.isZstd()) {
+    } else if (compression.isZstd()) {
       zstd = zstd == null ? new ZstdPayload(window) : zstd;
       method = zstd;
     } else {

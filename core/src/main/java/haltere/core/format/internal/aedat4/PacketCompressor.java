@@ -2,18 +2,18 @@ package haltere.core.format.internal.aedat4;
 
 import com.github.luben.zstd.Zstd;
 import com.github.luben.zstd.ZstdCompressCtx;
-import haltere.core.format.internal.packed.LittleEndian;
-import haltere.core.format.internal.packed.Lz4Codec;
+import haltere.core.format.internal.compression.LittleEndian;
+import haltere.core.format.internal.compression.Lz4Codec;
 import java.io.Closeable;
 import java.util.Arrays;
 import net.jpountz.lz4.LZ4Compressor;
 
 /**
- * Packs payloads as one frame each.
+ * Compresses payloads as one frame each.
  *
  * <p>Thread rule: one thread.
  */
-final class PacketPacker implements Closeable {
+final class PacketCompressor implements Closeable {
   private static final int LZ4_FLAGS = 0x60;
   private static final int LZ4_BLOCK = 256 * 1024;
   private static final int LZ4_BLOCK_CODE = 0x50;
@@ -29,7 +29,7 @@ final class PacketPacker implements Closeable {
   private LZ4Compressor lz4;
   private ZstdCompressCtx zstd;
 
-  PacketPacker(Aedat4Compression compression) {
+  PacketCompressor(Aedat4Compression compression) {
     this.compression = compression;
     if (compression.isLz4()) {
       lz4 = compression == Aedat4Compression.LZ4 ? Lz4Codec.fast() : Lz4Codec.high();
@@ -41,7 +41,7 @@ final class PacketPacker implements Closeable {
     }
   }
 
-  /** Bytes that a packed payload needs at the worst. */
+  /** Bytes that a compressed payload needs at the worst. */
   int bound(int bytes) {
     return switch (compression) {
       case NONE -> bytes;
@@ -52,7 +52,7 @@ final class PacketPacker implements Closeable {
   }
 
   /**
-   * Packs a payload.
+   * Compresses a payload.
    *
    * @param payload holds it
    * @param size its bytes, from index 0

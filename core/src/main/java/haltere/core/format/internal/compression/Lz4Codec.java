@@ -1,4 +1,4 @@
-package haltere.core.format.internal.packed;
+package haltere.core.format.internal.compression;
 
 import net.jpountz.lz4.LZ4Compressor;
 import net.jpountz.lz4.LZ4Exception;
