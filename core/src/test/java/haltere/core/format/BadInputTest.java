@@ -102,7 +102,7 @@ class BadInputTest {
   }
 
   @Test
-  void aFileThatIsPackedAsAWholeIsRefusedWithWhatUnpacksIt() throws IOException {
+  void aFileCompressedAsAWholeIsRefusedWithItsDecompressor() throws IOException {
     ByteArrayOutputStream compressed = new ByteArrayOutputStream();
     try (GZIPOutputStream out = new GZIPOutputStream(compressed)) {
       out.write("#!AER-DAT2.0\n\0\0\0\0\0\0\0\7".getBytes(StandardCharsets.ISO_8859_1));

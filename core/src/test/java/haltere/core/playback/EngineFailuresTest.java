@@ -29,7 +29,7 @@ import org.junit.jupiter.api.Test;
 /** What continues where a filter, a sink or a source fails. */
 class EngineFailuresTest {
   @Test
-  void aFilterThatThrowsIsSwitchedOffAndPlaybackGoesOn() throws IOException {
+  void aFilterThatThrowsIsSwitchedOffAndPlaybackContinues() throws IOException {
     EngineRig rig = new EngineRig(recording(even(8)), byTime(20));
     ChainStage broken =
         rig.chain.add(

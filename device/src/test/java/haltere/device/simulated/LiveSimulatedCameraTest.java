@@ -47,7 +47,7 @@ class LiveSimulatedCameraTest {
   }
 
   @Test
-  void aConsumerThatIsBusyLosesCountedEventsAndTheClockGoesOn() throws IOException {
+  void aConsumerThatIsBusyLosesCountedEventsAndTheClockContinues() throws IOException {
     Camera camera = dots(CameraOptions.DEFAULT.withBuffers(0, 0, 5));
     while (recorder.events().isEmpty()) {
       camera.next(stream);
@@ -155,7 +155,7 @@ class LiveSimulatedCameraTest {
   }
 
   @Test
-  void aSceneThatTakesTooLongToMakeStandsStillWhileTheClockGoesOnAndThatIsTold()
+  void aSceneThatTakesTooLongToMakeStandsStillWhileTheClockContinuesAndThatIsReported()
       throws IOException {
     ManualClock time = new ManualClock();
     Scene<Nothing> scene = new HardScene(() -> time.advance(TimeUnit.MILLISECONDS.toNanos(300)));

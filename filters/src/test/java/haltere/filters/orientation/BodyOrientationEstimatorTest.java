@@ -273,7 +273,7 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void aBodyThatWasAwayForLongBeginsAnew() {
+  void aBodyThatWasAwayForLongRestarts() {
     FlightScene scene = clean(3, 10);
     BodyOrientationEstimator body = new BodyOrientationEstimator(Flights.cameras(scene), USUAL);
     body.update(scene.pictureTimeUs(0), seen(scene, 0));

@@ -243,7 +243,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void eventsOutsideOfTheSensorAreLeftOutAndTold() throws IOException {
+  void eventsOutsideOfTheSensorAreLeftOutAndReported() throws IOException {
     Path file = folder.resolve("outside.aedat4");
     EventPacket written = new EventPacket(4);
     written.append(0, 345, 259, true);

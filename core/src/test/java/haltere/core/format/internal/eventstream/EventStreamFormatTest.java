@@ -215,7 +215,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aStartThatTheClockCannotHoldIsMovedToZeroAndTold() throws IOException {
+  void aStartThatTheClockCannotHoldIsMovedToZeroAndReported() throws IOException {
     for (long startUs : new long[] {-5, 1_718_925_184_590_631L}) {
       EventPacket written = EventPackets.uniform(SENSOR, 1, 1000, startUs, 30);
       Path file = folder.resolve("start" + startUs + ".es");
@@ -236,7 +236,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void eventsOutsideAreLeftOutAndTold() throws IOException {
+  void eventsOutsideAreLeftOutAndReported() throws IOException {
     EventPacket written = new EventPacket(0);
     written.append(500, 320, 0, true);
     written.append(600, 319, 239, true);

@@ -283,7 +283,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void eventsOutsideOfTheSensorAreLeftOutAndTold() throws IOException {
+  void eventsOutsideOfTheSensorAreLeftOutAndReported() throws IOException {
     EventPacket events = new EventPacket(2);
     events.append(1, 345, 259, true);
     events.append(2, 346, 0, true);

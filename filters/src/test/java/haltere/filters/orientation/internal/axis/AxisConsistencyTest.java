@@ -21,15 +21,15 @@ class AxisConsistencyTest {
 
   @Test
   void meanNeesAndNisLieInTheirBands() {
-    assertHonest(2, 1, 6, 1000, RUNS);
+    assertConsistent(2, 1, 6, 1000, RUNS);
   }
 
   @Test
   void theyDoWithFewCamerasAndLargeAnglesTooWhereTheModelIsNotLinear() {
-    assertHonest(5, 2, 4, 5000, 2 * RUNS);
+    assertConsistent(5, 2, 4, 5000, 2 * RUNS);
   }
 
-  private static void assertHonest(
+  private static void assertConsistent(
       double rate, double noiseDeg, int cameras, long firstSeed, int runs) {
     double sd = Math.toRadians(noiseDeg);
     OrientationSettings settings =

@@ -281,7 +281,7 @@ class AxisFilterTest {
   }
 
   @Test
-  void whatNobodySeesIsNeverSure() {
+  void rollIsNeverCertain() {
     SplittableRandom random = new SplittableRandom(6);
     for (String form : new String[] {"error-state", "quaternion"}) {
       OrientationSettings settings = OrientationSettings.defaults().with("form=" + form);
