@@ -30,8 +30,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * What every file format keeps. A format's test extends this and says how to make the format, which
- * sensors it holds, and how a file of it comes about if it cannot be written.
+ * The contract of every file format. The test of a format extends this class and defines the
+ * format, its sensors, and how to create a file if there is no writer.
  */
 public abstract class RecordingFormatContract extends RecordingTimeContract {
   private static final int[] PACKET_SIZES = {1, 7, 1000, 8192, 1 << 20};

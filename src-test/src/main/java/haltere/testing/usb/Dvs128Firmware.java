@@ -162,7 +162,7 @@ public final class Dvs128Firmware implements Firmware {
   }
 
   /**
-   * Lets nobody claim it, as if another program had it.
+   * Denies claims, as if another program had the device.
    *
    * @param nowBusy whether it does
    */

@@ -121,7 +121,7 @@ public final class EmulatedDevice {
   }
 
   /**
-   * Lets nobody open it, as the system does for a user without the right.
+   * Denies access, as the system does for a user without permission.
    *
    * @param nowForbidden whether it does
    */
@@ -140,9 +140,9 @@ public final class EmulatedDevice {
   }
 
   /**
-   * Tells somebody of all data that went to the host.
+   * Sets a listener of all data sent to the host.
    *
-   * @param newDelivery told, on the thread that sends
+   * @param newDelivery called on the sending thread
    */
   public void onDelivery(Delivery newDelivery) {
     delivery = newDelivery;
