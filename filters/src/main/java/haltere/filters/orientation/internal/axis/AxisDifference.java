@@ -5,8 +5,8 @@ import haltere.filters.orientation.camera.Vectors;
 import org.ejml.data.DMatrixRMaj;
 
 /**
- * The difference of two hypotheses of an axis: that of the states, and what carries a covariance
- * along the great circle between them into the first one's frame. Reused.
+ * Difference of two hypotheses of an axis: difference of the states, and parallel transport of a
+ * covariance along the great circle into the frame of the first one. Reused.
  */
 final class AxisDifference {
   /** Cosine of an angle so near to 180 degrees that any great circle leads there. */
@@ -21,7 +21,7 @@ final class AxisDifference {
   private final GaussianState[] pair = {new GaussianState(4), new GaussianState(4)};
   private final double[] weights = new double[2];
 
-  /** Sets the difference of an axis, or with the side −1 of its opposite end, to another axis. */
+  /** Sets the difference between an axis, or its opposite with the side −1, and another axis. */
   void between(AxisHypothesis from, AxisHypothesis to, double side) {
     first = from;
     second = to;
@@ -52,7 +52,7 @@ final class AxisDifference {
     }
   }
 
-  /** Sets a belief to that of the second hypothesis in the first one's frame. */
+  /** Gets the Gaussian of the second hypothesis in the frame of the first one. */
   void carry(GaussianState into) {
     into.set(second.error);
     into.transform(carry);
@@ -61,7 +61,7 @@ final class AxisDifference {
     }
   }
 
-  /** Merges the second hypothesis into the first one, of whose sum it has a share. */
+  /** Merges the second hypothesis, with a share of the weight, into the first one. */
   void merge(double share) {
     pair[0].set(first.error);
     carry(pair[1]);

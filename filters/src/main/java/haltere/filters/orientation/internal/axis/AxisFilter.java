@@ -1,7 +1,7 @@
 package haltere.filters.orientation.internal.axis;
 
 /**
- * Follows the undirected axis of a body through what cameras see of it.
+ * Filter of the undirected axis of a body from the lines of cameras.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -14,8 +14,8 @@ public sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
    * @param variance mean squared angle to the true axis, not capped
    * @param agreement probability that the true axis is nearer to u than to its opposite
    * @param isSettled whether it is unambiguous, so that its head is known by continuity
-   * @param rollSd standard deviation of the rotation about the axis, which no camera sees
-   * @param rollRate the rate of roll that the filter holds, 0 where it is left out
+   * @param rollSd standard deviation of roll, which is not observable
+   * @param rollRate roll rate, 0 if it is no state
    */
   record Axis(
       double[] u,
@@ -26,26 +26,26 @@ public sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
       double rollSd,
       double rollRate) {}
 
-  /** Starts with an axis that was found. */
+  /** Initialises with an axis. */
   void launch(AxisLaunch found);
 
   /** Predicts by seconds, finite, not negative. */
   void predict(double dtS);
 
-  /** Updates with the first lines, of one time, and sets their results. */
+  /** Updates with a number of lines of one time and sets their results. */
   void update(LineMeasurement[] lines, int count);
 
   /**
-   * Updates with the direction of flight, a unit vector, which is that of the head but for an angle
-   * of a variance in each direction (flight-direction coupling). Fresh is the share of that angle
-   * that is new since the last time, above 0, at most 1.
+   * Updates with the direction of flight, a unit vector: the direction of the head plus an angle
+   * with a variance in each direction. Fresh is the new share of this angle since the last time,
+   * above 0, at most 1.
    */
   default void coupleToFlight(double[] direction, double variance, double fresh) {}
 
-  /** Whether to search the axis again, after an update with the first lines. */
+  /** Whether to search the axis again, after an update. */
   boolean doubts(LineMeasurement[] lines, int count);
 
-  /** Adds an axis that was found beside the present one; returns whether it replaces it. */
+  /** Adds an alternative axis; returns whether it replaces the present one. */
   boolean offer(AxisLaunch found);
 
   /** The estimate. */
@@ -54,10 +54,10 @@ public sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
   /** Whether all numbers are finite. */
   boolean isSound();
 
-  /** From now on keeps each step for a smoother; this allocates. */
+  /** Records each step for a smoother; this allocates. */
   default void record() {}
 
-  /** The last step, with those before; null if the form has no smoother. */
+  /** The last step, with its predecessors; null without a smoother. */
   default AxisStep step() {
     return null;
   }

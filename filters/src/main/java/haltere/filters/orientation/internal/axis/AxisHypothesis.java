@@ -24,13 +24,13 @@ import org.ejml.dense.row.CommonOps_DDRM;
  * <p>Reused; nothing is allocated by a step.
  */
 final class AxisHypothesis {
-  /** Variance in one direction above which a hypothesis is split, since lines are not linear. */
+  /** Variance in one direction above which a hypothesis is split, because of nonlinearity. */
   private static final double WIDE_VARIANCE = Math.toRadians(12) * Math.toRadians(12);
 
   /** Standard deviation of each of three hypotheses over that of the one that is split. */
   private static final double NARROWER = 0.6;
 
-  /** Logarithm of the odds above which a body that flies backwards has its ends exchanged. */
+  /** Log odds of backward flight above which head and tail are exchanged. */
   private static final double FLIES_BACKWARDS = 2;
 
   final double[] u = new double[3];
@@ -41,7 +41,7 @@ final class AxisHypothesis {
   /** Transition of errors over the last step. */
   final DMatrixRMaj transition = new DMatrixRMaj(4, 4);
 
-  /** Logarithm of its probability during an update, but for a common term. */
+  /** Log probability during an update, up to a common term. */
   double logWeight;
 
   /** Its probability if any hypothesis is true. */
@@ -50,10 +50,10 @@ final class AxisHypothesis {
   /** Probability of a saccade if this hypothesis is true. */
   double saccadeShare;
 
-  /** Logarithm of the likelihood of its angle to the flight at the last coupling. */
+  /** Log likelihood of its angle to the flight at the last coupling. */
   private double flightLog;
 
-  /** Lines that are neither used nor rejected yet. */
+  /** Number of lines that are not yet used or rejected. */
   int undecided;
 
   private int lines;
@@ -135,7 +135,9 @@ final class AxisHypothesis {
     error.transform(transition);
   }
 
-  /** Sets the transition: along the motion for both directions, plus what it is across (n). */
+  /**
+   * Sets the transition: that along the motion for both directions, plus the difference across (n).
+   */
   private void setTransition(double na, double nb, double s, double speed, RateDecay decay) {
     double g = decay.reachS;
     double left = decay.left;
@@ -164,7 +166,7 @@ final class AxisHypothesis {
     }
   }
 
-  /** Moves u by an arc towards a tangent direction, and e₁, e₂ along with it without turning. */
+  /** Moves u by an arc in a tangent direction, with parallel transport of e₁ and e₂. */
   private void transport(double ta, double tb, double arc) {
     if (arc < 1e-300) {
       return;
@@ -187,7 +189,7 @@ final class AxisHypothesis {
     Vectors.cross(u, e1, e2);
   }
 
-  /** Starts an update with so many lines. */
+  /** Starts an update with a number of lines. */
   void expect(int count) {
     reserve(count);
     Arrays.fill(decided, 0, count, false);
@@ -205,7 +207,7 @@ final class AxisHypothesis {
     }
   }
 
-  /** Updates with a line that was compared with the present state. */
+  /** Updates with a compared line. */
   void accept(int index, LineComparison seen) {
     own[index] = seen.own();
     nis[index] = seen.nis();
@@ -236,9 +238,9 @@ final class AxisHypothesis {
   }
 
   /**
-   * Updates with the direction of flight, which is that of the axis but for a slip angle, of which
-   * a share is fresh; sets {@link #logWeight} to its likelihood. The angle is a first-order
-   * Gauss-Markov process: its likelihood counts over that of the part that was counted before.
+   * Updates with the direction of flight, that of the axis plus a slip angle with a fresh share;
+   * sets {@link #logWeight} to its likelihood. The angle is a first-order Gauss-Markov process: its
+   * likelihood is relative to that of the part counted before.
    */
   void coupleToFlight(double[] direction, double variance, double fresh) {
     double a = Vectors.dot(direction, e1);
@@ -254,7 +256,7 @@ final class AxisHypothesis {
     recentre(true);
   }
 
-  /** Exchanges head and tail; a smoother does not pass this time. */
+  /** Exchanges head and tail; a smoother stops at this time. */
   private void turnRound() {
     for (int k = 0; k < 3; k++) {
       u[k] = -u[k];
@@ -290,8 +292,8 @@ final class AxisHypothesis {
 
   /**
    * Narrows the Gaussian along its widest direction; false if it is narrow enough. The shift gets
-   * the difference of two others on both sides, so that the three with weights 1 : 2 : 1 have the
-   * mean and the covariance of the one.
+   * the offset of two others on both sides; the three with weights 1 : 2 : 1 have its mean and
+   * covariance.
    */
   boolean narrow(double[] shift) {
     double p00 = error.covariance(0, 0);

@@ -6,9 +6,9 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * Finds an axis from the lines of one time: each line spans a plane with its camera, and the axis
- * lies in all of them. The intersection of two planes with the most inliers is refined by least
- * squares (Gauss-Newton). Reused.
+ * Initialises an axis from the lines of one time: a line and its camera span a plane that contains
+ * the axis. The intersection of two planes with the most inliers is refined by least squares
+ * (Gauss-Newton). Reused.
  */
 public final class AxisLaunch {
   /** Sine of the angle of two planes below which they have no usable intersection. */
@@ -19,7 +19,7 @@ public final class AxisLaunch {
   /** Standard deviation of the axis in one direction above which it is unknown. */
   private static final double MAX_SD = Math.toRadians(25);
 
-  /** Standard deviation of a line above which it counts as this; a filter may set any. */
+  /** Largest standard deviation of a line. */
   private static final double MAX_LINE_SD = Math.toRadians(6);
 
   private static final double MAX_STEP_RAD = 0.3;
@@ -39,12 +39,12 @@ public final class AxisLaunch {
   private double odds;
   private int tried;
 
-  /** A search among lines of which a share is not of the body. */
+  /** A search among lines with a share of outliers. */
   public AxisLaunch(double outlierShare) {
     this.outlierShare = outlierShare;
   }
 
-  /** The axis that was found last: a unit vector; not a copy. */
+  /** The last axis, a unit vector; not a copy. */
   public double[] axis() {
     return axis;
   }
@@ -54,28 +54,25 @@ public final class AxisLaunch {
     return covariance.data;
   }
 
-  /** How many lines it was found among. */
+  /** Number of lines of the search. */
   int lines() {
     return tried;
   }
 
-  /** Takes the opposite direction of the same line. */
+  /** Reverses the axis. */
   public void turnRound() {
     System.arraycopy(Vectors.scaled(-1, axis), 0, axis, 0, 3);
   }
 
   /**
-   * Likelihood of the lines with an axis, integrated over all axes (a Gaussian integral about the
-   * one found), over that of lines of random directions.
+   * Likelihood ratio of the lines with an axis, integrated over all axes (a Gaussian integral about
+   * the one found), and of random lines.
    */
   double odds() {
     return odds;
   }
 
-  /**
-   * Searches the first lines; false with fewer than two, lines that contradict, or planes that are
-   * all one.
-   */
+  /** Searches; false with fewer than two lines, contradictory lines, or coincident planes. */
   public boolean find(LineMeasurement[] lines, int count) {
     tried = count;
     double bestScore = 0;

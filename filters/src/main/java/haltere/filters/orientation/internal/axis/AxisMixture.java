@@ -8,8 +8,8 @@ import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
  * The mixture of hypotheses of an axis: mean, in the tangent plane of the likeliest, and second
- * moment about it. Hypotheses have a head: the mean of two that are more than 90 degrees apart lies
- * between their heads. Reused.
+ * moment about it. Hypotheses are directed: the mean of two more than 90 degrees apart is between
+ * their heads. Reused.
  */
 final class AxisMixture {
   private final HypothesisSet hypotheses;

@@ -7,9 +7,8 @@ import java.util.List;
 import org.ejml.data.DMatrixRMaj;
 
 /**
- * Goes back over the steps of {@link SphereFilter} by {@link RtsSmoother}, with sums and
- * differences along great circles. P⁻ holds the noise of calm flight and of saccades as likely as
- * each was.
+ * Smooths the steps of {@link SphereFilter} by {@link RtsSmoother}, with sums and differences along
+ * great circles. P⁻ includes the noise of calm flight and of saccades by their probabilities.
  */
 public final class AxisSmoother {
   private AxisSmoother() {}

@@ -1,11 +1,11 @@
 package haltere.filters.orientation.internal.axis;
 
 /**
- * What {@link SphereFilter} holds at one time.
+ * State of a hypothesis of {@link SphereFilter} at one time.
  *
  * @param u the axis
- * @param e1 first direction beside it
- * @param e2 second direction beside it, u × e1
+ * @param e1 first tangent direction
+ * @param e2 second tangent direction, u × e1
  * @param va velocity along e1, per second
  * @param vb velocity along e2
  * @param p covariance of the error, order a, ȧ, b, ḃ, sixteen entries

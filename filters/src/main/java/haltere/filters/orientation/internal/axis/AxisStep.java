@@ -5,11 +5,10 @@ import org.ejml.data.DMatrixRMaj;
 /**
  * One time of a hypothesis of an axis, for a smoother.
  *
- * @param predicted the state before the time's observations; null after a launch or where head and
- *     tail were exchanged
- * @param transition of errors from the time before; null likewise
- * @param updated the state after them
- * @param before the time before; null after a launch
+ * @param predicted the predicted state; null after a launch or an exchange of head and tail
+ * @param transition of errors from the previous time; null likewise
+ * @param updated the updated state
+ * @param before the previous step; null after a launch
  */
 public record AxisStep(
     AxisState predicted, DMatrixRMaj transition, AxisState updated, AxisStep before) {}

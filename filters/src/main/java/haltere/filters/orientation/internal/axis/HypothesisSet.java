@@ -4,7 +4,7 @@ import haltere.filters.orientation.camera.Vectors;
 import java.util.Arrays;
 import java.util.Comparator;
 
-/** Hypotheses of one time, and those of the time before. A fixed number is kept and reused. */
+/** Hypotheses of one time and of the previous time, in a fixed number of reused objects. */
 final class HypothesisSet {
   /** Largest number between two times. */
   static final int MAX_KEPT = 20;
@@ -28,7 +28,7 @@ final class HypothesisSet {
   private AxisHypothesis[] before = new AxisHypothesis[CAPACITY];
   private int size;
 
-  /** Largest logarithm of a weight of the hypotheses that are decided. */
+  /** Largest log weight of the decided hypotheses. */
   double best = Double.NEGATIVE_INFINITY;
 
   private final AxisDifference difference = new AxisDifference();
@@ -56,7 +56,7 @@ final class HypothesisSet {
     best = Double.NEGATIVE_INFINITY;
   }
 
-  /** Makes the hypotheses those of the time before; returns how many. */
+  /** Makes the present hypotheses the previous ones; returns their number. */
   int advance() {
     AxisHypothesis[] latest = now;
     now = before;
@@ -66,7 +66,7 @@ final class HypothesisSet {
     return count;
   }
 
-  /** Adds a hypothesis of any content; null if the set is full. */
+  /** Adds a hypothesis with arbitrary content; null if the set is full. */
   AxisHypothesis add() {
     return size < CAPACITY ? now[size++] : null;
   }
@@ -111,7 +111,7 @@ final class HypothesisSet {
     return unknown;
   }
 
-  /** Splits each hypothesis that is too wide into three, as far as the set has room. */
+  /** Splits each wide hypothesis into three, while the set has room. */
   void split() {
     int count = size;
     for (int i = 0; i < count && size + 2 <= MAX_KEPT; i++) {
@@ -150,8 +150,8 @@ final class HypothesisSet {
   }
 
   /**
-   * Weighs the hypothesis that was added last by its chance, beside the weight of no true
-   * hypothesis and that of the others together. Returns the probability that none is true.
+   * Sets the weight of the last added hypothesis, relative to that of no true hypothesis and that
+   * of all others. Returns the probability that none is true.
    */
   double include(AxisHypothesis added, double chance, double none, double others) {
     double known = chance + others;
@@ -199,7 +199,7 @@ final class HypothesisSet {
     }
   }
 
-  /** Whether two hypotheses are of one mode and near, by the variances of each entry. */
+  /** Whether two hypotheses have one mode and are similar, by the variances of each entry. */
   private boolean areAlike(AxisHypothesis a, AxisHypothesis b, double share) {
     double limit = Math.max(MERGE_DISTANCE, MERGE_DISTANCE_BY_SHARE / share);
     double variance = a.angleVariance() + b.angleVariance();

@@ -9,16 +9,16 @@ import haltere.filters.estimation.GaussianState;
  * second ones −Im w wᵀ. Reused.
  */
 final class LineComparison {
-  /** Squared length of the axis in the picture below which it is seen end-on. */
+  /** Squared length of the axis in the picture below which it points to the camera. */
   private static final double END_ON = 1e-12;
 
-  /** Variance of the expected line over that of the line, up to which the latter is learnt. */
+  /** Largest ratio of the variance of the expected line to that of the line for its estimation. */
   private static final double MAX_SPREAD = 2;
 
-  /** Noise with the second-order terms over that without, up to which it is learnt. */
+  /** Largest ratio of the noise with second-order terms to that without for its estimation. */
   private static final double MAX_NONLINEARITY = 1.1;
 
-  /** Normalised innovation squared above which an innovation counts as this. */
+  /** Largest normalised innovation squared that counts. */
   private static final double MAX_NIS = 9;
 
   double innovation;
@@ -33,7 +33,7 @@ final class LineComparison {
 
   private double lineVariance;
 
-  /** Compares; false where the body is seen end-on. */
+  /** Compares; false for an axis towards the camera. */
   boolean compare(AxisHypothesis hypothesis, LineMeasurement line) {
     GaussianState error = hypothesis.error;
     double a = error.mean(0);
@@ -84,7 +84,7 @@ final class LineComparison {
     return spread + noise - lineVariance;
   }
 
-  /** Estimate of the line's own variance; NaN where the innovation does not tell. */
+  /** Estimate of the variance of the line; NaN if the innovation does not determine it. */
   double own() {
     boolean isLearnt =
         spread < MAX_SPREAD * lineVariance && noise < MAX_NONLINEARITY * lineVariance;

@@ -3,8 +3,8 @@ package haltere.filters.orientation.internal.axis;
 import haltere.filters.orientation.camera.CameraModel;
 
 /**
- * The line that a camera measured, for a filter of the axis: its angle without the lens, variance
- * and derivatives; after an update, residual and result. Reused.
+ * The measured line of a camera: undistorted angle, variance and derivatives; after an update,
+ * residual and result. Reused.
  */
 public final class LineMeasurement {
   /** n₀ and n₁ of {@link CameraModel#lineNormals}. */
@@ -17,16 +17,16 @@ public final class LineMeasurement {
 
   public boolean used;
 
-  /** Angle from the expected line, before any update. */
+  /** Angle to the expected line before the update. */
   public double residualRad;
 
   /** Normalised innovation squared at its update. */
   public double nis;
 
-  /** Estimate of its own variance; NaN where the innovation does not tell. */
+  /** Estimate of its variance; NaN if the innovation does not determine it. */
   public double ownRad2;
 
-  /** Sets what was observed: an angle in radians, modulo pi. */
+  /** Sets the observed angle, radians modulo pi. */
   public void setAngle(double angleRad) {
     used = false;
     residualRad = Double.NaN;
@@ -65,7 +65,7 @@ public final class LineMeasurement {
     return squares > 1e-12;
   }
 
-  /** Normal of the plane that the line and the camera span: the body's axis lies in it. */
+  /** Normal of the plane of line and camera, which contains the axis. */
   void planeNormal(double[] normal) {
     for (int i = 0; i < 3; i++) {
       normal[i] = sin * n[i] - cos * n[3 + i];
