@@ -26,38 +26,64 @@ public sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
       double rollSd,
       double rollRate) {}
 
-  /** Initialises with an axis. */
+  /**
+   * Initialises with an axis.
+   *
+   * @param found the axis with its covariance and odds
+   */
   void launch(AxisLaunch found);
 
-  /** Predicts by seconds, finite, not negative. */
+  /**
+   * Predicts.
+   *
+   * @param dtS time step, seconds, finite, not negative
+   */
   void predict(double dtS);
 
-  /** Updates with a number of lines of one time and sets their results. */
+  /**
+   * Updates with lines of one time and sets their results.
+   *
+   * @param lines the first ones are used
+   * @param count their number
+   */
   void update(LineMeasurement[] lines, int count);
 
   /**
-   * Updates with the direction of flight, a unit vector: the direction of the head plus an angle
-   * with a variance in each direction. Fresh is the new share of this angle since the last time,
-   * above 0, at most 1.
+   * Updates with the direction of flight: the direction of the head plus a random angle.
+   *
+   * @param direction a unit vector
+   * @param variance of the angle in each direction, squared radians
+   * @param fresh new share of the angle since the last time, above 0, at most 1
    */
   default void coupleToFlight(double[] direction, double variance, double fresh) {}
 
-  /** Whether to search the axis again, after an update. */
+  /**
+   * Whether to search the axis again, after an update.
+   *
+   * @param lines of the update
+   * @param count their number
+   * @return true if the axis may be wrong
+   */
   boolean doubts(LineMeasurement[] lines, int count);
 
-  /** Adds an alternative axis; returns whether it replaces the present one. */
+  /**
+   * Adds an alternative axis.
+   *
+   * @param found the axis with its covariance and odds
+   * @return whether it replaces the present one
+   */
   boolean offer(AxisLaunch found);
 
-  /** The estimate. */
+  /** {@return the estimate} */
   Axis axis();
 
-  /** Whether all numbers are finite. */
+  /** {@return whether all numbers are finite} */
   boolean isSound();
 
   /** Records each step for a smoother; this allocates. */
   default void record() {}
 
-  /** The last step, with its predecessors; null without a smoother. */
+  /** {@return the last step, with its predecessors; null without a smoother} */
   default AxisStep step() {
     return null;
   }

@@ -39,12 +39,16 @@ public final class AxisLaunch {
   private double odds;
   private int tried;
 
-  /** A search among lines with a share of outliers. */
+  /**
+   * A search.
+   *
+   * @param outlierShare expected share of outliers among the lines
+   */
   public AxisLaunch(double outlierShare) {
     this.outlierShare = outlierShare;
   }
 
-  /** The last axis, a unit vector; not a copy. */
+  /** {@return the last axis, a unit vector; not a copy} */
   public double[] axis() {
     return axis;
   }
@@ -72,7 +76,13 @@ public final class AxisLaunch {
     return odds;
   }
 
-  /** Searches; false with fewer than two lines, contradictory lines, or coincident planes. */
+  /**
+   * Searches an axis.
+   *
+   * @param lines the first ones are used
+   * @param count their number
+   * @return false with fewer than two lines, contradictory lines, or coincident planes
+   */
   public boolean find(LineMeasurement[] lines, int count) {
     tried = count;
     double bestScore = 0;

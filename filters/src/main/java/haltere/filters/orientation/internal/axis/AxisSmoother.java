@@ -13,7 +13,12 @@ import org.ejml.data.DMatrixRMaj;
 public final class AxisSmoother {
   private AxisSmoother() {}
 
-  /** A smoothed state for each step. */
+  /**
+   * Smooths a path.
+   *
+   * @param steps of one hypothesis, in order
+   * @return a state for each step
+   */
   public static List<AxisState> smooth(List<AxisStep> steps) {
     List<AxisState> smoothed = new ArrayList<>(steps.size());
     AxisState later = null;

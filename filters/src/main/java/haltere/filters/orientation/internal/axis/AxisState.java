@@ -11,7 +11,7 @@ package haltere.filters.orientation.internal.axis;
  * @param p covariance of the error, order a, ȧ, b, ḃ, sixteen entries
  */
 public record AxisState(double[] u, double[] e1, double[] e2, double va, double vb, double[] p) {
-  /** Velocity of the axis' tip, per second. */
+  /** {@return the velocity of the axis' tip, per second} */
   public double[] tipVelocity() {
     double[] tip = new double[3];
     for (int i = 0; i < 3; i++) {

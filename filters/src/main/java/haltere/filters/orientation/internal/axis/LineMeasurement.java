@@ -10,11 +10,16 @@ public final class LineMeasurement {
   /** n₀ and n₁ of {@link CameraModel#lineNormals}. */
   public final double[] n = new double[6];
 
+  /** Index of the camera. */
   public int camera;
+
   private double sin;
   private double cos = 1;
+
+  /** Variance of the angle. */
   public double varianceRad2;
 
+  /** Whether the last update used the line. */
   public boolean used;
 
   /** Angle to the expected line before the update. */
@@ -26,7 +31,11 @@ public final class LineMeasurement {
   /** Estimate of its variance; NaN if the innovation does not determine it. */
   public double ownRad2;
 
-  /** Sets the observed angle, radians modulo pi. */
+  /**
+   * Sets the observed angle.
+   *
+   * @param angleRad radians modulo pi
+   */
   public void setAngle(double angleRad) {
     used = false;
     residualRad = Double.NaN;

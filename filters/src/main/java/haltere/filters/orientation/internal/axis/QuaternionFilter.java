@@ -36,7 +36,11 @@ public final class QuaternionFilter implements AxisFilter {
 
   private int agreements;
 
-  /** A filter without an axis. */
+  /**
+   * A filter without an axis.
+   *
+   * @param model of the axis and its lines
+   */
   public QuaternionFilter(AxisModel model) {
     rateVariance = model.meanRateVariance();
     updateNoise = model.updateNoise();

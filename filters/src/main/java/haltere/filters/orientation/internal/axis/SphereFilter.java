@@ -62,7 +62,11 @@ public final class SphereFilter implements AxisFilter {
 
   private boolean recording;
 
-  /** A filter without an axis. */
+  /**
+   * A filter without an axis.
+   *
+   * @param model of the axis and its lines
+   */
   public SphereFilter(AxisModel model) {
     this.model = model;
     double calm = model.calmRateRadS();
