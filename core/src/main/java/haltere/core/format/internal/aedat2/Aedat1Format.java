@@ -17,8 +17,8 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * AEDAT-1.0, the oldest recordings of jAER, of DVS128 and Tmpdiff128: read only. A file without any
- * header is taken for one if its bytes, as records, make a clock that ascends.
+ * AEDAT-1.0, the oldest recordings of jAER, of DVS128 and Tmpdiff128: read only. A file without a
+ * header is one if its bytes, as records, have ascending times.
  */
 public final class Aedat1Format implements ReadOnlyFormat {
   private static final int CLOCK_RECORDS = 1000;

@@ -30,7 +30,7 @@ import java.util.Set;
 final class Aedat4Cursor implements EventCursor {
   static final int EVENT_BYTES = 16;
 
-  /** Numbers that say where a cursor is. */
+  /** Numbers of the state of a cursor. */
   static final int STATE_LONGS = 3;
 
   /** So many packets in order before a thread is started that helps. */
@@ -85,14 +85,14 @@ final class Aedat4Cursor implements EventCursor {
   }
 
   /**
-   * Where the packets of a file lie.
+   * Layout of the packets of a file.
    *
    * @param known numbers of its streams
    * @param start where packets start
    * @param end where they end
-   * @param cutOff whether the file should go on there
-   * @param metadata what the file says beside
-   * @param compression how its packets are said to be compressed
+   * @param cutOff whether the file is truncated there
+   * @param metadata of the file
+   * @param compression stated compression of the packets
    */
   record Layout(
       Set<Integer> known,

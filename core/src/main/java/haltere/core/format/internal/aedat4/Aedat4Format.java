@@ -69,7 +69,7 @@ public final class Aedat4Format implements RecordingFormat {
   }
 
   /**
-   * Opens a recording that has several streams of events.
+   * Opens a recording with several streams of events.
    *
    * @param file a file of this format
    * @param options of the user
@@ -84,7 +84,7 @@ public final class Aedat4Format implements RecordingFormat {
   }
 
   /**
-   * The streams that a file says it holds, those that this program does not read among them.
+   * The streams that a file states, including those that are not read.
    *
    * @param file a file of this format
    * @return in order of their numbers

@@ -14,13 +14,12 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * Decompresses and decodes the next packets of a stream on two threads: one of its own, and the
- * reader's where it would have to wait. Whoever has nothing to do takes the next packet that nobody
- * has taken yet, so that both are busy however the work is spread. A few packets of bounded size
- * are decoded ahead; one that is too large, or about which anything is odd, is left to the reader.
+ * Decompresses and decodes the next packets of a stream on two threads: its own, and the reader's
+ * while it waits. An idle thread takes the next free packet, so that both are busy. A few packets
+ * of bounded size are decoded ahead; large or invalid ones are left to the reader.
  *
- * <p>What goes from one thread to the other is events, not bytes: a decompressor reads again what
- * it wrote just now, and is slow where that lies in the other processor's cache.
+ * <p>Threads exchange events, not bytes: a decompressor reads its recent output again, which is
+ * slow in the cache of another processor.
  *
  * <p>Thread rule: all methods are for the reader's thread.
  */
@@ -119,7 +118,7 @@ final class DecodeAhead implements Closeable {
         own.close();
       }
     } catch (IOException | InterruptedException e) {
-      // The reader is closed, went elsewhere, or comes to the same place and says what is wrong.
+      // the reader is closed, has jumped, or reports the same problem
       end();
     }
   }
@@ -146,7 +145,7 @@ final class DecodeAhead implements Closeable {
     }
   }
 
-  /** The next packet that nobody has taken, or null if there is none. */
+  /** The next free packet, or null. */
   private Slot claim() throws IOException {
     while (!ended && walk.find()) {
       if (walk.stream() == stream) {
@@ -169,7 +168,7 @@ final class DecodeAhead implements Closeable {
     try {
       decoded = slot.size <= MAX_COMPRESSED && decodeWhole(decompressor, slot);
     } catch (IOException | DamagedPacketException e) {
-      // The reader does the same and says what is wrong.
+      // the reader reports the same problem
     } finally {
       lock.lock();
       try {

@@ -85,9 +85,9 @@ final class Decompressor {
   }
 
   /**
-   * Comes to the events of a payload that was opened.
+   * Advances to the events of an opened payload.
    *
-   * @return how many it says it has
+   * @return their stated number
    */
   long events() throws IOException, DamagedPacketException {
     gather(TABLE_BYTES);

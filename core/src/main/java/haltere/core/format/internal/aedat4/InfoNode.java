@@ -25,7 +25,7 @@ final class InfoNode {
   private static final int MAX_SIDE = 32 * 1024;
   private static final String METADATA = "metadata";
 
-  /** How DV calls and describes what it writes. */
+  /** Names and descriptions of DV for its outputs. */
   private static final Map<String, String> OUTPUTS =
       Map.of(
           Aedat4Stream.EVENTS, "events",
@@ -99,7 +99,7 @@ final class InfoNode {
           }
         }
         default -> {
-          // Comments and the like say nothing.
+          // comments are ignored
         }
       }
     }

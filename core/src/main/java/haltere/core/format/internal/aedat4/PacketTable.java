@@ -12,9 +12,9 @@ import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * The table of packets of a file that was closed, as an index of its times. It is believed if it
- * names every byte between the header and itself exactly once, as the packets' own headers do, and
- * if some packets, the first and the last among them, have the times that it says.
+ * The table of packets of a file that was closed, as an index of its times. It is valid if it
+ * covers every byte between the header and itself exactly once, as the headers of the packets do,
+ * and if some packets, including the first and the last, have its times.
  *
  * <p>Thread rule: one thread.
  */
@@ -44,7 +44,7 @@ final class PacketTable {
   /**
    * Reads the table of a file.
    *
-   * @return empty if there is none that can be believed
+   * @return empty without a valid one
    */
   static Optional<PacketTable> believed(RecordingFile file, Aedat4Cursor.Layout layout, int stream)
       throws IOException {
@@ -64,7 +64,7 @@ final class PacketTable {
     }
   }
 
-  /** What it says of the whole stream. */
+  /** Outline of the whole stream. */
   RecordingOutline outline() {
     if (count == 0) {
       return RecordingOutline.NOTHING;

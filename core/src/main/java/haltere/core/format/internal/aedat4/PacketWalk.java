@@ -26,7 +26,7 @@ final class PacketWalk {
   private final boolean cutOff;
   private final ViolationCounts violations;
 
-  /** The last search: from where, and what it found. No offset between can be a packet's. */
+  /** Start and result of the last search; there is no packet between them. */
   private long searchedFrom;
 
   private long searchFound;
@@ -40,10 +40,10 @@ final class PacketWalk {
    * A walk.
    *
    * @param window over the file
-   * @param known numbers of the streams that the file says it has
+   * @param known numbers of the stated streams
    * @param start where the packets start
    * @param end where they end
-   * @param cutOff whether the file should go on there
+   * @param cutOff whether the file is truncated there
    * @param violations where damage is counted
    */
   PacketWalk(
@@ -150,7 +150,7 @@ final class PacketWalk {
     return searchFound;
   }
 
-  /** How many offsets were looked at, the measure of its work. */
+  /** Number of examined offsets. */
   long looks() {
     return looks;
   }

@@ -36,7 +36,7 @@ final class SamplePackets {
      *
      * @param stream number of its stream
      * @param payload not compressed
-     * @param elements what it holds
+     * @param elements number of elements
      * @param firstUs time of the first
      * @param lastUs time of the last
      */
@@ -64,7 +64,7 @@ final class SamplePackets {
     return STREAMS.get(kind);
   }
 
-  /** Four letters that say what a stream holds. */
+  /** Four-letter type of a stream. */
   static String type(SampleKind kind) {
     return switch (kind) {
       case FRAME -> SamplePayload.FRAME;
@@ -108,7 +108,7 @@ final class SamplePackets {
     }
   }
 
-  /** Writes what has been gathered. */
+  /** Writes the collected samples. */
   void flush() throws IOException {
     for (SampleKind kind : kinds) {
       flush(kind);

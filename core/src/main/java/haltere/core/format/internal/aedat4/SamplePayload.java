@@ -148,7 +148,7 @@ record SamplePayload(int sensorHeight, boolean rowsFromBottom) {
     long values = (long) width * height * channels;
     long bytes = table.vectorLength(10);
     if (depth == Frame.Depth.UNSIGNED_8 && bytes == 2 * values) {
-      // JAER says eight bits and writes sixteen.
+      // jAER states eight bits and writes sixteen
       depth = Frame.Depth.UNSIGNED_16;
     }
     int at = table.vectorElements(10);

@@ -68,7 +68,7 @@ final class BagOpening {
   /**
    * Opens it.
    *
-   * @param violations what was found wrong up to now
+   * @param violations the violations found so far
    */
   RecordingReader open(ViolationCounts violations) throws IOException {
     Optional<First> found = first();

@@ -9,8 +9,8 @@ import java.util.Arrays;
 import org.apache.commons.compress.compressors.bzip2.BZip2CompressorInputStream;
 
 /**
- * A payload that is one bzip2 stream, decompressed by commons-compress. A block is given out after
- * its checksum was tested, or in pieces of {@link #MAX_HELD_BYTES} before that: runs of equal bytes
+ * A payload that is one bzip2 stream, decompressed by commons-compress. A block is released after
+ * its checksum was verified, or in pieces of {@link #MAX_HELD_BYTES} before: runs of equal bytes
  * make a block as large as 46 MB.
  */
 final class Bzip2Payload extends Payload {

@@ -18,10 +18,10 @@ abstract class ChunkWalk implements MessageWalk {
   final Wanted wanted;
   final ViolationCounts violations;
 
-  /** For what lies between chunks. */
+  /** Reads records between chunks. */
   final StoredPayload records;
 
-  /** Where the next chunk, or what is before it, starts in the file. */
+  /** Offset of the next chunk, or of records before it. */
   long next;
 
   /** Decompressed bytes of the chunk before the record at hand. */
@@ -77,8 +77,8 @@ abstract class ChunkWalk implements MessageWalk {
   abstract boolean nextChunk() throws IOException;
 
   /**
-   * Goes on in the chunk up to the next message that is wanted, and fills the fields that say what
-   * it is; false at the chunk's end.
+   * Advances to the next requested message in the chunk and sets its fields; false at the end of
+   * the chunk.
    */
   abstract boolean nextMessage() throws IOException, DamagedPacketException;
 
@@ -105,8 +105,8 @@ abstract class ChunkWalk implements MessageWalk {
    *
    * @param compression its name in the file
    * @param data where its bytes start
-   * @param bytes how many there are, as it says
-   * @param decompressedBytes how many they will be, as it says
+   * @param bytes stated size
+   * @param decompressedBytes stated size after decompression
    * @return false if it is damaged from the first byte on
    */
   final boolean openChunk(String compression, long data, long bytes, long decompressedBytes)

@@ -15,7 +15,7 @@ final class DecompressingWalk implements MessageWalk {
   private static final int FRAME = 0xfd2f_b528;
   private static final int NAME_BYTES = 4;
 
-  /** Of a message that does not say how long it will be. */
+  /** Size of a message with unknown size. */
   private static final long ANY_SIZE = Long.MAX_VALUE / 2;
 
   private final MessageWalk walk;

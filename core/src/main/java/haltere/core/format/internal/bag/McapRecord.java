@@ -47,7 +47,7 @@ final class McapRecord {
   /**
    * Reads kind and length of the next record.
    *
-   * @return false where there are no more bytes
+   * @return false at the end
    */
   boolean next() throws IOException, DamagedPacketException {
     if (!payload.gather(HEAD_BYTES)) {

@@ -12,8 +12,7 @@ import java.util.zip.CRC32;
 
 /**
  * Writes an MCAP file of one topic around its messages: header, chunks with the indexes of their
- * messages, and the summary, in which every chunk can be looked up by time. All checksums are
- * there.
+ * messages, and the summary, an index of chunks by time. With all checksums.
  *
  * <p>Thread rule: one thread.
  */

@@ -8,8 +8,8 @@ import haltere.core.format.internal.compression.Payload;
 import java.io.IOException;
 
 /**
- * The messages of an MCAP file. They lie in chunks or, where a recorder did not want any, each is a
- * record of its own, which then is taken for a chunk.
+ * The messages of an MCAP file. They are in chunks or, in files without chunks, separate records,
+ * each of which is treated as a chunk.
  */
 final class McapWalk extends ChunkWalk {
   private static final int LONGEST_HEADER = 128 * 1024;

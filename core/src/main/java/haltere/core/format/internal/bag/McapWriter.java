@@ -20,7 +20,7 @@ import java.util.List;
  * packets of encoded events, and whose times are exact. A message holds at most {@value
  * #MAX_EVENTS} events and 10 ms; chunks are compressed with Zstandard.
  *
- * <p>Times have signed 32 bits of seconds: what is more than 68 years from 0 is refused.
+ * <p>Times have signed 32 bits of seconds: times more than 68 years from 0 are refused.
  */
 final class McapWriter implements RecordingWriter {
   /** Most events of a message. */

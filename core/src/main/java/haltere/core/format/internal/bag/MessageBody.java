@@ -36,7 +36,7 @@ final class MessageBody implements ByteSource {
     return size - used;
   }
 
-  /** Declares that the message ends earlier than it says. */
+  /** Sets an earlier end of the message. */
   void shorten(long bytesLeft) {
     size = used + Math.min(left(), bytesLeft);
   }
@@ -60,7 +60,7 @@ final class MessageBody implements ByteSource {
     used += bytes;
   }
 
-  /** Gets more bytes; false if the message has no more. */
+  /** Reads more bytes; false at the end of the message. */
   boolean more() throws IOException, DamagedPacketException {
     if (left() <= payload.to() - payload.from()) {
       return false;

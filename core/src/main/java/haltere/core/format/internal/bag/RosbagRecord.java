@@ -33,9 +33,9 @@ final class RosbagRecord {
   }
 
   /**
-   * Reads a header, and passes over it.
+   * Reads a header.
    *
-   * @return the record, or null where there are no more bytes
+   * @return the record, or null at the end
    */
   static RosbagRecord read(Payload payload) throws IOException, DamagedPacketException {
     if (!payload.gather(4)) {
@@ -59,7 +59,7 @@ final class RosbagRecord {
     return new RosbagRecord(fields, length + 8, dataBytes);
   }
 
-  /** What kind it is; -1 if it does not say so. */
+  /** Kind of the record; -1 if it is not stated. */
   int kind() {
     return fields.getByte("op");
   }

@@ -5,9 +5,9 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 
 /**
- * Goes through the rows of an SQLite table in ascending order of their numbers: a tree of pages,
- * whose leaves hold the rows. Every leaf is looked for from the root, so that a place is no more
- * than a number, and a tree that leads in a circle comes to an end.
+ * Iterates over the rows of an SQLite table in ascending order of their numbers: a tree of pages
+ * with the rows in its leaves. Every leaf is searched from the root, so that a position is only a
+ * number, and a cyclic tree ends.
  *
  * <p>Thread rule: one thread.
  */

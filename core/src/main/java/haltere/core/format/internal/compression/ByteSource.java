@@ -11,11 +11,11 @@ public interface ByteSource {
   /**
    * Makes some bytes available in {@link #bytes()}.
    *
-   * @param offset where they start; at or behind where the stretch before started
-   * @param count how many, few enough for memory
-   * @return index of the first, or -1 if there are not so many
+   * @param offset of the first; not before that of the last call
+   * @param count number of bytes, few enough for memory
+   * @return index of the first, or -1 if there are fewer
    * @throws IOException if they cannot be read
-   * @throws DamagedPacketException if what they lie in is damaged
+   * @throws DamagedPacketException if their container is damaged
    */
   int require(long offset, int count) throws IOException, DamagedPacketException;
 

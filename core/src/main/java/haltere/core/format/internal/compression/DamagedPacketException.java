@@ -7,7 +7,7 @@ public final class DamagedPacketException extends Exception {
   /**
    * Damage.
    *
-   * @param message what is wrong, for a developer
+   * @param message for developers
    */
   public DamagedPacketException(String message) {
     super(message, null, false, false);

@@ -35,7 +35,7 @@ public final class FileWindow implements ByteSource {
    * A window that holds nothing yet.
    *
    * @param file the file; it is not closed with the window
-   * @param usualBytes how many are read at a time if no more are asked for, at least 1
+   * @param usualBytes least number of bytes per read, at least 1
    */
   public FileWindow(RecordingFile file, int usualBytes) {
     this.file = file;

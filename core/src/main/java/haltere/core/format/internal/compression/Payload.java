@@ -88,7 +88,7 @@ public abstract class Payload implements Closeable {
    */
   public final boolean gather(int bytes) throws IOException, DamagedPacketException {
     while (to - from < bytes && more()) {
-      // A piece may be smaller than what is needed.
+      // a piece may be smaller than required
     }
     return to - from >= bytes;
   }
@@ -112,7 +112,7 @@ public abstract class Payload implements Closeable {
     }
   }
 
-  /** Releases what is outside of the heap. */
+  /** Releases memory outside of the heap. */
   @Override
   public void close() {}
 }

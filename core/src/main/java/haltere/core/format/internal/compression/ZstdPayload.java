@@ -11,8 +11,8 @@ import java.io.InputStream;
 import java.util.Arrays;
 
 /**
- * A payload that is a Zstandard frame: decompressed at once where it says that it is small, else as
- * a stream.
+ * A payload that is a Zstandard frame: decompressed at once if it states a small size, else as a
+ * stream.
  */
 public final class ZstdPayload extends Payload {
   private static final int AT_ONCE_BYTES = 4 * 1024 * 1024;
@@ -57,9 +57,9 @@ public final class ZstdPayload extends Payload {
   }
 
   /**
-   * Bytes that the frame says it will be; it may lie.
+   * Stated size of the frame after decompression; it may be wrong.
    *
-   * @return negative if it does not say
+   * @return negative if it is not stated
    */
   public long claimedBytes() {
     return claimed;

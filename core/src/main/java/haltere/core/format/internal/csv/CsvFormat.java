@@ -27,10 +27,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Events as text. Written: a header row {@code t_us,x,y,on}, then a row per event, with the rows
- * counted from the corner that the events' source counts from unless the user says otherwise. Read:
- * any columns in any order, see {@link CsvLayout}; rows are taken to count from the top, unless the
- * user says otherwise.
+ * Events as text. Written: a header row {@code t_us,x,y,on}, then a row per event, with the origin
+ * of rows of the source, or of the user's options. Read: any columns in any order, see {@link
+ * CsvLayout}; rows count from the top by default.
  */
 public final class CsvFormat implements StreamedFormat {
   private static final int MAX_SIDE = 1 << 15;

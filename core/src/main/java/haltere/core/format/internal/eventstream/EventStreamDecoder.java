@@ -55,7 +55,7 @@ final class EventStreamDecoder implements StreamDecoder {
    *
    * @param kind of the events
    * @param geometry the sensor; events outside are left out
-   * @param violations where to count what is wrong
+   * @param violations counts violations
    */
   public EventStreamDecoder(Kind kind, SensorGeometry geometry, ViolationCounts violations) {
     this(kind, geometry, false, violations);
@@ -192,7 +192,7 @@ final class EventStreamDecoder implements StreamDecoder {
         position++;
         continue;
       }
-      // The length comes in pieces of 7 bits, the lowest first; bit 0 tells that there are more.
+      // the length has pieces of 7 bits, the lowest first; bit 0 marks further ones
       long length = 0;
       int bytes = 0;
       boolean more = true;

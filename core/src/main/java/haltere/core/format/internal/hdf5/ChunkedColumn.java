@@ -8,8 +8,8 @@ import java.util.Arrays;
 import java.util.zip.Deflater;
 
 /**
- * A list of numbers or of rows of a table on its way to a file: chunks of rows, compressed if that
- * is wanted, and the tree that says where they are.
+ * Writes a list of numbers or of rows of a table: chunks of rows, optionally compressed, and the
+ * tree of their positions.
  *
  * <p>Thread rule: one thread.
  */
@@ -143,7 +143,7 @@ final class ChunkedColumn {
   }
 
   private ByteBuffer pack(int bytes) {
-    // While nothing happens, chunk after chunk of an index says the same row throughout.
+    // without events, successive chunks of an index have one row throughout
     boolean even = Arrays.equals(chunk, 0, bytes - size, chunk, size, bytes);
     if (even && bytes == evenBytes && Arrays.equals(chunk, 0, size, evenRow, 0, size)) {
       return ByteBuffer.wrap(compressed, 0, compressedBytes);

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A dataset that is a list of elements, or a table whose rows are read as elements: where its bytes
- * lie and what they are.
+ * A dataset that is a list of elements, or a table whose rows are read as elements: position and
+ * type of its bytes.
  *
  * @param name its path in the file
  * @param type of an element
@@ -38,7 +38,7 @@ record Dataset(
   private static final int MAX_TABLE_COLUMNS = 16;
   private static final byte[] NONE = {};
 
-  /** Decompressed chunks, and what is needed to decompress the largest, must fit this. */
+  /** Largest memory for decompressed chunks and their decompression. */
   private static final long MEMORY_BYTES = 28L << 20;
 
   private static final int UNPACKING = 3;
@@ -70,7 +70,7 @@ record Dataset(
    */
   record Index(long size, long skipped) {}
 
-  /** Reads what a header says about a dataset. */
+  /** Reads the header of a dataset. */
   static Dataset read(ContainerFile file, String name, ObjectHeader header) throws IOException {
     Metadata typeBody = header.one(ObjectHeader.DATATYPE).orElseThrow(() -> lacks(file, name));
     ElementType type = ElementType.read(typeBody);

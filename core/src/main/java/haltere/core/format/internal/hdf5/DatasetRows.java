@@ -40,11 +40,11 @@ final class DatasetRows {
   }
 
   /**
-   * Brings a row into memory, and as many behind it as come with it.
+   * Loads a row, and the following ones of its chunk.
    *
    * @param row which
-   * @return how many rows are there from that one on; 0 if the file has no more
-   * @throws DamagedPacketException if they are there, but cannot be decompressed
+   * @return number of rows from that one on; 0 at the end of the file
+   * @throws DamagedPacketException if they exist, but cannot be decompressed
    * @throws IOException if the file can no longer be read, or the list of chunks is damaged
    */
   long load(long row) throws IOException, DamagedPacketException {

@@ -194,7 +194,7 @@ final class EventSearch {
         row += count;
       }
     } catch (DamagedPacketException damaged) {
-      // What was read up to here is looked at.
+      // the rows read up to here are used
     }
     return new Look(largest, fractions, ascending, false);
   }

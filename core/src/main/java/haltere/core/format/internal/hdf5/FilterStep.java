@@ -78,7 +78,7 @@ record FilterStep(int number, String name, int[] values) {
     return index < values.length ? values[index] : otherwise;
   }
 
-  /** What to tell a user about a filter that is not read; empty for those that are. */
+  /** Message for users about an unsupported filter; empty for supported ones. */
   Optional<String> obstacle() {
     if (number == BLOSC && value(BLOSC_METHOD, 0) == BLOSC_SNAPPY) {
       return Optional.of(

@@ -32,7 +32,7 @@ final class Hdf5Cursor extends RowCursor {
   private final boolean usual;
   private final boolean wideTimes;
 
-  /** Rows before this one were read before; what was wrong there is not counted again. */
+  /** Rows before this one were read before; their violations are not counted again. */
   private long counted;
 
   Hdf5Cursor(EventTable table, SensorGeometry geometry, ViolationCounts violations) {

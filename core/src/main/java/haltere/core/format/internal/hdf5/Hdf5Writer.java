@@ -17,9 +17,9 @@ import java.util.Map;
 
 /**
  * Writes HDF5 of the DSEC kind: {@code events/t} (microseconds since {@code t_offset}), {@code
- * events/x}, {@code events/y}, {@code events/p}, and {@code ms_to_idx}, which says for each
- * millisecond since {@code t_offset} which event is the first at or after it; its last number is
- * the number of events. The root group states {@code width}, {@code height} and {@code rows_up}.
+ * events/x}, {@code events/y}, {@code events/p}, and {@code ms_to_idx}, the index of the first
+ * event at or after each millisecond since {@code t_offset}; its last number is the number of
+ * events. The root group states {@code width}, {@code height} and {@code rows_up}.
  *
  * <p>Memory is bounded: a chunk of each column, and 16 bytes for each chunk of 65,536 events.
  *

@@ -22,8 +22,8 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The files of N-MNIST and N-Caltech101: read only. They have no mark; a file is taken for one if
- * its bytes, as records, have times that ascend.
+ * The files of N-MNIST and N-Caltech101: read only. They have no signature; a file is one if its
+ * bytes, as records, have ascending times.
  */
 public final class NmnistFormat implements ReadOnlyFormat {
   /** So many records make a clock, and one of them in a hundred may be out of order. */

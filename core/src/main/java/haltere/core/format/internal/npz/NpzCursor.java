@@ -204,7 +204,7 @@ final class NpzCursor extends RowCursor {
     return Stop.END;
   }
 
-  /** Where a row's time is, as far as that can be said. */
+  /** Offset of the time of a row, as far as it is known. */
   private long offset(long ofRow) {
     NpzLayout.Array array = layout.columns().get(EventColumn.TIME).array();
     long bytes = array.header().dataOffset() + ofRow * array.header().itemBytes();

@@ -144,7 +144,7 @@ final class ZipDirectory {
     return new Entry(name, method, start, whole ? compressed : rest, whole);
   }
 
-  /** One entry behind the other, as far as each says how long it is. */
+  /** Sequential entries, as far as their sizes are stated. */
   private static List<Entry> found(RecordingFile file) throws IOException {
     List<Entry> entries = new ArrayList<>();
     long offset = 0;
