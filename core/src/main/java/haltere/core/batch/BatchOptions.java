@@ -37,7 +37,7 @@ public record BatchOptions(
     REFUSE,
     /** Those that are complete and belong to the same chain and recording stay. */
     RESUME,
-    /** All are made anew. */
+    /** All are created again. */
     OVERWRITE
   }
 

@@ -46,7 +46,7 @@ public final class SettingsJson {
   /**
    * A record from the values of a JSON object.
    *
-   * @param values names and values; what is missing keeps its default
+   * @param values names and values; missing ones keep their defaults
    * @param schema the record's schema
    * @param <S> the record
    * @return a valid record
@@ -62,7 +62,7 @@ public final class SettingsJson {
    * A record from the values of a JSON object of any version. Renamed settings keep their values;
    * deleted settings are ignored.
    *
-   * @param values names and values; what is missing keeps its default
+   * @param values names and values; missing ones keep their defaults
    * @param schema the record's schema
    * @param notes receives a line with the replacements of former names, if there are any
    * @param <S> the record

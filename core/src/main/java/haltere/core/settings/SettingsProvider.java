@@ -42,7 +42,7 @@ public interface SettingsProvider<S extends Record> {
   /**
    * Other initial settings than the defaults, such as those of an original method.
    *
-   * @return valid settings by name, a lower case word; none unless a provider says otherwise
+   * @return valid settings by name, a lower case word; none by default
    */
   default Map<String, S> presets() {
     return Map.of();

@@ -12,8 +12,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * Starts tables in the format that their names end in: CSV, and what is found as a {@link
- * TableFormat}.
+ * Opens tables in the format of their name: CSV, and each {@link TableFormat} service.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *

@@ -25,7 +25,7 @@ final class WingSweep {
   private static final double REBUILD_PX = 2;
   private static final int SHADOWS = 4096;
 
-  // whether a pixel of the list can see the wing until the list is made anew
+  // whether a pixel of the list can see the wing until the next list
   private static final byte ALWAYS = 0;
   private static final byte NEVER = 1;
   private static final byte DEPENDS = 2;
