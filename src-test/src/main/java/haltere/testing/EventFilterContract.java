@@ -21,8 +21,8 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /**
- * What every {@link EventFilter} must keep to. The test of a filter extends this and says how the
- * filter is made:
+ * The contract of every {@link EventFilter}. The test of a filter extends this class and creates
+ * the filter:
  *
  * <pre>{@code
  * class RefractoryFilterTest extends EventFilterContract {
@@ -60,8 +60,7 @@ public abstract class EventFilterContract {
   }
 
   /**
-   * A result without what may differ between a new filter and one that was reset: identities, which
-   * are not given out twice.
+   * A result without identities, which may differ between a new filter and a reset one.
    *
    * @param result what an outlet published
    * @return by default the same
@@ -308,7 +307,7 @@ public abstract class EventFilterContract {
     assertTrue(results.published.isEmpty(), "published while disabled: " + results.published);
   }
 
-  /** What came out of a filter: its events and, in order, what it published. */
+  /** Output of a filter: its events and, in order, its results. */
   private static final class Results {
     final EventPacket events = new EventPacket(0);
     final List<Object> published = new ArrayList<>();

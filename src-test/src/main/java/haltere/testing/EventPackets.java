@@ -267,7 +267,7 @@ public final class EventPackets {
    * The same events at other times.
    *
    * @param stream events, unchanged
-   * @param shiftUs what is added to each time
+   * @param shiftUs added to each time
    * @return a new packet
    */
   public static EventPacket shifted(EventPacket stream, long shiftUs) {

@@ -22,9 +22,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What holds for any bytes whatever, given to a format as a recording: it is read to its end within
- * the grammar of streams and sought in, or refused with a {@link RecordingProblem}. Nothing else
- * may be thrown.
+ * Contract of a format for arbitrary bytes: they are read to their end within the grammar of
+ * streams and sought, or refused with a {@link RecordingProblem}. Nothing else may be thrown.
  *
  * <p>{@code ./gradlew fuzz -Pformat=NAME} has a fuzzer that is guided by coverage look for bytes
  * for which that does not hold (FormatFuzzTest). What it found is kept in the tests' resources and
@@ -71,7 +70,7 @@ public final class FormatFuzzer {
       drain(reader);
       seek(reader);
     } catch (RecordingProblem problem) {
-      // That is what it should say of bytes that it cannot read.
+      // the expected result of unreadable bytes
     }
     format.probe(FileHead.read(file));
   }

@@ -6,8 +6,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 
 /**
- * Virtual time: a clock that moves only when told, and a sleeper for which a wait is over at once,
- * with the clock so much later. A wait without end is a real one, until woken.
+ * Virtual time: a clock that advances on request only, and a sleeper that advances the clock
+ * instead of waiting. A wait without end is real, until woken.
  */
 public final class ManualClock implements LongSupplier, Sleeper {
   private final AtomicLong nanos = new AtomicLong();

@@ -20,9 +20,8 @@ import java.util.TreeMap;
 import java.util.function.IntSupplier;
 
 /**
- * A recording that never was a file: packets in memory, each a stretch of ascending time; where one
- * starts before the end of the last the clock has restarted. It lends out one packet again and
- * again, as readers do, cut as the test says.
+ * A recording in memory: packets of ascending times; the clock restarts where one starts before the
+ * end of the previous one. It reuses one packet, as readers do, with the size set by the test.
  */
 public final class MemoryRecording implements RecordingReader {
   private final SensorGeometry geometry;
@@ -65,10 +64,10 @@ public final class MemoryRecording implements RecordingReader {
   }
 
   /**
-   * Lets events be missing in the first segment.
+   * Removes events from the first segment.
    *
-   * @param index before which event
-   * @param count how many are said to be lost
+   * @param index of the event after the gap
+   * @param count stated number of lost events
    * @return this
    */
   public MemoryRecording losing(int index, long count) {

@@ -5,8 +5,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Files that take the place of others by being new ones. An old one that is cut to nothing and
- * written anew keeps its writer waiting, on ext4, until the disk has what was in it.
+ * Replaces files by new ones. On ext4, truncating and rewriting an old file blocks its writer until
+ * the disk has its old content.
  */
 public final class NewFile {
   private NewFile() {}

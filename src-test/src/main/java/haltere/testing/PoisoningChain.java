@@ -12,9 +12,9 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * Lends a filter a packet whose arrays are overwritten after each call, so that a filter that kept
- * the packet or one of its arrays gives other results than it should, and checks before the next
- * call that nobody wrote to it in between. What the filter made of the packet is copied back.
+ * Passes a filter a packet whose arrays are overwritten after each call, so that a filter that
+ * stores the packet or an array gives wrong results, and checks before the next call that they were
+ * not written in between. The filtered packet is copied back.
  */
 public final class PoisoningChain implements EventFilter, StreamHandler {
   private static final long POISON_TIME_US = 0x0bad_c0de_0bad_c0deL;
@@ -49,7 +49,7 @@ public final class PoisoningChain implements EventFilter, StreamHandler {
     process(packet);
   }
 
-  /** Checks that nobody has touched the packet since the last call. */
+  /** Checks that the packet has not changed since the last call. */
   public void checkPoison() {
     if (!lent.isEmpty()) {
       throw new AssertionError("a packet was filled after the call that lent it");

@@ -8,9 +8,9 @@ import org.junit.jupiter.api.Assumptions;
 /**
  * Finds the real recordings that tests read: in the folder that the system property {@code
  * haltere.recordings} names, else the environment variable {@code HALTERE_RECORDINGS}, else {@code
- * ../shared/recordings} beside the checkout; those that are not there, among the few of the
- * repository ({@code src-test/recordings}). A test whose recording is nowhere is skipped and says
- * why; where the environment variable {@code CI} is {@code true} it fails.
+ * ../shared/recordings} beside the checkout; missing ones among the few of the repository ({@code
+ * src-test/recordings}). A test whose recording is nowhere is skipped and says why; where the
+ * environment variable {@code CI} is {@code true} it fails.
  */
 public final class Recorded {
   private static final Path OURS = Path.of("../src-test/recordings");

@@ -16,9 +16,9 @@ import java.util.Map;
 import java.util.Objects;
 
 /**
- * What is known of a real recording, from programs that nobody here wrote: a catalogue that tests
- * walk through. The numbers stand in {@code recorded-packets.json}. Coordinates are the source's
- * own: rows count from the corner that {@code sensor} names.
+ * Properties of a real recording, as determined by independent programs. They are in {@code
+ * recorded-packets.json}. Coordinates are the source's own: rows count from the corner that {@code
+ * sensor} names.
  *
  * @param file its name in {@link Recorded#folder()}
  * @param format name of its format
@@ -287,7 +287,7 @@ public record RecordedPackets(
   /**
    * Opens the recording; the running test ends here if it is missing.
    *
-   * @param options what is said about it
+   * @param options of the reader
    * @return a reader at its start
    * @throws IOException if it cannot be read
    */

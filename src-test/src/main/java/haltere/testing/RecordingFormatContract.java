@@ -30,13 +30,13 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * What every file format keeps. A format's test extends this and says how to make the format, which
- * sensors it holds, and how a file of it comes about if it cannot be written.
+ * The contract of every file format. The test of a format extends this class and defines the
+ * format, its sensors, and how to create a file if there is no writer.
  */
 public abstract class RecordingFormatContract extends RecordingTimeContract {
   private static final int[] PACKET_SIZES = {1, 7, 1000, 8192, 1 << 20};
 
-  /** Places in which a file is cut, at the most; a longer one is cut in every second, third... */
+  /** Places in which a file is cut, at most; a longer one is cut in every second, third... */
   private static final int MAX_CUTS = 2500;
 
   /** Bytes at the start of a file of which none is passed over. */

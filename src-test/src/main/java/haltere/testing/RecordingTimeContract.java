@@ -173,7 +173,7 @@ abstract class RecordingTimeContract extends TestedFormat {
         EventPackets.shifted(second, shiftUs), EventPackets.part(got, first.size(), got.size()));
   }
 
-  /** Takes what is written into a packet. */
+  /** A writer to a packet. */
   private record PacketWriter(EventPacket target) implements RecordingWriter {
     @Override
     public void write(EventPacket packet) {

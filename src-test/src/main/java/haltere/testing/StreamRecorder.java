@@ -24,18 +24,18 @@ public final class StreamRecorder implements StreamHandler {
   public StreamRecorder() {}
 
   /**
-   * A notification and its place.
+   * A notification and its position.
    *
    * @param eventsBefore events that came before it
-   * @param notification what came
+   * @param notification the notification
    */
   public record Notice(int eventsBefore, StreamNotification notification) {}
 
   /**
-   * A sample and its place.
+   * A sample and its position.
    *
    * @param eventsBefore events that came before it
-   * @param sample what came
+   * @param sample the sample
    */
   public record Read(int eventsBefore, SensorSample sample) {}
 

@@ -16,7 +16,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What a format under test says of itself, and the files that tests make of it. */
+/** Properties of a format under test, and its test files. */
 abstract class TestedFormat {
   /** Files that the tests make. */
   @TempDir protected Path folder;
@@ -50,12 +50,12 @@ abstract class TestedFormat {
   protected abstract long latestUs();
 
   /**
-   * Makes a file of the format, by its writer; a format that is only read says here how else. Times
-   * may go back from one packet to the next.
+   * Creates a file of the format with its writer; read-only formats override this. Times may go
+   * back from one packet to the next.
    *
-   * @param file where
+   * @param file to create
    * @param sensor of the events
-   * @param packets what it holds
+   * @param packets of the file
    * @throws IOException if that fails
    */
   protected void write(Path file, SensorGeometry sensor, EventPacket... packets)
@@ -79,9 +79,9 @@ abstract class TestedFormat {
   }
 
   /**
-   * Whether the format can say that its clock goes back.
+   * Whether the format can store a clock that goes back.
    *
-   * @return false for formats that only say how far time goes on
+   * @return false for formats that store time differences only
    */
   protected boolean clockCanGoBack() {
     return true;
@@ -97,7 +97,7 @@ abstract class TestedFormat {
   }
 
   /**
-   * What a user has to say about a file of the format.
+   * Options of the reader for a file of the format.
    *
    * @param sensor of its events
    * @return the options to read it with

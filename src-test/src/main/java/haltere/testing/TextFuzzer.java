@@ -30,9 +30,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What holds for any bytes whatever, given as a chain, settings, cameras, an address of live
- * results or by a peer at such an address: they are understood, and what is understood can be
- * written and read again, or they are refused in one line. Nothing else may be thrown.
+ * Contract for arbitrary bytes as a chain, settings, cameras, an address of live results, or from a
+ * peer at such an address: they are parsed, and the result can be written and read again, or they
+ * are refused in one line. Nothing else may be thrown.
  *
  * <p>{@code ./gradlew fuzz -Pformat=NAME} has a fuzzer that is guided by coverage look for bytes
  * for which that does not hold (TextFuzzTest).
@@ -164,10 +164,10 @@ public final class TextFuzzer {
   }
 
   /**
-   * Has a peer say bytes at an address of ZeroMQ.
+   * Sends bytes from a peer to an address of ZeroMQ.
    *
    * @param bytes any
-   * @throws IOException if nobody listens there any more
+   * @throws IOException if the address no longer accepts connections
    */
   public static void checkSubscriber(byte[] bytes) throws IOException {
     if (output == null) {
@@ -179,10 +179,10 @@ public final class TextFuzzer {
       output.send("a/b", bytes);
       peer.shutdownOutput();
       while (peer.getInputStream().read() >= 0) {
-        // what the publisher says before it hangs up
+        // data of the publisher before it disconnects
       }
     } catch (SocketException reset) {
-      // hung up before all was said
+      // disconnected before all was sent
     }
     if (peerFault != null) {
       throw new IllegalStateException(peerFault);

@@ -44,7 +44,7 @@ class EventFilterContractTest {
   }
 
   @Test
-  void anHonestFilterPasses() {
+  void aCorrectFilterPasses() {
     EventFilterContract contract = contractOf(KeepsTheContract::new);
     contract.theResultsDoNotDependOnHowTheStreamIsCutIntoPackets();
     contract.aPacketForEachEventGivesTheSameResultsAsOneForAll();

@@ -80,7 +80,7 @@ public final class Batch {
    *
    * @param chain makes the chain of each recording
    * @param options how to run
-   * @param words the line for a person of what a job threw
+   * @param words the line for users of what a job threw
    * @throws IOException if the chain cannot be made
    */
   public Batch(
@@ -93,12 +93,12 @@ public final class Batch {
   }
 
   /**
-   * Works on recordings, the largest first.
+   * Processes recordings, the largest first.
    *
    * @param items recordings of different names
    * @param failed name of the file of failures, below the folder of the results; one of an earlier
    *     run is replaced, or removed if nothing failed
-   * @param listener hears how it goes
+   * @param listener receives the progress
    * @return what was done
    * @throws RecordingProblem if a result is there and none may be
    * @throws InterruptedIOException if the thread was interrupted; results that are complete stay

@@ -15,7 +15,7 @@ import java.util.Objects;
  *
  * @param item the recording
  * @param kind what sort of failure it was
- * @param cause one line for a person
+ * @param cause one line for users
  * @since 0.1
  */
 public record BatchFailure(BatchItem item, Kind kind, String cause) {

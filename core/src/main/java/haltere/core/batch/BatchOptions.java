@@ -12,10 +12,10 @@ import java.util.function.Function;
 /**
  * Options of a batch.
  *
- * @param folder where results go; made if there is none
- * @param workers recordings that are worked on at once, 1 to 1024
+ * @param folder where results are written; created if missing
+ * @param workers recordings processed in parallel, 1 to 1024
  * @param existing what happens to results that are there
- * @param reading what the user says of all recordings
+ * @param reading properties of all recordings stated by the user
  * @param strict whether a recording that is cut off or damaged is a failure
  * @param program name and version of the program, a part of what makes a result valid
  * @param tables ending of the tables, one of {@link haltere.core.sink.Tables#endings}
@@ -37,7 +37,7 @@ public record BatchOptions(
     REFUSE,
     /** Those that are complete and belong to the same chain and recording stay. */
     RESUME,
-    /** All are made anew. */
+    /** All are created again. */
     OVERWRITE
   }
 

@@ -48,7 +48,7 @@ final class ResultFolder implements Closeable {
     return folder.resolve(DONE + AtomicFile.PART);
   }
 
-  /** What an earlier run has said when it was complete; empty if there is nothing to be read. */
+  /** Record of a complete earlier run; empty if there is none. */
   static Optional<Map<?, ?>> done(Path folder) {
     try {
       return Json.read(folder.resolve(DONE)) instanceof Map<?, ?> done
@@ -164,8 +164,8 @@ final class ResultFolder implements Closeable {
   }
 
   /**
-   * Writes the journal. It outlives a process that is killed without being forced to the disk;
-   * after a power failure the checksums tell what is whole.
+   * Writes the journal. It survives a killed process without being forced to the disk; after a
+   * power failure the checksums show which files are complete.
    */
   private void write(Map<String, Object> object) throws IOException {
     ByteBuffer bytes =

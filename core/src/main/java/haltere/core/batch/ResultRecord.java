@@ -26,8 +26,8 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * What is written of a result, and tells whether it is still valid: it is where chain, program, the
- * way of reading and the recording's own bytes are the same.
+ * Record of a result, for its validation: it is valid while chain, program, options of reading and
+ * the bytes of the recording are the same.
  *
  * <p>Thread rule: immutable.
  */

@@ -12,10 +12,10 @@ import java.util.Optional;
 
 /**
  * An open camera: a live source of events. Its stream begins with {@link StreamStarted}; {@link
- * DataLost} stands wherever events are missing, with their number and the span of time; {@link
- * DeviceLost} says that the camera is gone, and {@link EndOfStream} follows it. A camera that was
- * opened with {@link CameraOptions#reconnect()} then waits until it is there again and begins a new
- * stream, a new part of the same session, in which no event comes twice.
+ * DataLost} marks missing events, with their number and time span; {@link DeviceLost} reports the
+ * loss of the camera, and {@link EndOfStream} follows. With {@link CameraOptions#reconnect()} the
+ * camera then waits for its return and starts a new stream, a new part of the same session without
+ * repeated events.
  *
  * <p>Thread rule: one consumer thread calls {@link #next} and {@link #await}; everything else,
  * facets too, may be called from any thread.
@@ -24,9 +24,9 @@ import java.util.Optional;
  */
 public interface Camera extends EventSource {
   /**
-   * Which camera it is.
+   * Identification of the camera.
    *
-   * @return as it was listed, with what is known since it is open
+   * @return as listed, with the properties known since opening
    */
   CameraInfo info();
 
@@ -39,7 +39,7 @@ public interface Camera extends EventSource {
    * Hands over the next packet, notification or sample; waits for it, however long that takes.
    * {@link #close} ends the waiting; the stream then still gets its end.
    *
-   * @param handler takes it
+   * @param handler receives it
    * @return false, and nothing was handed over, after the {@link EndOfStream} that nothing follows
    * @throws java.io.InterruptedIOException if the thread is interrupted while it waits
    * @throws IOException if the camera cannot be started
@@ -50,7 +50,7 @@ public interface Camera extends EventSource {
   /**
    * Waits for the next packet, notification or sample without taking it.
    *
-   * @param nanos at most so long, 0 to only look
+   * @param nanos longest wait, 0 for none
    * @return true if {@link #next} would not wait now
    * @throws java.io.InterruptedIOException if the thread is interrupted while it waits
    * @throws IOException if the camera cannot be started
@@ -69,9 +69,9 @@ public interface Camera extends EventSource {
   <F> Optional<F> facet(Class<F> facet);
 
   /**
-   * What has come and what was lost so far.
+   * Counts of received and lost data.
    *
-   * @return all of one moment
+   * @return a consistent snapshot
    */
   CameraStatistics statistics();
 
@@ -83,9 +83,9 @@ public interface Camera extends EventSource {
   Optional<ClockRelation> clockRelation();
 
   /**
-   * Stops the camera and frees everything. Does not wait for the consumer, who gets what has come
-   * until then if it still asks, and {@link EndOfStream}. Returns within seconds whatever the
-   * camera does; a second call does nothing.
+   * Stops the camera and frees its resources. Does not wait for the consumer, which may still read
+   * the data received before and {@link EndOfStream}. Returns within seconds whatever the camera
+   * does; a second call has no effect.
    */
   @Override
   void close();

@@ -6,12 +6,12 @@ import java.util.Objects;
 /**
  * A camera that was found.
  *
- * @param id names it and stays the same when it is plugged in again, such as {@code dvs128:0042}
- * @param model what a person calls the kind of camera, such as {@code DVS128}
- * @param serial its maker's number, empty if it has none or it cannot be read
- * @param geometry its sensor, as far as it is known before the camera is opened
- * @param canOpen whether nothing is known that would forbid to open it
- * @param note why it cannot be opened and what to do about it, or a remark, or empty
+ * @param id permanent name, also after replugging, such as {@code dvs128:0042}
+ * @param model name of the model, such as {@code DVS128}
+ * @param serial serial number, empty if there is none or it cannot be read
+ * @param geometry of the sensor, as far as known before opening
+ * @param canOpen whether it can be opened, as far as known
+ * @param note why it cannot be opened and what to do, or a remark, or empty
  * @since 0.1
  */
 public record CameraInfo(

@@ -9,10 +9,10 @@ import java.util.Objects;
  * @param bufferBytes size of a buffer, 0 to {@value #MAX_BUFFER_BYTES} bytes; smaller ones come
  *     sooner, larger ones cost less
  * @param waitingBuffers filled buffers that may wait for the consumer, 0 to {@value #MAX_BUFFERS};
- *     beyond them events are lost, counted, and told in the stream
+ *     beyond them events are lost, counted and reported in the stream
  * @param whenFull which events are lost then
- * @param samples whether frames, inertial samples and triggers are wanted too
- * @param reconnect whether the camera goes on with a new stream when it is plugged in again
+ * @param samples whether frames, inertial samples and triggers are read as well
+ * @param reconnect whether the camera continues with a new stream when it is plugged in again
  * @since 0.1
  */
 public record CameraOptions(
@@ -32,9 +32,9 @@ public record CameraOptions(
   public static final CameraOptions DEFAULT =
       new CameraOptions(0, 0, 0, WhenFull.DROP_NEWEST, false, false);
 
-  /** Which events are lost when nobody takes them in time. A camera cannot be made to wait. */
+  /** Which events are lost if the consumer is too slow, since a camera cannot wait. */
   public enum WhenFull {
-    /** Those that come; what is processed stays whole as long as possible. For recordings. */
+    /** The newest ones; the processed stream stays complete as long as possible. For recordings. */
     DROP_NEWEST,
     /**
      * Those that have waited longest, and whatever a USB camera sent that has waited for half a
@@ -71,9 +71,9 @@ public record CameraOptions(
   }
 
   /**
-   * The same options with another choice of what is lost.
+   * The same options with another rule of loss.
    *
-   * @param newWhenFull which events are lost when nobody takes them in time
+   * @param newWhenFull which events are lost if the consumer is too slow
    * @return new options
    */
   public CameraOptions withWhenFull(WhenFull newWhenFull) {
@@ -84,7 +84,7 @@ public record CameraOptions(
   /**
    * The same options but for samples.
    *
-   * @param newReadings whether frames, inertial samples and triggers are wanted too
+   * @param newReadings whether frames, inertial samples and triggers are read as well
    * @return new options
    */
   public CameraOptions withSamples(boolean newReadings) {
@@ -95,7 +95,7 @@ public record CameraOptions(
   /**
    * The same options but for what happens after the camera was unplugged.
    *
-   * @param newReconnect whether it goes on when it is plugged in again
+   * @param newReconnect whether it continues when it is plugged in again
    * @return new options
    */
   public CameraOptions withReconnect(boolean newReconnect) {

@@ -23,7 +23,7 @@ public final class CameraProblem extends IOException {
     GONE,
     /** It did not answer in time. */
     TIMED_OUT,
-    /** It refused what was asked for. */
+    /** It rejected the request. */
     REFUSED,
     /** Its firmware, its logic or this computer is one that this program does not know. */
     UNSUPPORTED,
@@ -37,7 +37,7 @@ public final class CameraProblem extends IOException {
    * A problem.
    *
    * @param kind what is wrong, for a program
-   * @param message what is wrong and what to do, for a person
+   * @param message what is wrong and what to do, for users
    */
   public CameraProblem(Kind kind, String message) {
     super(message);

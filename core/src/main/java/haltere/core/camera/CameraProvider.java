@@ -21,8 +21,7 @@ public interface CameraProvider {
   String name();
 
   /**
-   * Whether its cameras look at the world. Only these are opened for somebody who does not say
-   * which.
+   * Whether its cameras are real devices. Only these are opened by default.
    *
    * @return false for simulated cameras
    */
@@ -38,19 +37,19 @@ public interface CameraProvider {
    */
   List<CameraInfo> list();
 
-  /** Being told of cameras that come and go, until it is closed. */
+  /** A subscription to arrivals and removals of cameras. */
   interface Watch extends AutoCloseable {
-    /** Nobody is told any more. A second call does nothing. */
+    /** Ends the subscription. A second call has no effect. */
     @Override
     void close();
   }
 
   /**
-   * Has somebody told when cameras may have come or gone. One that has just come may need a second
-   * until it can be opened.
+   * Subscribes to arrivals and removals of cameras. A new camera may need a second until it can be
+   * opened.
    *
-   * @param changed called on any thread: returns at once and asks this for nothing
-   * @return a watch that the caller closes, or empty if this way cannot tell
+   * @param changed called on any thread; must return at once without calling this provider
+   * @return a subscription that the caller closes, or empty if this provider does not support it
    */
   default Optional<Watch> watch(Runnable changed) {
     return Optional.empty();
@@ -59,7 +58,7 @@ public interface CameraProvider {
   /**
    * What keeps this way from seeing any camera at all, such as a library that is missing.
    *
-   * @return a line for a person, or empty
+   * @return a line for users, or empty
    */
   default Optional<String> obstacle() {
     return Optional.empty();

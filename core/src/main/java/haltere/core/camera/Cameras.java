@@ -43,11 +43,11 @@ public final class Cameras {
   }
 
   /**
-   * Has somebody told when cameras may have come or gone, as far as providers can tell. One that
-   * has just come may need a second until it can be opened.
+   * Subscribes to arrivals and removals of cameras, as far as providers support it. A new camera
+   * may need a second until it can be opened.
    *
-   * @param changed called on any thread: returns at once and asks this for nothing
-   * @return ends that when closed
+   * @param changed called on any thread; must return at once without calling this class
+   * @return the subscription
    */
   public CameraProvider.Watch watch(Runnable changed) {
     List<CameraProvider.Watch> watches =
@@ -58,7 +58,7 @@ public final class Cameras {
   /**
    * What keeps providers from seeing any camera at all.
    *
-   * @return a line for a person for each that cannot, beginning with its name
+   * @return a line for users for each that cannot, beginning with its name
    */
   public List<String> obstacles() {
     return providers.stream()

@@ -9,10 +9,10 @@ package haltere.core.camera;
  */
 public interface ClockSync {
   /**
-   * Whether its clock is its own.
+   * Whether the camera is the clock master.
    *
    * @return true for a master, false for one that follows another
-   * @throws CameraProblem if the camera cannot say or is gone
+   * @throws CameraProblem if the camera cannot report it or is lost
    */
   boolean isMaster() throws CameraProblem;
 

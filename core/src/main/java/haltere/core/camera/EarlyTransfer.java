@@ -9,7 +9,7 @@ package haltere.core.camera;
  */
 public interface EarlyTransfer {
   /**
-   * How long it keeps an event at the most.
+   * How long it keeps an event at most.
    *
    * @return microseconds
    */

@@ -21,8 +21,8 @@ public interface Led {
   /**
    * Switches the light.
    *
-   * @param state what it shall do
-   * @throws CameraProblem if the camera refuses or is gone
+   * @param state the new state
+   * @throws CameraProblem if the camera rejects it or is lost
    */
   void setLed(State state) throws CameraProblem;
 }

@@ -25,8 +25,8 @@ import java.util.function.Consumer;
  * ]}
  * }</pre>
  *
- * <p>Settings that are left out have their defaults, so a chain saved by an earlier version opens.
- * Where settings have got other names since, or are no more, a note says what takes their place.
+ * <p>Missing settings have their defaults, so chains of earlier versions are read. A note has the
+ * replacements of renamed and deleted settings.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *
@@ -53,7 +53,7 @@ public final class ChainFile {
    *
    * @param file JSON
    * @param geometry the sensor whose events the chain will see
-   * @param notes takes a line for each filter with settings of an earlier version
+   * @param notes receives a line for each filter with settings of an earlier version
    * @return a chain of new filters
    * @throws JsonProblem if the file is not JSON or not a chain; the message names the file
    * @throws IOException if the file cannot be read
@@ -67,7 +67,7 @@ public final class ChainFile {
    * Reads a chain from text.
    *
    * @param text JSON
-   * @param name what to call the text in an error message
+   * @param name of the text in error messages
    * @param geometry the sensor whose events the chain will see
    * @return a chain of new filters
    * @throws JsonProblem if the text is not a chain
@@ -87,7 +87,7 @@ public final class ChainFile {
     }
   }
 
-  /** A chain that stands at a place: empty for the outermost, else such as "filter 3". */
+  /** A chain at a position: empty for the outermost, else such as "filter 3". */
   private static FilterChain nested(
       Object value, SensorGeometry geometry, String place, Consumer<String> notes) {
     String what = place.isEmpty() ? "the chain" : place;

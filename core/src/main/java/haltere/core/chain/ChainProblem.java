@@ -11,7 +11,7 @@ public final class ChainProblem extends IllegalArgumentException {
   /**
    * A problem.
    *
-   * @param message for a person
+   * @param message for users
    */
   public ChainProblem(String message) {
     super(message);

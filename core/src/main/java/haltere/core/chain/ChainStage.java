@@ -37,7 +37,7 @@ public final class ChainStage {
   /**
    * Name of the stage, unique in its chain.
    *
-   * @return the filter's name, with a number behind it where the chain has several
+   * @return the filter's name, with a number if the chain has several of them
    */
   public String name() {
     return name;
@@ -64,16 +64,16 @@ public final class ChainStage {
   /**
    * Whether packets go through the filter.
    *
-   * @return false if they pass it by, untouched
+   * @return false if they bypass it
    */
   public boolean isEnabled() {
     return enabled;
   }
 
   /**
-   * What the stage has done so far, as of the last packet.
+   * Processor time and event counts up to the last packet.
    *
-   * @return a sample
+   * @return a snapshot
    */
   public FilterTiming timing() {
     return timing;

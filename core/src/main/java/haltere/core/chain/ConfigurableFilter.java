@@ -16,7 +16,7 @@ public interface ConfigurableFilter<S extends Record> extends EventFilter {
   S settings();
 
   /**
-   * Takes new settings, keeping as much of its state as makes sense under them.
+   * Applies new settings and keeps as much of the state as possible.
    *
    * @param settings a valid record
    */

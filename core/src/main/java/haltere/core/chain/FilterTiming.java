@@ -4,8 +4,8 @@ package haltere.core.chain;
  * Processor time and event counts of a stage so far.
  *
  * @param packets packets that went through
- * @param eventsIn events that came in
- * @param eventsOut events that it let through
+ * @param eventsIn received events
+ * @param eventsOut passed events
  * @param busyNanos time spent in the filter
  * @since 0.1
  */
@@ -23,9 +23,9 @@ public record FilterTiming(long packets, long eventsIn, long eventsOut, long bus
   }
 
   /**
-   * What happened since an earlier reading.
+   * The difference to an earlier value.
    *
-   * @param earlier an earlier reading of the same stage
+   * @param earlier an earlier value of the same stage
    * @return the difference
    */
   public FilterTiming since(FilterTiming earlier) {

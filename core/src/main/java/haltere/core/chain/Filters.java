@@ -33,7 +33,7 @@ public final class Filters {
     return Collections.unmodifiableMap(found);
   }
 
-  /** Why a filter cannot be used; those of the library are known by its tests. */
+  /** The reason why a filter cannot be used; those of the library are tested. */
   private static Optional<String> fault(
       FilterProvider<?> provider, Map<String, FilterProvider<?>> found) {
     if (found.containsKey(provider.name())) {

@@ -19,7 +19,7 @@ public abstract class NamedProvider<S extends Record> implements FilterProvider<
    * A provider.
    *
    * @param name lower case words joined by hyphens
-   * @param description what the filter does, in one sentence for a person
+   * @param description of the filter, in one sentence for users
    * @param settingsType the settings record's class
    * @param constructor makes a filter in its initial state
    */

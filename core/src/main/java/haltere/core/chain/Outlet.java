@@ -39,11 +39,11 @@ public final class Outlet<T> {
   }
 
   /**
-   * An outlet whose results are published out of their order.
+   * An outlet whose results are published out of order.
    *
    * @param name lower case words joined by hyphens, unique within the filter
    * @param type class of the results
-   * @param order in which a table has them; empty where it is that of publishing
+   * @param order of the results in a table; empty if it is that of publication
    */
   public Outlet(String name, Class<T> type, Optional<ResultOrder<T>> order) {
     this.name = Objects.requireNonNull(name, "name");
@@ -79,7 +79,7 @@ public final class Outlet<T> {
   }
 
   /**
-   * Whether anyone listens; a filter may skip making results that nobody takes.
+   * Whether there are subscribers; without them a filter need not create results.
    *
    * @return true with at least one subscriber
    */
@@ -88,8 +88,8 @@ public final class Outlet<T> {
   }
 
   /**
-   * Listens to results, but not during a run-up, whose events come once more. A subscriber that
-   * throws is dropped, and a line in the log of this class says so; the filter goes on.
+   * Subscribes to results, except during a run-up, whose events are repeated. A subscriber that
+   * throws is removed with a line in the log of this class; the filter continues.
    *
    * @param subscriber called on the processing thread for each result
    * @return ends the subscription when closed
@@ -99,10 +99,10 @@ public final class Outlet<T> {
   }
 
   /**
-   * Listens to results as {@link #subscribe(Consumer)}, and hears of a failure.
+   * Subscribes to results as {@link #subscribe(Consumer)}, with a callback on failure.
    *
    * @param subscriber called on the processing thread for each result
-   * @param failed takes what the subscriber threw, on the processing thread; must not throw
+   * @param failed receives what the subscriber threw, on the processing thread; must not throw
    * @return ends the subscription when closed
    */
   public Subscription subscribe(
@@ -111,7 +111,7 @@ public final class Outlet<T> {
   }
 
   /**
-   * Listens to results, during a run-up too, as one does who shows the newest result alone.
+   * Subscribes to results also during a run-up, for a subscriber that shows only the newest one.
    *
    * @param subscriber called on the processing thread for each result
    * @return ends the subscription when closed
@@ -144,7 +144,7 @@ public final class Outlet<T> {
   }
 
   /**
-   * Hands a result to all subscribers, during a run-up to those who {@link #follow} it.
+   * Passes a result to all subscribers, during a run-up to those of {@link #follow}.
    *
    * @param result immutable
    */

@@ -27,7 +27,7 @@ public abstract class PublishingFilter<S extends Record> implements Configurable
   protected PublishingFilter() {}
 
   /**
-   * Adds an outlet; while the filter is made only.
+   * Adds an outlet; only during construction.
    *
    * @param name lower case words joined by hyphens, unique within the filter
    * @param type class of the results
@@ -39,7 +39,7 @@ public abstract class PublishingFilter<S extends Record> implements Configurable
   }
 
   /**
-   * Declares an outlet whose results are published out of their order.
+   * Adds an outlet whose results are published out of order; only during construction.
    *
    * @param name unique within the filter
    * @param type class of the results
@@ -57,11 +57,11 @@ public abstract class PublishingFilter<S extends Record> implements Configurable
   }
 
   /**
-   * Adds an outlet whose results can be drawn; while the filter is made only.
+   * Adds an outlet whose results can be drawn; only during construction.
    *
    * @param name lower case words joined by hyphens, unique within the filter
    * @param type class of the results
-   * @param layer what a person calls the layer
+   * @param layer name of the layer for users
    * @param overlay draws a result
    * @param <T> type of the results
    * @return what the filter publishes to

@@ -28,18 +28,18 @@ public record ResultOrder<T>(
   }
 
   /**
-   * Puts results in order.
+   * A sorter of results.
    *
-   * @param next takes them in order
-   * @return takes them as they are published
+   * @param next receives them in order
+   * @return receives them as they are published
    */
   public Sorter<T> to(Consumer<? super T> next) {
     return new Sorter<>(this, next);
   }
 
   /**
-   * Holds results until none can come that belongs before them. Times that go back further begin a
-   * new order, as at a restart of the recording's clock.
+   * Delays results until no earlier one can come. A time that goes back further starts a new order,
+   * as at a restart of the clock of a recording.
    *
    * <p>Thread rule: one thread at a time.
    *
@@ -72,7 +72,7 @@ public record ResultOrder<T>(
       }
     }
 
-    /** Hands on what is held. */
+    /** Passes on all delayed results. */
     public void finish() {
       while (!held.isEmpty()) {
         next.accept(held.remove());

@@ -199,8 +199,7 @@ public final class EventPacket {
   }
 
   /**
-   * Adds an event whose time and address are known to be right. Decoders use this; nothing is
-   * checked.
+   * Adds an event without a check, for decoders that have checked it.
    *
    * @param timeUs microseconds, not before the last event
    * @param address packed address
@@ -214,7 +213,7 @@ public final class EventPacket {
   }
 
   /**
-   * Copies events of another packet behind the own ones.
+   * Appends events of another packet.
    *
    * @param source another packet
    * @param from index of the first event to copy
@@ -230,7 +229,7 @@ public final class EventPacket {
   }
 
   /**
-   * Copies one event of this packet over another, the filter's way to keep an event.
+   * Copies one event of this packet over another, so that a filter keeps it.
    *
    * @param from index of the event to keep
    * @param to where to put it, at most {@code from}
@@ -268,7 +267,7 @@ public final class EventPacket {
   }
 
   /**
-   * Makes room, by doubling.
+   * Reserves space, by doubling.
    *
    * @param capacity events that must fit
    * @throws IllegalArgumentException beyond 2<sup>28</sup> events
@@ -287,9 +286,8 @@ public final class EventPacket {
   }
 
   /**
-   * The array of times itself, for a decoder that fills it or a loop that needs the last
-   * nanosecond. Only the first {@link #size()} entries mean anything, and the array is no longer
-   * the packet's after it has grown.
+   * The array of times itself, for decoders and the fastest loops. Only the first {@link #size()}
+   * entries are valid, and the packet has another array after it has grown.
    *
    * @return borrowed array, microseconds
    */
@@ -307,7 +305,7 @@ public final class EventPacket {
   }
 
   /**
-   * States how many entries of the arrays a decoder has filled.
+   * Sets the number of entries that a decoder has filled.
    *
    * @param newSize 0 to {@link #capacity()}
    */
@@ -319,7 +317,7 @@ public final class EventPacket {
   }
 
   /**
-   * A packet of its own with the same events.
+   * An independent packet with the same events.
    *
    * @return a copy that the caller owns
    */
@@ -328,7 +326,7 @@ public final class EventPacket {
   }
 
   /**
-   * Copies the events to separate columns, as array programs like them.
+   * Copies the events to separate columns.
    *
    * @param times receives times in microseconds
    * @param x receives columns

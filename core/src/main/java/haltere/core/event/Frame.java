@@ -58,7 +58,7 @@ public final class Frame implements SensorSample {
     }
   }
 
-  /** More pixels a side than any sensor's address can tell. */
+  /** Largest side, beyond that of any sensor. */
   public static final int MAX_SIDE = EventAddress.MAX_COORDINATE + 1;
 
   private final Times times;
@@ -71,19 +71,19 @@ public final class Frame implements SensorSample {
   private final byte[] rows;
 
   /**
-   * When a frame came about.
+   * Times of a frame.
    *
    * @param exposureStartUs start of its exposure, microseconds on the source's clock
    * @param exposureEndUs end of its exposure, microseconds
-   * @param readoutStartUs start of its readout, microseconds; the start of the exposure where the
-   *     recording does not tell
-   * @param readoutEndUs end of its readout, microseconds; the end of the exposure where the
-   *     recording does not tell
+   * @param readoutStartUs start of its readout, microseconds; the start of the exposure if the
+   *     recording does not state it
+   * @param readoutEndUs end of its readout, microseconds; the end of the exposure if the recording
+   *     does not state it
    */
   public record Times(
       long exposureStartUs, long exposureEndUs, long readoutStartUs, long readoutEndUs) {
     /**
-     * Times of a frame of whose readout nothing is known.
+     * Times of a frame without a known readout.
      *
      * @param exposureStartUs start of its exposure, microseconds on the source's clock
      * @param exposureEndUs end of its exposure, microseconds
@@ -96,7 +96,7 @@ public final class Frame implements SensorSample {
   /**
    * A frame.
    *
-   * @param times when it came about
+   * @param times of exposure and readout
    * @param left column of the sensor at the picture's left edge
    * @param bottom row of the sensor, counted upwards, at the picture's lower edge
    * @param width columns, 1 to {@link #MAX_SIDE}
@@ -137,7 +137,7 @@ public final class Frame implements SensorSample {
     this.rows = rows.clone();
   }
 
-  /** {@inheritDoc} Of a frame that is the start of its exposure. */
+  /** {@inheritDoc} For a frame, the start of its exposure. */
   @Override
   public long timeUs() {
     return times.exposureStartUs();
@@ -149,7 +149,7 @@ public final class Frame implements SensorSample {
   }
 
   /**
-   * When it came about.
+   * Times of exposure and readout.
    *
    * @return its times, microseconds
    */
@@ -205,7 +205,7 @@ public final class Frame implements SensorSample {
   /**
    * How values are stored.
    *
-   * @return also tells what is white
+   * @return with the value of white
    */
   public Depth depth() {
     return depth;

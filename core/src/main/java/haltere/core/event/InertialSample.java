@@ -1,9 +1,9 @@
 package haltere.core.event;
 
 /**
- * What the inertial sensor on a camera measured at one moment. The axes are those that the
- * recording has; all formats give acceleration in standard gravities and rotation in degrees per
- * second, as does this. What was not measured is NaN.
+ * A measurement of the inertial sensor of a camera. The axes are those of the recording.
+ * Acceleration is in standard gravities and rotation in degrees per second, as in all formats.
+ * Missing values are NaN.
  *
  * @param timeUs microseconds on the source's clock
  * @param accelerationXG acceleration along x, in standard gravities (9.80665 m/s²)

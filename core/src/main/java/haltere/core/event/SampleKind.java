@@ -1,16 +1,16 @@
 package haltere.core.event;
 
 /**
- * What a camera tells beside its polarity events.
+ * Kinds of data of a camera other than polarity events.
  *
  * @since 0.1
  */
 public enum SampleKind {
   /** A picture of the whole sensor or of a part of it. */
   FRAME("frame", "frames"),
-  /** What the inertial sensor on the camera measured. */
+  /** A measurement of the inertial sensor of the camera. */
   INERTIAL_SAMPLE("inertial sample", "inertial samples"),
-  /** An edge on a wire, or another moment that the camera marked. */
+  /** An edge of an input, or another time marked by the camera. */
   TRIGGER("trigger", "triggers");
 
   private final String one;
@@ -22,7 +22,7 @@ public enum SampleKind {
   }
 
   /**
-   * What several of this kind are called.
+   * The plural of the kind.
    *
    * @return such as "triggers"
    */
@@ -31,9 +31,9 @@ public enum SampleKind {
   }
 
   /**
-   * A count of this kind, for a person.
+   * A count of this kind for users.
    *
-   * @param number how many
+   * @param number at least 0
    * @return such as "1 frame" or "7 triggers"
    */
   public String count(long number) {

@@ -10,7 +10,7 @@ package haltere.core.event;
  */
 public sealed interface SensorSample permits Frame, InertialSample, Trigger {
   /**
-   * The time at which it stands in the stream.
+   * Time of the sample in the stream.
    *
    * @return microseconds on the source's clock, the clock of the events; of a frame the start of
    *     its exposure
@@ -18,7 +18,7 @@ public sealed interface SensorSample permits Frame, InertialSample, Trigger {
   long timeUs();
 
   /**
-   * What it is.
+   * Kind of the sample.
    *
    * @return its kind
    */

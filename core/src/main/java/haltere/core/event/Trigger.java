@@ -6,13 +6,13 @@ import java.util.Objects;
  * A marked time: an edge on one of the camera's inputs, or a step of its own operation.
  *
  * @param timeUs microseconds on the source's clock
- * @param source what was marked
- * @param edge which way it went
- * @param channel number of the input, 0 where there is one only
+ * @param source of the trigger
+ * @param edge direction of the signal
+ * @param channel number of the input, 0 if there is only one
  * @since 0.1
  */
 public record Trigger(long timeUs, Source source, Edge edge, int channel) implements SensorSample {
-  /** What a trigger marks. */
+  /** Source of a trigger. */
   public enum Source {
     /** An input of the camera. */
     EXTERNAL_INPUT,
@@ -26,13 +26,13 @@ public record Trigger(long timeUs, Source source, Edge edge, int channel) implem
     CLOCK_RESET
   }
 
-  /** Which way a signal went. */
+  /** Direction of a signal. */
   public enum Edge {
     /** Up, or a beginning. */
     RISING,
     /** Down, or an end. */
     FALLING,
-    /** Up and down again, or a mark whose direction the recording does not tell. */
+    /** Up and down again, or unknown. */
     PULSE
   }
 

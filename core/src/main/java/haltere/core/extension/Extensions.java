@@ -102,10 +102,10 @@ public final class Extensions {
   }
 
   /**
-   * Registers a class loader in which providers are looked for from now on.
+   * Registers a class loader for the search of providers.
    *
    * @param loader one that sees this library as its parent does
-   * @param name what to call it where something is wrong with it
+   * @param name of the extension in messages
    */
   public static void register(ClassLoader loader, String name) {
     REGISTERED.addIfAbsent(new Registered(loader, name, new ConcurrentHashMap<>()));

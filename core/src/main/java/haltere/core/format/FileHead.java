@@ -35,7 +35,7 @@ public record FileHead(Path path, byte[] head, byte[] tail, long size) {
     }
   }
 
-  /** Of a file that is open; the tail of a stream that goes on behind the head is empty. */
+  /** Of a file that is open; the tail of a stream that continues behind the head is empty. */
   static FileHead of(RecordingFile file) throws IOException {
     byte[] head = file.read(0, HEAD_BYTES);
     long size = file.size();

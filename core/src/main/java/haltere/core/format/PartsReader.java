@@ -17,8 +17,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A recording that was cut into parts, as one: the stream goes on from part to part, and a segment
- * does too where the clock does not go back.
+ * A recording that was cut into parts, as one: the stream continues from part to part, and a
+ * segment does too where the clock does not go back.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -62,7 +62,7 @@ final class PartsReader implements RecordingReader {
 
   private long lastUs = StreamNotification.NO_TIME_US;
 
-  /** What waits behind a notification that the clock started anew; null if nothing does. */
+  /** What waits behind a notification that the clock restarted; null if nothing does. */
   private EventPacket heldPacket;
 
   private SensorSample heldSample;
@@ -123,7 +123,7 @@ final class PartsReader implements RecordingReader {
       lastUs = Math.max(lastUs, sample.timeUs());
     }
 
-    /** Tells that the clock started anew if the first event of a part is before the last one. */
+    /** Tells that the clock restarted if the first event of a part is before the last one. */
     private boolean isBack(long timeUs) {
       boolean back = entering && timeUs < lastUs;
       if (back) {

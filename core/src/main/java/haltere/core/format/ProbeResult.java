@@ -6,7 +6,7 @@ import java.util.Objects;
  * A format's assessment of a file.
  *
  * @param support how sure it is
- * @param reason why, in a few words for a person
+ * @param reason why, in a few words for users
  * @since 0.1
  */
 public record ProbeResult(Support support, String reason) {

@@ -8,15 +8,15 @@ import java.util.Optional;
 /**
  * Properties of a recording that its file does not state, given by the user.
  *
- * @param sensor the sensor's size where the file does not state it; the file's own word wins
+ * @param sensor size of the sensor if the file does not state it; the file has priority
  * @param format name of the format to read it as, whatever its content looks like
  * @param topic which of several streams of events is read; the name of a bag's topic
- * @param origin where rows count from in plain tables of events (text, NumPy, HDF5) that do not say
- *     it; where nobody does, from the top
- * @param packetEvents events per packet at the most, 1 to 1,048,576
- * @param samples whether frames, inertial samples and triggers are wanted too
- * @param keepIndex whether the index that seeking needs is kept in a file beside the recording; one
- *     that is there is used in any case
+ * @param origin origin of rows in plain tables of events (text, NumPy, HDF5) that do not state it;
+ *     the default is the top
+ * @param packetEvents events per packet at most, 1 to 1,048,576
+ * @param samples whether frames, inertial samples and triggers are read as well
+ * @param keepIndex whether the index for seeking is stored in a file beside the recording; an
+ *     existing one is always used
  * @since 0.1
  */
 public record ReadOptions(
@@ -84,9 +84,9 @@ public record ReadOptions(
   }
 
   /**
-   * The same options but for where rows count from.
+   * The same options with another origin of rows.
    *
-   * @param from in plain tables that do not say it
+   * @param from of plain tables that do not state it
    * @return new options
    */
   public ReadOptions withOrigin(Origin from) {
@@ -97,7 +97,7 @@ public record ReadOptions(
   /**
    * The same options but for the size of packets.
    *
-   * @param events events per packet at the most
+   * @param events events per packet at most
    * @return new options
    */
   public ReadOptions withPacketEvents(int events) {
@@ -107,7 +107,7 @@ public record ReadOptions(
   /**
    * The same options but for samples.
    *
-   * @param wanted whether frames, inertial samples and triggers are wanted too
+   * @param wanted whether frames, inertial samples and triggers are read as well
    * @return new options
    */
   public ReadOptions withSamples(boolean wanted) {

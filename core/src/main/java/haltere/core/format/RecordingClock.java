@@ -11,8 +11,8 @@ import java.util.OptionalLong;
  *
  * @param zero what times count from
  * @param turnUs after how many microseconds the clock in the file starts again from zero; empty if
- *     it is wide enough not to. A silence of more than a turn cannot be told from a short one,
- *     unless the format has words of time in between
+ *     it is wide enough not to. A silence of more than a turn cannot be distinguished from a short
+ *     one, unless the format has words of time in between
  * @since 0.1
  */
 public record RecordingClock(Zero zero, OptionalLong turnUs) {

@@ -83,7 +83,7 @@ public final class RecordingFile implements Closeable {
   }
 
   /**
-   * Refuses a pipe or a device, of which nobody knows where it ends.
+   * Rejects pipes and devices, which have no known end.
    *
    * @param path any path
    * @throws RecordingProblem if something is there that is neither file nor folder
@@ -187,7 +187,7 @@ public final class RecordingFile implements Closeable {
       return;
     }
     if (!channel.isOpen() && !closed) {
-      // An interrupt closes a channel; whoever goes on reading afterwards may.
+      // An interrupt closes a channel; whoever continues reading afterwards may.
       channel = FileChannel.open(path, StandardOpenOption.READ);
     }
     try {
@@ -235,7 +235,7 @@ public final class RecordingFile implements Closeable {
     buffer.flip();
   }
 
-  /** Forgets what lies far before an offset where there is no room for more. */
+  /** Removes bytes far before an offset if there is no space for more. */
   private void makeRoom(long offset) {
     if (keptCount < kept.length) {
       return;
@@ -253,7 +253,7 @@ public final class RecordingFile implements Closeable {
    * Reads some bytes.
    *
    * @param offset where in the file to start
-   * @param bytes how many at the most
+   * @param bytes how many at most
    * @return as many as there are
    * @throws IOException as {@link #read(ByteBuffer, long)}
    */

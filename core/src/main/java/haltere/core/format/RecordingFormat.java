@@ -24,7 +24,7 @@ public interface RecordingFormat {
   String name();
 
   /**
-   * What the format is, in a few words for a person.
+   * What the format is, in a few words for users.
    *
    * @return such as "AEDAT-2.0 (jAER)"
    */
@@ -39,8 +39,8 @@ public interface RecordingFormat {
   Set<String> extensions();
 
   /**
-   * Whether files of other kinds often have the same endings, as tables of text do. In a folder,
-   * such a file is a recording only where its content says so.
+   * Whether other kinds of files often have the same endings, such as tables of text. In a folder,
+   * such a file is a recording only by its content.
    *
    * @return false if the ending alone makes a recording of a file
    */
@@ -60,7 +60,7 @@ public interface RecordingFormat {
    * Opens a recording.
    *
    * @param file a file that is, or is said to be, of this format
-   * @param options what the user says about it
+   * @param options of the user
    * @return a reader at its start
    * @throws IOException a {@link RecordingProblem} where the file is not what it should be
    */
@@ -80,8 +80,8 @@ public interface RecordingFormat {
    * Opens a recording that comes as a stream of bytes.
    *
    * @param stream of this format
-   * @param options what the user says about it
-   * @return a reader at its start, which can go forth only
+   * @param options of the user
+   * @return a reader at its start, which cannot seek
    * @throws IOException a {@link RecordingProblem} where the stream is not what it should be, or
    *     the format cannot be read in one pass
    */
@@ -100,17 +100,17 @@ public interface RecordingFormat {
   }
 
   /**
-   * What a writer of the format holds beside events.
+   * Kinds of samples that a writer of the format stores.
    *
-   * @return kinds of samples, of each perhaps not all
+   * @return not necessarily all samples of each kind
    */
   default Set<SampleKind> writableSamples() {
     return Set.of();
   }
 
   /**
-   * Whether rows may count from the top or from the bottom in files of the format, as {@link
-   * WriteOptions#origin()} asks for; other formats count them from where their definition says.
+   * Whether files of the format may have either origin of rows, see {@link WriteOptions#origin()};
+   * other formats define it.
    *
    * @return true for plain tables of events
    */

@@ -25,10 +25,10 @@ public record RecordingOutline(long events, long firstUs, long lastUs) {
   }
 
   /**
-   * Of this recording and one that goes on where it ends.
+   * The outline of this recording and its continuation.
    *
-   * @param next what follows
-   * @return of both together
+   * @param next the continuation
+   * @return of both
    */
   public RecordingOutline and(RecordingOutline next) {
     if (events == 0) {

@@ -9,8 +9,8 @@ import java.util.Locale;
 import java.util.Objects;
 
 /**
- * A recording that cannot be read or written. The message is one line for a person: the file, the
- * byte offset where there is one, what is wrong and what to do.
+ * A recording that cannot be read or written. The message is one line for users: the file, the byte
+ * offset where there is one, what is wrong and what to do.
  *
  * @since 0.1
  */
@@ -18,7 +18,7 @@ public final class RecordingProblem extends IOException {
   private static final long serialVersionUID = 1L;
 
   /**
-   * What a system's refusal to write means for a person: the file, the cause and what to do.
+   * The problem of a failed write, for users: file, cause and what to do.
    *
    * @param file which file
    * @param cause what the system threw
@@ -30,7 +30,7 @@ public final class RecordingProblem extends IOException {
   }
 
   /**
-   * What a system's refusal to read means for a person, as {@link #writing}.
+   * The problem of a failed read, for users, as {@link #writing}.
    *
    * @param file which file
    * @param offset byte offset in it

@@ -70,10 +70,10 @@ public interface RecordingReader extends EventSource {
   RecordingClock clock();
 
   /**
-   * What the recording says of itself, where it can be believed without decoding the events. Does
-   * not move this reader.
+   * Number and times of the events as stated by the file, if it is consistent. Does not move this
+   * reader.
    *
-   * @return empty where only reading all of it tells; see {@link RecordingSummary}
+   * @return empty if only reading shows them; see {@link RecordingSummary}
    * @throws IOException if the file can no longer be read
    */
   default Optional<RecordingOutline> outline() throws IOException {
@@ -81,7 +81,7 @@ public interface RecordingReader extends EventSource {
   }
 
   /**
-   * What the recording says of the camera, its settings and the chain of filters.
+   * Metadata of the recording: camera, its settings and the chain of filters.
    *
    * @return as {@link WriteOptions#metadata()} when it was written; empty for formats without
    *     metadata
@@ -131,7 +131,7 @@ public interface RecordingReader extends EventSource {
    * Goes on at the first event at or after a time within a segment; behind the segment's end that
    * is the start of the next. What is handed over next is a {@code Reset(SEEK)} (before the first
    * call of {@link #next} it is the start of the stream). May be called after the end of the
-   * stream, which then starts anew.
+   * stream, which then restarts.
    *
    * @param segment index into {@link #segments()}
    * @param timeUs time on the recording's clock

@@ -42,7 +42,7 @@ public final class Recordings {
    *
    * @param file any file, or a folder with one recording in it, in parts as ROS 2 makes them or
    *     whole
-   * @param options what the user says about it
+   * @param options of the user
    * @return a reader at its start
    * @throws RecordingProblem if it is not a readable file, or of no known format; the message says
    *     what each format saw in it
@@ -85,7 +85,7 @@ public final class Recordings {
    *
    * @param name what to call it
    * @param stream closed with the reader, or if there will be none
-   * @param options what the user says about it
+   * @param options of the user
    * @return a reader at its start, which can go forth only
    * @throws RecordingProblem if it is of no known format, or of one that cannot be read in one pass
    * @throws IOException if reading fails
@@ -182,10 +182,11 @@ public final class Recordings {
     if (surest.size() == 1) {
       return surest.get(0);
     }
-    Optional<String> unpacking = surest.isEmpty() ? PackedWhole.program(head) : Optional.empty();
-    if (unpacking.isPresent()) {
+    Optional<String> decompressing =
+        surest.isEmpty() ? CompressedWhole.program(head) : Optional.empty();
+    if (decompressing.isPresent()) {
       throw new RecordingProblem(
-          file, "it is compressed as a whole; decompress it first: " + unpacking.get());
+          file, "it is compressed as a whole; decompress it first: " + decompressing.get());
     }
     String extension = FileHead.extension(file);
     boolean claimed =

@@ -34,7 +34,7 @@ public enum Violation {
   }
 
   /**
-   * What it means, for a person.
+   * What it means, for users.
    *
    * @return a few words that can follow a count
    */

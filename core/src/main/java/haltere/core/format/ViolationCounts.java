@@ -40,7 +40,7 @@ public final class ViolationCounts {
   }
 
   /**
-   * Counts one of a kind that there is once in a recording at the most.
+   * Counts one of a kind that there is once in a recording at most.
    *
    * @param kind what was wrong
    * @param offset byte offset in the file
@@ -119,7 +119,7 @@ public final class ViolationCounts {
   /**
    * A line per kind that was seen.
    *
-   * @return for a person
+   * @return for users
    */
   public List<String> describe() {
     return describe(EnumSet.noneOf(Violation.class));
@@ -129,7 +129,7 @@ public final class ViolationCounts {
    * A line per kind that was seen.
    *
    * @param told kinds that have been told otherwise and are left out
-   * @return for a person
+   * @return for users
    */
   public List<String> describe(Set<Violation> told) {
     List<String> lines = new ArrayList<>();

@@ -13,7 +13,7 @@ public final class JsonProblem extends IOException {
   /**
    * A problem.
    *
-   * @param message names the place and what is wrong there
+   * @param message names the position and the problem
    */
   public JsonProblem(String message) {
     super(message);

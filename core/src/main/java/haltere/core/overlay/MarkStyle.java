@@ -20,11 +20,11 @@ public record MarkStyle(Role role, int identity) {
     VELOCITY,
     /** A raw measurement. */
     MEASUREMENT,
-    /** What an estimator makes of the measurements. */
+    /** An estimate. */
     ESTIMATE,
-    /** How uncertain an estimate is. */
+    /** The uncertainty of an estimate. */
     UNCERTAINTY,
-    /** A region, line or point that a person has set. */
+    /** A region, line or point set by the user. */
     REGION,
     /** Something on the left of a body. */
     LEFT,
@@ -32,13 +32,13 @@ public record MarkStyle(Role role, int identity) {
     RIGHT,
     /** A grid, an axis or another scale that lengths are read from. */
     SCALE,
-    /** Words. */
+    /** Text. */
     LABEL,
     /** Something that needs attention. */
     WARNING
   }
 
-  /** Checks that the role is there. */
+  /** Checks that the role is not null. */
   public MarkStyle {
     Objects.requireNonNull(role, "role");
   }

@@ -12,8 +12,7 @@ package haltere.core.overlay;
 @FunctionalInterface
 public interface Overlay<T> {
   /**
-   * Longest time by which results are carried on, seconds: one that is no longer reported does not
-   * drift out of the picture.
+   * Longest extrapolation of results, seconds, so that old results do not drift out of the picture.
    */
   double MAX_AHEAD_S = 0.1;
 
@@ -26,10 +25,10 @@ public interface Overlay<T> {
   void draw(T snapshot, OverlayCanvas canvas);
 
   /**
-   * Draws the results as they are expected to be at a time, from what is known in the snapshot.
+   * Draws the results extrapolated to a time.
    *
    * @param snapshot what was published last
-   * @param timeUs the time that is shown, on the clock of the events, microseconds
+   * @param timeUs the displayed time, on the clock of the events, microseconds
    * @param canvas takes the marks
    */
   default void drawAt(T snapshot, long timeUs, OverlayCanvas canvas) {
@@ -37,10 +36,10 @@ public interface Overlay<T> {
   }
 
   /**
-   * Time from a snapshot to the one that is shown.
+   * Time from a snapshot to the displayed time.
    *
    * @param snapshotUs time of the snapshot, microseconds
-   * @param timeUs the time that is shown, microseconds
+   * @param timeUs the displayed time, microseconds
    * @return seconds, 0 to {@link #MAX_AHEAD_S}
    */
   static double aheadS(long snapshotUs, long timeUs) {

@@ -7,8 +7,8 @@ import java.util.function.Function;
 /**
  * A layer over the picture: the source of its snapshots, and the overlay that draws one.
  *
- * @param name what a person calls the layer
- * @param subscribe registers a consumer of snapshots and returns what ends the registration
+ * @param name of the layer for users
+ * @param subscribe registers a consumer of snapshots and returns the subscription
  * @param overlay draws a snapshot
  * @param <T> type of the snapshots
  * @since 0.1

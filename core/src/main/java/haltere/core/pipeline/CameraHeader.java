@@ -14,10 +14,10 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
 /**
- * What the header of a recording says of the camera that it is from:
+ * Metadata of the camera in the header of a recording:
  *
  * <ul>
- *   <li>{@code source}, its id, and {@code camera}, as it calls itself;
+ *   <li>{@code source}, its id, and {@code camera}, its own name;
  *   <li>{@code camera.NAME} and {@code camera.bias.NAME}, its settings and biases;
  *   <li>{@code chain}, the filters that the events have gone through, as a chain file;
  *   <li>{@code clockOffsetUs}, microseconds to add to a time of the recording to get the time of

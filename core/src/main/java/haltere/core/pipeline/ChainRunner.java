@@ -45,9 +45,9 @@ public final class ChainRunner implements StreamHandler {
    * A runner without sinks.
    *
    * @param chain the filters
-   * @param counters counts what happens
-   * @param onFailure what happens when a filter or a sink throws
-   * @param failures is told of each failure in one line
+   * @param counters of the run
+   * @param onFailure reaction to an exception of a filter or a sink
+   * @param failures receives each failure in one line
    */
   public ChainRunner(
       FilterChain chain,
@@ -61,10 +61,10 @@ public final class ChainRunner implements StreamHandler {
    * A runner without sinks that can make run-ups.
    *
    * @param chain the filters
-   * @param counters counts what happens
-   * @param onFailure what happens when a filter or a sink throws
-   * @param failures is told of each failure in one line
-   * @param followsRunUps whether a sink gets the stream of run-ups too
+   * @param counters of the run
+   * @param onFailure reaction to an exception of a filter or a sink
+   * @param failures receives each failure in one line
+   * @param followsRunUps whether a sink also receives the stream of run-ups
    */
   public ChainRunner(
       FilterChain chain,
@@ -80,9 +80,9 @@ public final class ChainRunner implements StreamHandler {
   }
 
   /**
-   * Adds a sink; where a stream runs already it is told of its start.
+   * Adds a sink; if a stream is running, it receives its start.
    *
-   * @param sink takes the stream
+   * @param sink receives the stream
    * @param raw true for before the chain; such a sink must not change packets
    */
   public void addSink(StreamHandler sink, boolean raw) {
@@ -140,7 +140,7 @@ public final class ChainRunner implements StreamHandler {
   /**
    * Begins or ends a run-up.
    *
-   * @param on whether what comes next is a run-up
+   * @param on whether the following events are a run-up
    */
   public void setRunUp(boolean on) {
     runUp = on;

@@ -38,10 +38,10 @@ public final class Conversion {
    *
    * @param fromUs the first time to copy, on the recording's own clock; {@link Long#MIN_VALUE} for
    *     all
-   * @param toUs the first time not to copy any more; {@link Long#MAX_VALUE} for all
-   * @param stage works on each packet in place before it is written and hears all notifications, as
-   *     a filter chain does; empty to copy as it is
-   * @param progress hears how far it is
+   * @param toUs the first time that is not copied; {@link Long#MAX_VALUE} for all
+   * @param stage processes each packet in place before it is written and receives all
+   *     notifications, as a filter chain; empty for a plain copy
+   * @param progress receives the progress
    */
   public Conversion(
       long fromUs, long toUs, Optional<StreamHandler> stage, ProgressListener progress) {
@@ -55,14 +55,14 @@ public final class Conversion {
   }
 
   /**
-   * What was done.
+   * Result of a conversion.
    *
    * @param eventsRead events of the recording within the time
-   * @param eventsWritten events that the stage left of them
+   * @param eventsWritten events passed by the stage
    * @param samplesWritten frames, inertial samples and triggers that were written
-   * @param samplesLeftOut those that the written format cannot hold
-   * @param warnings what the reader assumed, what was wrong in the file and what the written format
-   *     could not hold
+   * @param samplesLeftOut samples that the written format cannot store
+   * @param warnings assumptions of the reader, violations of the file and losses of the written
+   *     format
    */
   public record Result(
       long eventsRead,
@@ -79,11 +79,11 @@ public final class Conversion {
   /**
    * Copies everything.
    *
-   * <p>In a recording of several segments the stretch of time is copied from each of them.
+   * <p>In a recording with several segments, the time range is copied from each of them.
    *
-   * @param reader at its start; at its end, or behind the stretch, afterwards
+   * @param reader at its start; afterwards at its end or behind the range
    * @param writer empty; finished afterwards, not closed
-   * @return what was done
+   * @return the result
    * @throws InterruptedIOException if the thread is interrupted; nothing is written then
    * @throws IOException if reading or writing fails; nothing is written then
    */
@@ -94,10 +94,10 @@ public final class Conversion {
   /**
    * Copies everything, as {@link #run(RecordingReader, RecordingWriter)} does.
    *
-   * @param reader at its start; at its end, or behind the stretch, afterwards
+   * @param reader at its start; afterwards at its end or behind the range
    * @param writer empty; finished afterwards, not closed
-   * @param whole whether a recording that is cut off or damaged is an error
-   * @return what was done
+   * @param whole whether a truncated or damaged recording is an error
+   * @return the result
    * @throws RecordingProblem if it is damaged and has to be whole; nothing is written then
    * @throws IOException as the other
    */
@@ -208,7 +208,8 @@ public final class Conversion {
     }
 
     /**
-     * The stage hears the end of the stream even where the copy stops before the recording does.
+     * Sends the stage the end of the stream, also if the copy stops before the end of the
+     * recording.
      */
     void end() {
       if (!ended) {

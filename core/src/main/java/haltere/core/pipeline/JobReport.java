@@ -16,9 +16,9 @@ import java.util.Map;
  * @param format name of its format
  * @param sensor the sensor that its events were read for
  * @param bytes size of the recording
- * @param counters events that came in, went out, were dropped and lost
- * @param samples frames, inertial samples and triggers that came by
- * @param violations what was wrong in the recording, by kind, each at least 1
+ * @param counters received, passed, dropped and lost events
+ * @param samples counts of frames, inertial samples and triggers
+ * @param violations violations of the recording, by kind, each at least 1
  * @param warnings what a person should know of the recording, one line each without its name
  * @param stages each stage of the chain in order
  * @param files what was written

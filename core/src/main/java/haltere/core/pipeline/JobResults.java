@@ -59,7 +59,7 @@ public interface JobResults extends Closeable {
     return List.of();
   }
 
-  /** Closes what is open: nothing, unless an implementation has files or sockets. */
+  /** Closes files and sockets, if there are any. */
   @Override
   default void close() throws IOException {}
 

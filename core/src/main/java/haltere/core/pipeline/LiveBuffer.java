@@ -18,11 +18,10 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * Hands one stream from the thread that creates it to the thread that processes it. So many events
- * may wait, in however many packets they come. Beyond them, its {@link OverflowPolicy} says what
- * happens; events that are dropped are counted, and at their place in the stream stands one {@link
- * DataLost} for all that are missing there. Notifications are never dropped; a reset straight after
- * a reset takes its place.
+ * Passes one stream from the thread that creates it to the thread that processes it. The number of
+ * waiting events is bounded; beyond it, the {@link OverflowPolicy} decides. Dropped events are
+ * counted, and one {@link DataLost} marks their position in the stream. Notifications are never
+ * dropped; a reset directly after a reset replaces it.
  *
  * <p>Thread rule: one producer uses it as a {@link StreamHandler}, one consumer as an {@link
  * EventSource}; the counts may be read from any thread.
@@ -42,7 +41,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   private final int pooledPackets;
   private final ArrayDeque<EventPacket> free = new ArrayDeque<>();
 
-  /** Packets of full size, which are used again; what small packets need beyond is made anew. */
+  /** Packets of full size, which are reused; further small packets are created. */
   private final Set<EventPacket> pooled = Collections.newSetFromMap(new IdentityHashMap<>());
 
   private final LiveQueue waiting;
@@ -65,7 +64,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
    * @param maxEvents how many events may wait
    * @param packetEvents larger packets are cut, 1 to {@code maxEvents}
    * @param policy what happens when as many wait
-   * @param place who loses events then, in words for a person, for {@link DataLost#place()}
+   * @param place who loses events then, in words for users, for {@link DataLost#place()}
    */
   public LiveBuffer(
       SensorGeometry geometry,
@@ -110,7 +109,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
    * @param maxEvents how many events may wait
    * @param packetEvents larger packets are cut, 1 to {@code maxEvents}
    * @param policy what happens when as many wait
-   * @param place who loses events then, in words for a person, for {@link DataLost#place()}
+   * @param place who loses events then, in words for users, for {@link DataLost#place()}
    * @return a buffer
    */
   public static LiveBuffer gathering(
@@ -131,7 +130,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
    * @param packets how many may wait, with one in the consumer's hands, at least 2
    * @param packetEvents larger packets are cut, at least 1
    * @param policy what happens when as many wait
-   * @param place who loses events then, in words for a person, for {@link DataLost#place()}
+   * @param place who loses events then, in words for users, for {@link DataLost#place()}
    * @return a buffer
    */
   public static LiveBuffer ofPackets(
@@ -198,7 +197,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     return packets >= maxPackets ? 0 : maxEvents - waiting.events();
   }
 
-  /** Makes room as the policy says; returns how many of the events may wait. */
+  /** Reserves space by the policy; returns the number of accepted events. */
   private int admitted(int events) {
     if (policy == OverflowPolicy.BLOCK) {
       try {
@@ -286,7 +285,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   /**
    * Hands over the next packet, notification or sample; waits for it.
    *
-   * @param handler takes it
+   * @param handler receives it
    * @return false after the end of the stream, or once closed
    * @throws InterruptedIOException if the thread is interrupted
    */

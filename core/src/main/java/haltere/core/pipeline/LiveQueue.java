@@ -40,7 +40,7 @@ final class LiveQueue {
   /**
    * An empty queue.
    *
-   * @param place who loses events, in words for a person
+   * @param place who loses events, in words for users
    */
   LiveQueue(String place) {
     this.place = place;
@@ -144,7 +144,7 @@ final class LiveQueue {
     gap.events += events;
   }
 
-  /** A gap waits for what comes after it, which may widen it and tells where it ends. */
+  /** A gap waits for the next element, which may extend it and has the time of its end. */
   boolean hasNext() {
     return waiting.size() > 1 || (!waiting.isEmpty() && !(waiting.get(0) instanceof Gap));
   }

@@ -24,10 +24,10 @@ import java.util.function.Predicate;
 
 /**
  * Sends the results of a running chain's filters, and the notifications of the stream, as {@link
- * LiveMessages}. Results are handed to a thread of its own that writes and sends them; where they
- * come faster than it can the newest are dropped, counted, and the receivers are told at their
- * place. The chain is never held up. Outlets whose results are not {@link CsvSink#isFlat flat} are
- * left out; stages that come and go while it runs are followed.
+ * LiveMessages}. A separate thread writes and sends the results; if it is too slow, the newest are
+ * dropped and counted, and receivers are notified at their position. The chain is never blocked.
+ * Outlets whose results are not {@link CsvSink#isFlat flat} are left out; stages that come and go
+ * while it runs are followed.
  *
  * <p>Add it to a pipeline or a player as a sink behind the chain.
  *
@@ -77,13 +77,13 @@ public final class LiveResults implements StreamHandler, Closeable {
   }
 
   /**
-   * Begins to publish.
+   * Starts publishing.
    *
-   * @param chain whose filters publish
-   * @param output takes the messages; closed with this
+   * @param chain of the filters
+   * @param output receives the messages; closed with this
    * @param wanted chooses among the outlets by names such as {@code kalman-tracks/tracks}
-   * @param clock tells the time of sending
-   * @return listens from now on
+   * @param clock for the time of sending
+   * @return the running publication
    */
   public static LiveResults open(
       FilterChain chain, LineOutput output, Predicate<String> wanted, Clock clock) {
@@ -262,22 +262,22 @@ public final class LiveResults implements StreamHandler, Closeable {
   /**
    * The reason why sending has stopped.
    *
-   * @return a few words for a person; empty while messages are sent
+   * @return a few words for users; empty while messages are sent
    */
   public Optional<String> failure() {
     return Optional.ofNullable(failure).or(output::failure);
   }
 
   /**
-   * Sets who is told as soon as nothing is sent any more.
+   * Sets a listener of the end of sending by a failure.
    *
-   * @param listener gets a few words for a person, on the sending thread
+   * @param listener receives a few words for users, on the sending thread
    */
   public void onFailure(Consumer<String> listener) {
     onFailure = listener;
   }
 
-  /** Ends the subscriptions, sends what waits, for some seconds at the most, and ends. */
+  /** Ends the subscriptions, sends what waits, for some seconds at most, and ends. */
   @Override
   public void close() {
     closed = true;

@@ -6,11 +6,11 @@ package haltere.core.pipeline;
  * @since 0.1
  */
 public enum OnFailure {
-  /** The run stops and the caller gets what was thrown. */
+  /** The run stops and the exception is thrown to the caller. */
   STOP,
   /**
-   * The stage is switched off, or the sink removed, and the run goes on; the events of the packet
-   * are counted as lost and a {@code DataLost} says so in the stream.
+   * The stage is disabled, or the sink removed, and the run continues; the events of the packet are
+   * counted as lost and reported by a {@code DataLost} in the stream.
    */
   GO_ON
 }

@@ -36,7 +36,7 @@ public final class OutletTables {
      *
      * @param stage the stage of the filter
      * @param outlet an outlet of it whose results are rows
-     * @return true for all of them, if nothing else is said
+     * @return true for all of them by default
      */
     default boolean isWritten(ChainStage stage, Outlet<?> outlet) {
       return true;

@@ -8,7 +8,10 @@ package haltere.core.pipeline;
 public enum OverflowPolicy {
   /** The producer waits: nothing is lost. For recordings. */
   BLOCK,
-  /** The packet is dropped; those that wait are kept. For cameras: what is processed is whole. */
+  /**
+   * The new packet is dropped; waiting ones stay. For cameras: the processed stream is complete up
+   * to the gap.
+   */
   DROP_NEWEST,
   /** The packet that has waited longest is dropped. For what must be up to date. */
   DROP_OLDEST

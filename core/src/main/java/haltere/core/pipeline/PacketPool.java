@@ -5,10 +5,9 @@ import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The only way for packets from one thread to another: a fixed number of packets circulates, free
- * ones to the producer, filled ones to the consumer. All are allocated at the start, so memory is
- * bounded. Of the free ones the one that was released last is given out first, because it is still
- * in the processors' caches.
+ * Passes packets between threads: a fixed number of packets circulates, free ones to the producer,
+ * filled ones to the consumer. All are allocated at the start, so memory is bounded. The free
+ * packet released last is used first, because it is still in the processor caches.
  *
  * <p>Thread rule: one producer ({@link #take}, {@link #poll}, {@link #hand}) and one consumer
  * ({@link #receive}, {@link #tryReceive}, {@link #release}); each owns a packet between getting it

@@ -20,13 +20,13 @@ public final class Pipeline {
   /**
    * Runs to the end of the stream; stops at the first failure.
    *
-   * @param source gives the stream; not closed
-   * @param chain filters it; not closed
-   * @param sinks take what comes out
-   * @param counters count what happens
+   * @param source of the stream; not closed
+   * @param chain of filters; not closed
+   * @param sinks receive the filtered stream
+   * @param counters of the run
    * @throws IOException if the source can no longer be read, or {@link
-   *     java.io.InterruptedIOException} if the thread was interrupted; the sinks have then not been
-   *     told of an end
+   *     java.io.InterruptedIOException} if the thread was interrupted; the sinks have then not
+   *     received an end
    * @throws haltere.core.chain.FilterFailure if a filter throws
    */
   public static void run(
@@ -41,15 +41,15 @@ public final class Pipeline {
   /**
    * Runs to the end of the stream.
    *
-   * @param source gives the stream; not closed
-   * @param chain filters it; not closed
-   * @param sinks take what comes out
-   * @param counters count what happens
-   * @param onFailure what happens when a filter or a sink throws
-   * @return what failed, one line each; empty if nothing did
+   * @param source of the stream; not closed
+   * @param chain of filters; not closed
+   * @param sinks receive the filtered stream
+   * @param counters of the run
+   * @param onFailure reaction to an exception of a filter or a sink
+   * @return failures, one line each
    * @throws IOException if the source can no longer be read, or {@link
-   *     java.io.InterruptedIOException} if the thread was interrupted; the sinks have then not been
-   *     told of an end
+   *     java.io.InterruptedIOException} if the thread was interrupted; the sinks have then not
+   *     received an end
    * @throws haltere.core.chain.FilterFailure if a filter throws and that is to stop the run
    */
   public static List<String> run(

@@ -13,7 +13,7 @@ import java.util.concurrent.atomic.AtomicLongArray;
  * @since 0.1
  */
 public final class PipelineCounters {
-  /** A counter, with what it counts in a sentence. */
+  /** A counter with its description. */
   public enum Counter {
     /** Packets that the source handed over. */
     PACKETS_IN("Packets from the source."),
@@ -49,7 +49,7 @@ public final class PipelineCounters {
     /**
      * What it counts.
      *
-     * @return a sentence for a person
+     * @return a sentence for users
      */
     public String sentence() {
       return sentence;
@@ -83,7 +83,7 @@ public final class PipelineCounters {
   }
 
   /**
-   * Events that came in and of which nobody knows where they went.
+   * Events that no counter accounts for.
    *
    * @return 0 between two packets, unless Haltere has a fault
    */

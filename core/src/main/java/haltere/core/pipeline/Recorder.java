@@ -27,7 +27,7 @@ import java.util.Optional;
 /**
  * Records a stream to disk while it is played, or comes from a camera. Packets are copied to a
  * fixed number of packets ({@value #QUEUE_PACKETS} of {@value #PACKET_EVENTS} events, 25 MB), and a
- * thread of its own writes them, so a slow disk blocks no thread until those are full. Then the
+ * separate thread writes them, so a slow disk blocks no other thread until they are full. Then the
  * policy decides: {@link OverflowPolicy#BLOCK} waits (for recordings and scenes, which can wait),
  * {@link OverflowPolicy#DROP_NEWEST} drops, and counts what it drops. At least every {@value
  * #FLUSH_MS} ms what has come is in the file, where the writer can do that; {@link #inPlace} makes
@@ -48,10 +48,10 @@ public final class Recorder implements StreamHandler, Closeable {
   /** Events of a packet that waits for the disk. */
   public static final int PACKET_EVENTS = 8192;
 
-  /** Packets that wait for the disk at the most. */
+  /** Packets that wait for the disk at most. */
   public static final int QUEUE_PACKETS = 256;
 
-  /** Milliseconds after which what has come is written though its packet is not full. */
+  /** Milliseconds after which an incomplete packet is written. */
   public static final int FLUSH_MS = 100;
 
   private static final int MAX_GAPS = 100;
@@ -250,11 +250,11 @@ public final class Recorder implements StreamHandler, Closeable {
   // ---- The end
 
   /**
-   * Writes what waits and completes the file. Waits for that as long as the disk makes progress.
+   * Writes waiting packets and completes the file. Waits as long as the disk makes progress.
    *
-   * @return what was recorded
+   * @return the report
    * @throws IOException if something could not be written, or the disk makes no progress for ten
-   *     seconds; what the file then holds the {@link #report()} says
+   *     seconds; {@link #report()} then states the content of the file
    * @throws IllegalStateException if it was closed before
    */
   public RecorderReport finish() throws IOException {
@@ -273,10 +273,10 @@ public final class Recorder implements StreamHandler, Closeable {
   }
 
   /**
-   * Ends the recording. If it was not finished what waits is still written, but the writer is not
-   * told to finish: a file in place can be read, one that is to appear whole does not appear.
+   * Ends the recording. If it was not finished, waiting packets are still written, but the writer
+   * does not finish: a file in place can be read, an atomic one does not appear.
    *
-   * @throws IOException as {@link #finish()}, unless that said it already
+   * @throws IOException as {@link #finish()}, unless it was thrown there
    */
   @Override
   public void close() throws IOException {

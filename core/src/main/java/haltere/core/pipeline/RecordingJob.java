@@ -119,12 +119,11 @@ public final class RecordingJob {
   }
 
   /**
-   * A job that reads what the file says of itself, uses what is whole of it, and goes as fast as it
-   * can.
+   * A job that uses the properties stated in the file and its undamaged part, at full speed.
    *
    * @param recording a file, or the folder of its parts
-   * @param chain makes the chain
-   * @param results opens what is written
+   * @param chain creates the chain
+   * @param results opens the outputs
    * @return a job
    */
   public static RecordingJob of(Path recording, ChainMaker chain, ResultsMaker results) {
@@ -143,7 +142,7 @@ public final class RecordingJob {
   /**
    * The same job on a recording that is read in another way.
    *
-   * @param with what the user says of the recording
+   * @param with options of the user for the recording
    * @param whole whether a recording that is cut off or damaged is an error
    * @return another job
    */
@@ -190,7 +189,7 @@ public final class RecordingJob {
   }
 
   /**
-   * The same job with somebody who hears how far it is.
+   * The same job with a listener of its progress.
    *
    * @param listener called on the thread of the job
    * @return another job
@@ -201,10 +200,10 @@ public final class RecordingJob {
   }
 
   /**
-   * The same job whose filters share their work with a second thread, for a long recording on a
-   * computer that has nothing else to do. The results are the same, byte by byte.
+   * The same job with filters that share their work with a second thread, for a long recording on
+   * an idle computer. The results are the same, byte by byte.
    *
-   * @param count 1 or 2; 1 if not said
+   * @param count 1 or 2; the default is 1
    * @return another job
    */
   public RecordingJob onThreads(int count) {
@@ -215,7 +214,7 @@ public final class RecordingJob {
   /**
    * Runs the whole recording through the chain and writes the results.
    *
-   * @return what was done
+   * @return the report
    * @throws RecordingProblem if it cannot be read, or is damaged and has to be whole
    * @throws IOException if reading or writing fails, or {@link java.io.InterruptedIOException} if
    *     the thread is interrupted
@@ -305,7 +304,7 @@ public final class RecordingJob {
     return counts;
   }
 
-  /** Behind the chain: counts samples and tells how far the job is. */
+  /** A sink that counts samples and reports the progress. */
   private final class Watch implements StreamHandler {
     private final RecordingReader reader;
     private final PipelineCounters counters;

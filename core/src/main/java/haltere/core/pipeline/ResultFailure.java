@@ -6,8 +6,8 @@ import haltere.core.stream.StreamNotification;
 import java.util.function.Consumer;
 
 /**
- * Ends a job whose results cannot be written: takes what a subscriber threw, and throws it behind
- * the chain, where the filters have done with the packet.
+ * Ends a job whose results cannot be written: stores the exception of a subscriber, and throws it
+ * after the chain has processed the packet.
  *
  * <p>Thread rule: the processing thread.
  *

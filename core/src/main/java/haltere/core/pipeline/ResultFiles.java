@@ -52,7 +52,7 @@ public final class ResultFiles implements JobResults {
     /**
      * Adds them.
      *
-     * @param files takes them
+     * @param files receives them
      * @throws IOException if one cannot be written
      */
     void fill(ResultFiles files) throws IOException;
@@ -154,7 +154,7 @@ public final class ResultFiles implements JobResults {
   /**
    * Adds what takes the stream behind the chain.
    *
-   * @param sink takes it
+   * @param sink receives it
    * @param finish a step of finishing
    */
   public void add(StreamHandler sink, Finish finish) {

@@ -165,7 +165,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
    * Free space of the disk that a file is to be on.
    *
    * @param file a file in a folder that exists
-   * @return looks anew at each call; all the space there can be where the system cannot tell
+   * @return looks again at each call; all the space there can be where the system cannot tell
    */
   public static LongSupplier freeBytes(Path file) {
     Path folder = file.toAbsolutePath().getParent();
@@ -280,7 +280,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
     return there + coming * EVENT_BYTES + FILE_BYTES > limits.partBytes() && report.received() > 0;
   }
 
-  /** Ends the session if the disk gets full; true if it goes on. */
+  /** Ends the session if the disk gets full; true if it continues. */
   private boolean lookAtDisk() {
     packetsSinceLook = 0;
     eventsSinceLook = 0;
@@ -389,7 +389,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
   /**
    * Why the session ended before it was told to.
    *
-   * @return a line for a person, or empty
+   * @return a line for users, or empty
    */
   public Optional<String> endedEarly() {
     return Optional.of(endedEarly).filter(line -> !line.isEmpty());

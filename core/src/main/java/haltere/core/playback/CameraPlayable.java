@@ -19,7 +19,7 @@ import java.util.OptionalLong;
 
 /**
  * A camera as a playable: without end, and without seeking. Where its clock restarts, the elapsed
- * timeline goes on 1 us behind the last event. A camera that was opened to reconnect and is
+ * timeline continues 1 us behind the last event. A camera that was opened to reconnect and is
  * unplugged gives nothing until it is back; then a {@code Reset(CLOCK_RESTARTED)} stands between
  * what came before and after, because for those who watch it is one session.
  *
@@ -64,15 +64,15 @@ public final class CameraPlayable implements Playable {
   /**
    * Whether the camera is gone and may come back.
    *
-   * @return true from when its stream says so until it says that it begins anew
+   * @return true from when its stream says so until it says that it restarts
    */
   public boolean isUnplugged() {
     return unplugged;
   }
 
   /**
-   * Opens a camera that goes on when it is plugged in again, and loses the oldest events where this
-   * computer does not keep up.
+   * Opens a camera that continues when it is plugged in again, and loses the oldest events where
+   * this computer does not keep up.
    *
    * @param cameras where it is
    * @param id its id

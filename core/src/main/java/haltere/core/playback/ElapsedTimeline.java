@@ -4,7 +4,7 @@ import haltere.core.event.EventPacket;
 
 /**
  * The elapsed timeline of a source without end: starts at the source's first event, and where the
- * source's clock restarts it goes on 1 us behind the last event.
+ * source's clock restarts it continues 1 us behind the last event.
  *
  * <p>Thread rule: one thread at a time.
  */

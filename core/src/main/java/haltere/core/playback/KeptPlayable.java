@@ -16,8 +16,8 @@ import java.util.OptionalLong;
  * A source that cannot be sought, such as a camera or a scene, whose newest events are kept, and
  * the samples (frames, inertial samples, triggers) between them, so that one can go back to them,
  * play them again at any speed, loop a part of them and take a copy. Behind the newest of them it
- * goes on with what the source gives then. A camera that is not listened to meanwhile loses what it
- * loses in a pause, and says so.
+ * continues with what the source gives then. A camera that is not listened to meanwhile loses what
+ * it loses in a pause, and says so.
  *
  * <p>Thread rule: as {@link Playable}; {@link #isLive()}, {@link #keptFromUs()} and {@link
  * #keptToUs()} from any thread.

@@ -51,7 +51,7 @@ final class KeptSamples {
         : BYTES_EACH;
   }
 
-  /** Keeps one more; reading goes on at the end. */
+  /** Keeps one more; reading continues at the end. */
   void add(Kept kept) {
     all.add(kept);
     bytes += bytes(kept);

@@ -6,7 +6,7 @@ import java.util.Objects;
 /**
  * A named place of a recording.
  *
- * @param name for a person
+ * @param name for users
  * @param elapsedUs elapsed time, microseconds, at least 0
  * @since 0.1
  */

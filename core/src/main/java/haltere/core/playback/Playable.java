@@ -17,7 +17,7 @@ import java.util.OptionalLong;
  */
 public interface Playable extends EventSource {
   /**
-   * What a person would call it.
+   * Name for users.
    *
    * @return a file's name or a scene's
    */

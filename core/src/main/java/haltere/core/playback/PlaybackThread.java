@@ -3,7 +3,7 @@ package haltere.core.playback;
 import java.util.ArrayDeque;
 import java.util.concurrent.CompletableFuture;
 
-/** The processing thread of a {@link Player} and the queue of what it is asked to do. */
+/** The processing thread of a {@link Player} and its queue of commands. */
 final class PlaybackThread {
   private record Asked(PlaybackCommand command, CompletableFuture<Void> done) {}
 
@@ -74,7 +74,7 @@ final class PlaybackThread {
     }
   }
 
-  /** Applies what was asked; false when the end was. */
+  /** Applies commands; false at the end. */
   private boolean work() {
     while (true) {
       Asked next;

@@ -14,33 +14,32 @@ import java.util.function.Consumer;
  *
  * <p>The stream is cut into {@link Slicing slices}. A slice goes to the chain in packets of at most
  * {@value PlaybackEngine#CHUNK_EVENTS} events, and commands are applied between two of them, so
- * that a command takes effect within milliseconds however long a slice is or the clock has to wait.
- * Sinks see those packets behind the chain, and those that are a {@link SliceSink} are told where a
- * slice ends. A slice is due when the clock comes to its start. While playback is paused, a jump
- * shows the one slice at the new place.
+ * that a command takes effect within milliseconds whatever the length of a slice. Sinks receive
+ * these packets after the chain; a {@link SliceSink} also receives the end of each slice. A slice
+ * is due when the clock reaches its start. While playback is paused, a jump shows the slice at the
+ * new position.
  *
- * <p>What chain and sinks are told keeps the grammar of {@link
- * haltere.core.stream.StreamNotification}, once each and before the packet that it concerns: {@code
- * Reset(REWIND)} for {@link #rewind()} and where a loop starts again, {@code Reset(SEEK)} for a
- * seek or a step back, {@code Reset(USER)} for {@link #reset()}. Several jumps with nothing played
- * between them are one, of the last one's cause. A jump after the end of the stream is a new start
- * of the stream and no reset.
+ * <p>Notifications of chain and sinks follow the grammar of {@link
+ * haltere.core.stream.StreamNotification}, once each and before the packet that they concern:
+ * {@code Reset(REWIND)} for {@link #rewind()} and where a loop starts again, {@code Reset(SEEK)}
+ * for a seek or a step back, {@code Reset(USER)} for {@link #reset()}. Several jumps with nothing
+ * played between them are one, of the last one's cause. A jump after the end of the stream is a new
+ * start of the stream and no reset.
  *
- * <p>What is shown of a moment does not depend on how it was reached. A jump goes back by a run-up,
- * which is as long as the filters and the {@link SliceSink slice sinks} say that they remember
- * ({@link haltere.core.chain.EventFilter#memoryUs()}), and sends that through the chain first.
- * Slice sinks get the run-up; other sinks and subscribers of outlets do not, but for those who
- * {@link haltere.core.chain.Outlet#follow follow} one. The slice at which playback is paused is
- * made anew in the same way, and so is the slice shown in a pause whenever the chain changes,
- * {@link #edit}, a slice sink is added, or somebody wants it, {@link #refresh}. Edits wait for a
- * run-up to end. A run begins on a grid, so that neighbouring slices share one. What was told to
- * filters by hand ends that until the next jump.
+ * <p>The picture of a moment does not depend on how it was reached. A jump first sends a run-up
+ * through the chain, as long as the memory of the filters and of the {@link SliceSink slice sinks}
+ * ({@link haltere.core.chain.EventFilter#memoryUs()}). Slice sinks receive the run-up; other sinks
+ * and subscribers of outlets do not, except by {@link haltere.core.chain.Outlet#follow follow}. The
+ * slice of a pause is repeated in the same way, also when the chain changes, {@link #edit}, a slice
+ * sink is added, or on request, {@link #refresh}. Edits wait for the end of a run-up. Run-ups start
+ * on a grid, so that neighbouring slices share one. Manual changes of filters prevent repetitions
+ * until the next jump.
  *
- * <p>Nothing is left out when source or chain cannot keep up: playback waits for them, {@link
- * PlayerStatus} says which speed is reached, which stage is the slowest and whether the source is
- * slower still, and what is late by more than a second is not caught up. A filter that throws is
- * switched off, what it threw is in the status, the events of its packet are counted as lost and
- * announced by a {@code DataLost}. A sink that throws is removed.
+ * <p>Nothing is skipped if source or chain are too slow: playback waits for them. {@link
+ * PlayerStatus} has the reached speed, the slowest stage and the share of the source. A lag of more
+ * than a second is not caught up. A filter that throws is disabled, the exception is in the status,
+ * and the events of its packet are counted as lost and reported by a {@code DataLost}. A sink that
+ * throws is removed.
  *
  * <p>Thread rule: all methods may be called from any thread. Filters, sinks and edits run on the
  * processing thread, and futures are completed there. The player owns its playable and closes it,
@@ -65,9 +64,9 @@ public final class Player implements AutoCloseable {
   }
 
   /**
-   * Adds a sink behind the chain. One that is added while a stream runs is told of its start first.
+   * Adds a sink behind the chain. If a stream is running, the sink first receives its start.
    *
-   * @param sink takes packets and notifications, and slice ends if it is a {@link SliceSink}
+   * @param sink receives packets and notifications, and slice ends if it is a {@link SliceSink}
    */
   public void addSink(StreamHandler sink) {
     thread.submit(new PlaybackCommand.AddSink(Objects.requireNonNull(sink, "sink"), false));
@@ -76,7 +75,7 @@ public final class Player implements AutoCloseable {
   /**
    * Adds a sink before the chain. It must not change packets.
    *
-   * @param sink takes packets and notifications, and slice ends if it is a {@link SliceSink}
+   * @param sink receives packets and notifications, and slice ends if it is a {@link SliceSink}
    */
   public void addRawSink(StreamHandler sink) {
     thread.submit(new PlaybackCommand.AddSink(Objects.requireNonNull(sink, "sink"), true));
@@ -120,7 +119,7 @@ public final class Player implements AutoCloseable {
   }
 
   /**
-   * Holds what plays and plays what is held.
+   * Pauses or resumes playback.
    *
    * @return completed when applied
    */
@@ -213,8 +212,8 @@ public final class Player implements AutoCloseable {
   }
 
   /**
-   * Changes the chain by hand between two packets: what filters know now stays, and nothing is made
-   * anew until the next jump.
+   * Changes the chain manually between two packets: the state of filters stays, and no slice is
+   * repeated until the next jump.
    *
    * @param change runs on the processing thread; what it throws fails the future
    * @return completed when applied
@@ -224,9 +223,9 @@ public final class Player implements AutoCloseable {
   }
 
   /**
-   * Looks at the chain between two packets.
+   * Reads the chain between two packets.
    *
-   * @param reader runs on the processing thread and changes nothing that events lead to; what it
+   * @param reader runs on the processing thread and must not change the state of filters; what it
    *     throws fails the future
    * @return completed when done
    */

@@ -4,28 +4,28 @@ package haltere.core.playback;
  * The state of a player: an immutable snapshot, replaced after every slice and every command.
  *
  * @param state whether it plays
- * @param elapsedUs start of the slice that is shown, on the elapsed timeline, microseconds; at the
- *     end the duration
+ * @param elapsedUs start of the displayed slice on the elapsed timeline, microseconds; at the end
+ *     the duration
  * @param timeUs the same on the source's clock, or {@link
  *     haltere.core.stream.StreamNotification#NO_TIME_US} before the first slice
  * @param durationUs length of the elapsed timeline, -1 if it has no end
- * @param speed recording time per real time that was asked for, infinite for as fast as possible
+ * @param speed requested recording time per real time, infinite for as fast as possible
  * @param achievedSpeed recording time per real time of the last half second or so, 0 when paused
  * @param lagUs real time by which playback is behind its clock since it last started, jumped or
  *     changed its speed, microseconds; 0 at unlimited speed
  * @param slowestStage name of the stage of the chain that took most of the time of the last half
  *     second or so, empty if none took any
- * @param sourceShare share of the real time of the last half second or so that the source took to
- *     read, decode or simulate what is played, 0 to 1; 0 when paused
+ * @param sourceShare share of the real time of the last half second or so for reading, decoding or
+ *     simulating, 0 to 1; 0 when paused
  * @param eventsIn events that went to the chain since the start
  * @param eventsOut events that came out of it
  * @param eventRateEps events into the chain per second of recording time, over the last 50 ms or so
  *     of it
- * @param droppedEvents events that no filter dropped and yet nobody saw: off the sensor, lost by
- *     the source, or in the packet at which a filter failed
- * @param sliceUs length of the slice that is shown, microseconds
- * @param runUpUs recording time that has still to go through the chain before the moment that was
- *     asked for is shown, microseconds; 0 where nothing is waited for
+ * @param droppedEvents lost events: off the sensor, lost by the source, or in the packet at which a
+ *     filter failed
+ * @param sliceUs length of the displayed slice, microseconds
+ * @param runUpUs recording time of the rest of a run-up until the requested moment is displayed,
+ *     microseconds; 0 without a run-up
  * @param message the last failure in one line, or empty
  * @since 0.1
  */
@@ -71,8 +71,8 @@ public record PlayerStatus(
   }
 
   /**
-   * Whether playback waits for its source more than for everything else together. Where it is
-   * {@link #late()}, no faster chain would help.
+   * Whether playback waits mainly for its source. If it is {@link #late()}, a faster chain does not
+   * help.
    *
    * @return true if the source takes more than half of the time
    */

@@ -50,7 +50,7 @@ public final class RecordingPlayable implements Playable {
   /**
    * The recording.
    *
-   * @return the reader, for what it knows about the file
+   * @return the reader, for properties of the file
    */
   public RecordingReader reader() {
     return reader;

@@ -4,8 +4,8 @@ import haltere.core.event.EventPacket;
 import haltere.core.pipeline.ChainRunner;
 
 /**
- * Leads up to a place that was jumped to: hands over what lies before it, so that filters and those
- * who show moments know what they would know had it been played.
+ * The run-up to the target of a jump: processes the events before it, so that filters and slice
+ * sinks have the same state as in playback.
  *
  * <p>Thread rule: the processing thread only.
  */
@@ -54,7 +54,7 @@ final class RunUp {
     return open ? Math.max(0, targetUs - reachedUs) : 0;
   }
 
-  /** Hands over one piece of what is ahead; false once the place has been reached. */
+  /** Processes the next piece; false when the target has been reached. */
   boolean advance(SourceCursor.Ahead ahead) {
     if (ahead == SourceCursor.Ahead.NOTIFICATION) {
       runner.notified(cursor.takeNotification());

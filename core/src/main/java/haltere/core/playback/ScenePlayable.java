@@ -12,7 +12,7 @@ import java.util.function.Supplier;
 
 /**
  * A simulated scene as a playable: without end; to go back to its start, it is created again. Its
- * elapsed timeline starts at its first event, and where its clock restarts it goes on 1 us behind
+ * elapsed timeline starts at its first event, and where its clock restarts it continues 1 us behind
  * the last event.
  *
  * <p>Thread rule: as {@link Playable}.
@@ -29,7 +29,7 @@ public final class ScenePlayable implements Playable {
    * A scene at its start.
    *
    * @param scenes makes the same scene at every call
-   * @param name what a person would call it
+   * @param name for users
    */
   public ScenePlayable(Supplier<? extends EventSource> scenes, String name) {
     this.scenes = Objects.requireNonNull(scenes, "scenes");

@@ -1,8 +1,8 @@
 package haltere.core.playback;
 
 /**
- * Cuts the elapsed timeline into slices: says where the next one starts, where the open one ends
- * and how much of it has been handed over. Knows neither source nor sinks.
+ * Divides the elapsed timeline into slices: start of the next one, end and progress of the open
+ * one. Independent of source and sinks.
  *
  * <p>Places are on the elapsed timeline, in microseconds. Thread rule: the processing thread only.
  */
@@ -34,7 +34,7 @@ final class SliceCutter {
   private long countLeft;
   private long lastFed;
 
-  /** Starts at place 0; the clock is asked for its speed alone. */
+  /** Starts at position 0; of the clock only the speed is used. */
   SliceCutter(PlaybackClock clock, Slicing slicing, Loop loop) {
     this.clock = clock;
     this.slicing = slicing;

@@ -3,14 +3,14 @@ package haltere.core.playback;
 import haltere.core.stream.StreamHandler;
 
 /**
- * A sink that is told the ends of slices. A slice reaches every sink of a {@link Player} in packets
- * of at most some thousand events, or in none where it is empty; all packets since the last call of
- * {@link #sliceEnd} are the slice that the next call ends. Notifications stand between slices; only
- * the {@code DataLost} for a packet at which a filter failed may stand inside one.
+ * A sink that receives the ends of slices. A slice reaches every sink of a {@link Player} in
+ * packets of at most some thousand events, or in none where it is empty; all packets since the last
+ * call of {@link #sliceEnd} are the slice that the next call ends. Notifications stand between
+ * slices; only the {@code DataLost} for a packet at which a filter failed may stand inside one.
  *
- * <p>It gets run-ups too: the events before a moment that was jumped to, and those of a moment that
- * is made anew, so that what it shows does not depend on how the moment was reached. Other sinks,
- * such as files, get events once, as they are played.
+ * <p>It also receives run-ups, the events before the target of a jump and those of a repeated
+ * moment, so that its picture does not depend on how the moment was reached. Other sinks, such as
+ * files, receive events once, as they are played.
  *
  * <p>Thread rule: called on the player's processing thread.
  *
@@ -26,7 +26,7 @@ public interface SliceSink extends StreamHandler {
   void sliceEnd(long fromUs, long toUs);
 
   /**
-   * How far back events matter to what is shown of a slice.
+   * Memory of the picture of a slice.
    *
    * @param sliceUs length of the slice, microseconds
    * @return microseconds before the slice's end
@@ -46,6 +46,6 @@ public interface SliceSink extends StreamHandler {
   /** The run-up has ended: the slice that it led to comes next. */
   default void runUpEnds() {}
 
-  /** Playback stands: the slice that ended last is shown until something is asked for. */
+  /** Playback is paused: the last slice is displayed until the next command. */
   default void sliceHeld() {}
 }

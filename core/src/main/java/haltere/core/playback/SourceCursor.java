@@ -11,9 +11,9 @@ import java.io.IOException;
 import java.util.function.LongSupplier;
 
 /**
- * Looks one packet, sample or notification ahead in what a playable gives, and hands it out in
- * pieces. What the playable says after a seek, or at its start, is kept back: the player says that
- * in its own words. Measures how long the playable takes.
+ * Reads one packet, sample or notification ahead of a playable and passes it on in pieces.
+ * Notifications after a seek or at the start are removed, since the player sends its own. Measures
+ * the time of the playable.
  *
  * <p>Thread rule: the processing thread only.
  */
@@ -128,12 +128,12 @@ final class SourceCursor implements StreamHandler {
     return playable.earliestUs();
   }
 
-  /** Real time that the playable has taken to give what it gave, nanoseconds. */
+  /** Real time spent in the playable, nanoseconds. */
   long busyNanos() {
     return busyNanos;
   }
 
-  /** How the stream starts, as the source said last. */
+  /** The last start of the stream by the source. */
   StreamStarted start() {
     return start;
   }

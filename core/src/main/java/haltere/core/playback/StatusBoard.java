@@ -6,7 +6,7 @@ import haltere.core.playback.PlayerStatus.State;
 import haltere.core.stream.StreamNotification;
 
 /**
- * What a player says of itself: gathers what changes and puts up a new reading of all of it.
+ * The status of a player: collects changes and publishes immutable snapshots.
  *
  * <p>Thread rule: {@link #status()} from any thread, the rest on the processing thread only.
  */

@@ -45,7 +45,9 @@ final class StepBackSearch {
     return new Place(earliest, 0);
   }
 
-  /** Passes events from a place to another, or so many; tells where the next one is. */
+  /**
+   * Skips events between two positions, or a number of them; returns the position of the next one.
+   */
   private Place pass(long from, long to, long most) throws IOException {
     cursor.seek(from);
     passed = 0;

@@ -10,7 +10,7 @@ import java.util.List;
  */
 public interface AdjustableSettings<S extends Record & AdjustableSettings<S>> {
   /**
-   * These settings but for some.
+   * These settings with some values replaced.
    *
    * @param assignments texts of the form {@code name=value}, such as {@code output.rateHz=100}
    * @return new settings

@@ -23,7 +23,7 @@ public @interface Help {
   String value();
 
   /**
-   * What the setting is called, where the name of its component does not say it.
+   * Name of the setting for users, if the name of its component is not clear.
    *
    * @return a noun phrase, or empty for the component's name in words
    */

@@ -16,7 +16,7 @@ import java.util.Locale;
  * @param help one sentence
  * @param defaultValue value in the record's defaults
  * @param choices names that an enum can take, else empty
- * @param label what it is called, empty for its name in words
+ * @param label name for users, empty for its name in words
  * @since 0.1
  */
 public record Parameter(
@@ -87,7 +87,7 @@ public record Parameter(
       if (type == double.class) {
         return Double.valueOf(text);
       }
-      // Through BigDecimal, so that 25000, 25000.0 and 2.5e4 are the same whole number.
+      // BigDecimal: 25000, 25000.0 and 2.5e4 are the same whole number
       BigDecimal number = new BigDecimal(text);
       if (number.abs().compareTo(LARGEST_LONG) > 0) {
         throw outOfRange(text);

@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
 
 /**
  * Settings as the plain values of a JSON object, and back. Nested records are nested objects; an
- * enum is its name in lower case; what a text leaves out keeps its default.
+ * enum is its name in lower case; missing values keep their defaults.
  *
  * @since 0.1
  */
@@ -46,7 +46,7 @@ public final class SettingsJson {
   /**
    * A record from the values of a JSON object.
    *
-   * @param values names and values; what is missing keeps its default
+   * @param values names and values; missing ones keep their defaults
    * @param schema the record's schema
    * @param <S> the record
    * @return a valid record
@@ -59,13 +59,12 @@ public final class SettingsJson {
   }
 
   /**
-   * A record from the values of a JSON object that an earlier version may have written. A value of
-   * a setting that has another name now is taken over; one of a setting that is no more is left
-   * out.
+   * A record from the values of a JSON object of any version. Renamed settings keep their values;
+   * deleted settings are ignored.
    *
-   * @param values names and values; what is missing keeps its default
+   * @param values names and values; missing ones keep their defaults
    * @param schema the record's schema
-   * @param notes takes a line that says what has taken the place of former names, if there are any
+   * @param notes receives a line with the replacements of former names, if there are any
    * @param <S> the record
    * @return a valid record
    * @throws SettingsProblem for a name that has never existed or a value out of range

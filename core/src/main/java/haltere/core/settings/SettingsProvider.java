@@ -17,7 +17,7 @@ public interface SettingsProvider<S extends Record> {
   String name();
 
   /**
-   * What it does or shows, in one sentence for a person.
+   * Description in one sentence for users.
    *
    * @return ends with a full stop
    */
@@ -40,10 +40,9 @@ public interface SettingsProvider<S extends Record> {
   }
 
   /**
-   * Settings to start from other than the defaults, such as those of the method that a filter goes
-   * back to.
+   * Other initial settings than the defaults, such as those of an original method.
    *
-   * @return valid settings by name, a lower case word; none unless a provider says otherwise
+   * @return valid settings by name, a lower case word; none by default
    */
   default Map<String, S> presets() {
     return Map.of();

@@ -20,10 +20,9 @@ import java.util.stream.Stream;
  * Unit}; a static method {@code defaults()} returns the default values; its compact constructor
  * calls {@link #validate} with all of its components, which checks those of nested records too.
  *
- * <p>A record whose settings had other names before may say so in a static method {@code
- * formerNames()}: a map from the former name of a setting, or of a group, to its present name or to
- * a sentence that says what takes its place. Such names are explained where they are used, and read
- * in files, see {@link SettingsJson}.
+ * <p>A record with renamed settings may have a static method {@code formerNames()}: a map from the
+ * former name of a setting, or of a group, to its present name or to a sentence with its
+ * replacement. Files may have such names, see {@link SettingsJson}; elsewhere they are explained.
  *
  * <p>Thread rule: immutable, may be used from any thread.
  *
@@ -146,7 +145,7 @@ public final class SettingsSchema<S extends Record> {
   }
 
   /**
-   * What has taken the place of a setting of an earlier version.
+   * Replacement of a setting of an earlier version.
    *
    * @param name dotted path that the setting had
    * @return the present name of the setting, or a sentence; null for any other name
@@ -189,7 +188,7 @@ public final class SettingsSchema<S extends Record> {
   }
 
   /**
-   * The same settings but for one value.
+   * The same settings with one value replaced.
    *
    * @param settings a record, unchanged
    * @param name dotted path
@@ -202,8 +201,7 @@ public final class SettingsSchema<S extends Record> {
   }
 
   /**
-   * The same settings but for some values. All of them are changed at once, so only the result has
-   * to be valid as a whole.
+   * The same settings with some values replaced together; only the result must be valid.
    *
    * @param settings a record, unchanged
    * @param values by dotted path: values of the setting's type, or texts that can be read as one
@@ -217,8 +215,8 @@ public final class SettingsSchema<S extends Record> {
   }
 
   /**
-   * Applies {@code name=value} texts, as a command line has them. The last part of a name is enough
-   * where only one setting ends in it: {@code seed} for {@code run.seed}.
+   * Applies {@code name=value} texts, as a command line has them. The last part of a name is
+   * sufficient if only one setting ends in it: {@code seed} for {@code run.seed}.
    *
    * @param settings a record, unchanged
    * @param assignments texts with an equals sign

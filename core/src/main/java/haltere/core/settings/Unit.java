@@ -16,7 +16,7 @@ import java.lang.annotation.Target;
 @Target(ElementType.RECORD_COMPONENT)
 public @interface Unit {
   /**
-   * The unit as it is shown to a person.
+   * The unit for display.
    *
    * @return such as "us", "px", "Hz", "events", or "1" for a ratio
    */

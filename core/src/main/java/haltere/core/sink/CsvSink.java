@@ -11,7 +11,7 @@ import java.util.Objects;
 /**
  * Writes records as rows of a table: comma separated, UTF-8, a header line, lines that end in a
  * line feed, a point as decimal point whatever the locale. Names of components become names of
- * columns in snake_case unless {@link Column} says otherwise. Not-a-number, null and an empty
+ * columns in snake_case unless {@link Column} renames them. Not-a-number, null and an empty
  * optional are empty fields; infinity is {@code inf}; enum constants are as their {@code toString}.
  *
  * <p>Thread rule: one thread at a time.
@@ -128,8 +128,7 @@ public final class CsvSink<R extends Record> implements TableSink<R> {
   }
 
   /**
-   * Writes a line that is no row: # and words for a person. Readers of tables leave such lines out
-   * if they are told to.
+   * Writes a comment line: # and words for users. Readers of tables can skip such lines.
    *
    * @param words one line
    * @throws UncheckedIOException if it cannot be written

@@ -30,7 +30,7 @@ public record LineAddress(String scheme, String host, int port) {
    *
    * @param text such as {@code udp://192.168.1.2:5555}
    * @return its parts
-   * @throws IllegalArgumentException with a line for a person if it is none
+   * @throws IllegalArgumentException with a line for users if it is none
    */
   public static LineAddress parse(String text) {
     Matcher parts = FORM.matcher(text);

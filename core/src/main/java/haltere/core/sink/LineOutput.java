@@ -5,8 +5,8 @@ import java.util.Optional;
 
 /**
  * Sends lines to receivers, for example over a network. It never blocks the caller: if there is no
- * room, a line is dropped and counted. The receiver is told when there is room again, if the
- * transport allows that.
+ * room, a line is dropped and counted. The receiver is notified when there is room again, if the
+ * transport allows it.
  *
  * <p>Thread rule: lines are handed over by one thread; everything else may be called by any.
  *
@@ -55,13 +55,13 @@ public interface LineOutput extends Closeable {
   /**
    * The reason why sending has stopped.
    *
-   * @return a few words for a person; empty while lines are sent
+   * @return a few words for users; empty while lines are sent
    */
   default Optional<String> failure() {
     return Optional.empty();
   }
 
-  /** Sends what waits, for a second at the most, and ends. */
+  /** Sends what waits, for a second at most, and ends. */
   @Override
   void close();
 }

@@ -20,7 +20,7 @@ public interface LineOutputProvider {
   String scheme();
 
   /**
-   * What it does, in one sentence for a person.
+   * What it does, in one sentence for users.
    *
    * @return ends with a full stop
    */
@@ -31,7 +31,7 @@ public interface LineOutputProvider {
    *
    * @param address host and port
    * @return an open output
-   * @throws IOException with a line for a person if that cannot be
+   * @throws IOException with a line for users if that cannot be
    */
   LineOutput open(LineAddress address) throws IOException;
 }

@@ -33,7 +33,7 @@ public final class LineOutputs {
    *
    * @param address such as {@code tcp://127.0.0.1:5555}
    * @return its parts
-   * @throws IllegalArgumentException with a line for a person if it is none, or nothing here
+   * @throws IllegalArgumentException with a line for users if it is none, or nothing here
    *     transports that way
    */
   public static LineAddress check(String address) {
@@ -51,7 +51,7 @@ public final class LineOutputs {
    *
    * @param address such as {@code tcp://127.0.0.1:5555}
    * @return an open output
-   * @throws IOException with a line for a person if that cannot be
+   * @throws IOException with a line for users if that cannot be
    * @throws IllegalArgumentException as {@link #check}
    */
   public static LineOutput open(String address) throws IOException {

@@ -41,9 +41,9 @@ public final class LiveMessages {
   private final Map<Class<? extends Record>, RowFields> types = new HashMap<>();
 
   /**
-   * Messages that bear the time of a clock.
+   * Messages with the time of a clock.
    *
-   * @param clock tells the time of sending
+   * @param clock for the time of sending
    */
   public LiveMessages(Clock clock) {
     this.clock = Objects.requireNonNull(clock, "clock");
@@ -110,7 +110,7 @@ public final class LiveMessages {
    * The message that others are missing.
    *
    * @param messages how many
-   * @param place who had no room for them, in words for a person
+   * @param place who had no room for them, in words for users
    * @return a line in ASCII with its line feed
    */
   public byte[] lost(long messages, String place) {
@@ -125,7 +125,7 @@ public final class LiveMessages {
   /**
    * The only message of a receiver that is turned away.
    *
-   * @param place why, in words for a person
+   * @param place why, in words for users
    * @return a line in ASCII with its line feed
    */
   public byte[] refused(String place) {

@@ -5,8 +5,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 
 /**
- * Hands the latest value from one thread to another: a new value takes the place of one that nobody
- * has taken. Neither side waits for the other.
+ * Passes the latest value from one thread to another: a new value replaces one that was not taken.
+ * Neither side waits.
  *
  * <p>Thread rule: one thread puts, another takes; the counts may be read from any thread.
  *
@@ -25,8 +25,7 @@ public final class Mailbox<T> {
    * Puts a value in.
    *
    * @param value the latest
-   * @return the value that it replaced and that nobody will see, so that it can be used again, or
-   *     null if there was none
+   * @return the replaced value, which was never taken and can be reused, or null
    */
   public T put(T value) {
     Objects.requireNonNull(value, "value");

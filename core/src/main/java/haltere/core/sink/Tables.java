@@ -12,8 +12,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * Starts tables in the format that their names end in: CSV, and what is found as a {@link
- * TableFormat}.
+ * Opens tables in the format of their name: CSV, and each {@link TableFormat} service.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *
@@ -51,7 +50,7 @@ public final class Tables {
    * Why a table cannot be written under a name.
    *
    * @param file where it will be
-   * @return one line for a person; empty if its format is there, which is CSV for all names that no
+   * @return one line for users; empty if its format is there, which is CSV for all names that no
    *     format answers to
    */
   public static Optional<String> problem(Path file) {

@@ -3,13 +3,13 @@ package haltere.core.stream;
 import java.util.Objects;
 
 /**
- * Events are missing between the packet before and the packet after. Time goes on.
+ * Events are missing between the packet before and the packet after. Time continues.
  *
- * @param bytes raw bytes lost, or -1 where not known
- * @param estimatedEvents events lost, or -1 where not even an estimate is possible
+ * @param bytes raw bytes lost, or -1 if unknown
+ * @param estimatedEvents events lost, or -1 without an estimate
  * @param fromUs time of the last event before the gap, or {@link StreamNotification#NO_TIME_US}
  * @param toUs time of the first event after the gap, or {@link StreamNotification#NO_TIME_US}
- * @param place who lost them, in words for a person
+ * @param place where they were lost, in words for users
  * @since 0.1
  */
 public record DataLost(long bytes, long estimatedEvents, long fromUs, long toUs, String place)

@@ -3,9 +3,9 @@ package haltere.core.stream;
 import java.util.Objects;
 
 /**
- * The camera went away; the end of the stream follows.
+ * The camera was lost; the end of the stream follows.
  *
- * @param device which camera, in words for a person
+ * @param device the camera, in words for users
  * @param lastUs time of the last event that arrived, or {@link StreamNotification#NO_TIME_US}
  * @since 0.1
  */

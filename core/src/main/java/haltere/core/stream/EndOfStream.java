@@ -1,7 +1,7 @@
 package haltere.core.stream;
 
 /**
- * The last notification of every stream: give out what you still hold.
+ * The last notification of every stream: publish what is still buffered.
  *
  * @param lastUs time of the last event, or {@link StreamNotification#NO_TIME_US} if there was none
  * @since 0.1

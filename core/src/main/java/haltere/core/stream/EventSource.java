@@ -21,20 +21,20 @@ public interface EventSource extends Closeable {
   SensorGeometry geometry();
 
   /**
-   * Hands what comes next in the stream to the handler: exactly one packet, one sample or one
+   * Passes the next element of the stream to the handler: one packet, one sample or one
    * notification.
    *
-   * @param handler takes it
-   * @return false, and nothing was handed over, once {@link EndOfStream} has been
-   * @throws IOException if the source can no longer be read; what was whole before the damage has
-   *     been handed over already
+   * @param handler receives it
+   * @return false, without a call, after {@link EndOfStream}
+   * @throws IOException if the source can no longer be read; everything before the damage has been
+   *     passed on
    */
   boolean next(StreamHandler handler) throws IOException;
 
   /**
-   * Hands over everything until the end of the stream.
+   * Passes on everything until the end of the stream.
    *
-   * @param handler takes it
+   * @param handler receives it
    * @throws IOException as {@link #next}
    */
   default void drainTo(StreamHandler handler) throws IOException {

@@ -1,9 +1,9 @@
 package haltere.core.stream;
 
 /**
- * Regular times at which a filter reports, of a rate that need not divide a second, without drift:
- * the n-th time of each thousand seconds is at the rounded n-th multiple of the period. They are
- * the same wherever a stream begins and however it is cut.
+ * Regular times of reports at any rate, without drift: the n-th time of each thousand seconds is at
+ * the rounded n-th multiple of the period. The times do not depend on the start of a stream or its
+ * division into packets.
  *
  * <p>Thread rule: that of its owner.
  *
@@ -19,7 +19,7 @@ public final class ReportClock {
 
   /** A clock of one report a second from time 0 on. */
   public ReportClock() {
-    // the fields say so
+    // the fields have these values
   }
 
   /**
@@ -56,7 +56,7 @@ public final class ReportClock {
     return nextUs;
   }
 
-  /** Goes on to the time after the next one. */
+  /** Advances to the following time. */
   public void advance() {
     number++;
     place();

@@ -5,13 +5,13 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.IntConsumer;
 
 /**
- * Independent parts of a filter's work, done by the processing thread alone or shared with a second
- * thread. A filter does the same pieces either way, so that what it publishes has the same bytes;
- * it publishes between them, never in one.
+ * Independent pieces of a filter's work, done by the processing thread alone or together with a
+ * second thread. The pieces are the same in both cases, so that results are identical; a filter
+ * publishes between pieces only.
  *
- * <p>A thread takes the next piece when it has done one. What the second thread has not begun the
- * first one does itself, so that it never waits for a thread that does not run. The second thread
- * looks out for more work for a while and sleeps then. Nothing is allocated.
+ * <p>A thread takes the next piece when it has done one. The first thread does what the second has
+ * not begun, so that it never waits for a thread that does not run. The second thread spins for a
+ * while before it sleeps. Nothing is allocated.
  *
  * <p>Thread rule: {@link #each} and {@link #close} are for the processing thread.
  *
@@ -21,10 +21,8 @@ public final class SharedWork implements AutoCloseable {
   /** Work on the processing thread alone. */
   public static final SharedWork ALONE = new SharedWork(1);
 
-  /**
-   * Time to look out for work or for its end before a thread sleeps: some wake-ups take as long.
-   */
-  private static final long LOOK_OUT_NANOS = 50_000;
+  /** Time for which a thread spins before it sleeps: that of some wake-ups. */
+  private static final long SPIN_NANOS = 50_000;
 
   private final AtomicInteger left = new AtomicInteger();
   private final AtomicInteger undone = new AtomicInteger();
@@ -52,11 +50,11 @@ public final class SharedWork implements AutoCloseable {
   }
 
   /**
-   * Does all pieces and comes back when they are done. An exception of a piece is thrown here, when
-   * no piece is at work any more; others may have been done or not.
+   * Does all pieces and returns when they are done. An exception of a piece is thrown here, when no
+   * piece runs any more; others may have been done or not.
    *
-   * @param pieces how many there are
-   * @param piece does the piece of a number from 0 on; those that take long come first
+   * @param pieces their number
+   * @param piece does the piece of an index from 0; long ones come first
    */
   public void each(int pieces, IntConsumer piece) {
     if (!isShared || ended || pieces < 2) {
@@ -122,7 +120,7 @@ public final class SharedWork implements AutoCloseable {
   private void awaitDone() {
     long sinceNanos = System.nanoTime();
     while (undone.get() > 0) {
-      if (System.nanoTime() - sinceNanos < LOOK_OUT_NANOS) {
+      if (System.nanoTime() - sinceNanos < SPIN_NANOS) {
         Thread.onSpinWait();
       } else {
         waits = true;
@@ -139,7 +137,7 @@ public final class SharedWork implements AutoCloseable {
     while (!ended) {
       if (takeOne()) {
         sinceNanos = System.nanoTime();
-      } else if (System.nanoTime() - sinceNanos < LOOK_OUT_NANOS) {
+      } else if (System.nanoTime() - sinceNanos < SPIN_NANOS) {
         Thread.onSpinWait();
       } else {
         sleeps = true;
@@ -152,7 +150,7 @@ public final class SharedWork implements AutoCloseable {
     }
   }
 
-  /** Ends the second thread; work goes on on the processing thread. */
+  /** Ends the second thread; later work is done on the processing thread. */
   @Override
   public void close() {
     ended = true;

@@ -5,21 +5,21 @@ import java.util.Objects;
 import java.util.function.IntConsumer;
 
 /**
- * Events that a filter has sorted by the part of it that takes them, such as each of two wings, and
- * that wait until the parts take them in: one after the other, or at the same time as {@link
- * SharedWork}. A part sees its events in order, so that the result is the same.
+ * Queues of events for the parts of a filter, such as two wings. The parts process their events one
+ * after the other, or in parallel by {@link SharedWork}. Each part sees its events in order, so
+ * that results are identical.
  *
- * <p>Thread rule: as the filter's, but for the taker, which may be called for two parts at once.
+ * <p>Thread rule: as the filter, except for the taker, which may be called for two parts at once.
  *
  * @since 0.1
  */
 public final class SortedEvents {
-  /** Takes events in. */
+  /** Processes events. */
   public interface Taker {
     /**
-     * Takes the events of a part; must not touch what another part changes, nor publish.
+     * Processes the events of a part; must not access state of another part, nor publish.
      *
-     * @param part its number
+     * @param part its index
      * @param events in order of time, borrowed for the length of the call
      */
     void take(int part, EventPacket events);
@@ -30,10 +30,10 @@ public final class SortedEvents {
   private SharedWork work = SharedWork.ALONE;
 
   /**
-   * Nothing waits.
+   * Empty queues.
    *
-   * @param parts how many there are
-   * @param taker takes the events of a part
+   * @param parts number of parts
+   * @param taker processes the events of a part
    */
   public SortedEvents(int parts, Taker taker) {
     Objects.requireNonNull(taker, "taker");
@@ -52,26 +52,26 @@ public final class SortedEvents {
   }
 
   /**
-   * Says who does the work.
+   * Sets the threads of the work.
    *
-   * @param with maybe two threads
+   * @param with one or two threads
    */
   public void share(SharedWork with) {
     work = Objects.requireNonNull(with, "with");
   }
 
   /**
-   * Lets an event wait.
+   * Adds an event.
    *
-   * @param part which part takes it
-   * @param timeUs when, microseconds, not before the event before it
+   * @param part its part
+   * @param timeUs microseconds, not before the previous event
    * @param address packed, as in a packet
    */
   public void add(int part, long timeUs, int address) {
     waiting[part].append(timeUs, address);
   }
 
-  /** Lets all parts take their events in; none waits afterwards. */
+  /** Lets all parts process their events; the queues are empty afterwards. */
   public void take() {
     work.each(waiting.length, takeOne);
   }

@@ -25,9 +25,9 @@ public final class StreamGrammar implements StreamHandler {
   private long lastUs = Long.MIN_VALUE;
 
   /**
-   * Checks on the way to a handler.
+   * Checks a stream in front of a handler.
    *
-   * @param next takes what was checked
+   * @param next receives the checked stream
    */
   public StreamGrammar(StreamHandler next) {
     this.next = Objects.requireNonNull(next, "next");

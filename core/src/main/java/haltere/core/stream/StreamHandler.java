@@ -5,39 +5,39 @@ import haltere.core.event.SensorSample;
 import java.util.function.Consumer;
 
 /**
- * Takes a stream: packets, samples and notifications, one at a time, in order, on the processing
+ * Receives a stream: packets, samples and notifications, one at a time, in order, on the processing
  * thread.
  *
  * @since 0.1
  */
 public interface StreamHandler {
   /**
-   * Takes the next packet. It is borrowed: it must not be kept after the call.
+   * Receives the next packet. It is borrowed: it must not be stored after the call.
    *
    * @param packet events in ascending time
    */
   void packet(EventPacket packet);
 
   /**
-   * Takes the next notification. One that means nothing to the handler is ignored.
+   * Receives the next notification; handlers may ignore it.
    *
    * @param notification what happened between the last packet and the next one
    */
   default void notified(StreamNotification notification) {}
 
   /**
-   * Takes a frame, an inertial sample or a trigger: it comes after all events before its time and
-   * before all events at or after it, as near as the source has it. Sources give them only if they
-   * are asked to. One that means nothing to the handler is ignored, and nobody has to take any.
+   * Receives a frame, an inertial sample or a trigger, after all events before its time and before
+   * all events at or after it, as exactly as the source orders them. Sources pass samples only on
+   * request; handlers may ignore them.
    *
-   * @param sample immutable; it may be kept
+   * @param sample immutable; it may be stored
    */
   default void sample(SensorSample sample) {}
 
   /**
-   * A handler that takes what stands between the events and nothing else.
+   * A handler of samples only.
    *
-   * @param consumer of frames, inertial samples and triggers
+   * @param consumer of samples
    * @return a handler
    */
   static StreamHandler ofSamples(Consumer<SensorSample> consumer) {

@@ -16,9 +16,9 @@ package haltere.core.stream;
  * from one packet to the next unless a notification that {@link #endsContinuity() ends continuity}
  * stands between them. {@link StreamGrammar} checks all of this.
  *
- * <p>Only sources and the chain make notifications. Whoever does not know one ignores it and the
- * chain passes it on. {@link EndOfStream} means: give out what you hold. {@link Reset} means:
- * forget it.
+ * <p>Only sources and the chain create notifications. A filter ignores unknown ones; the chain
+ * passes them on. {@link EndOfStream} means: publish what is buffered. {@link Reset} means: return
+ * to the initial state.
  *
  * <p>Thread rule: immutable; delivered on the processing thread.
  *
@@ -30,10 +30,10 @@ public sealed interface StreamNotification
   long NO_TIME_US = Long.MIN_VALUE;
 
   /**
-   * Whether what comes after this has no relation in time to what came before, so that a filter's
-   * memory of it is worth nothing.
+   * Whether events after this have no relation in time to those before, which invalidates the state
+   * of filters.
    *
-   * @return true if a filter without better knowledge should reset itself
+   * @return true if a filter should reset itself by default
    */
   boolean endsContinuity();
 }

@@ -94,7 +94,7 @@ class CamerasTest {
   }
 
   @Test
-  void whoWatchesIsToldByEveryProviderThatCanTell() {
+  void everyProviderThatReportsChangesNotifiesASubscriber() {
     List<Runnable> watching = new ArrayList<>();
     int[] told = {0};
     CameraProvider.Watch watch =

@@ -36,7 +36,7 @@ class OutletTest {
   }
 
   @Test
-  void twoSubscriptionsOfTheSameTakerAreTwo() {
+  void twoSubscriptionsOfTheSameSubscriberAreTwo() {
     List<String> words = new ArrayList<>();
     java.util.function.Consumer<String> consumer = words::add;
     Outlet.Subscription first = outlet.subscribe(consumer);

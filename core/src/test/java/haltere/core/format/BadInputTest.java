@@ -102,14 +102,14 @@ class BadInputTest {
   }
 
   @Test
-  void aFileThatIsPackedAsAWholeIsRefusedWithWhatUnpacksIt() throws IOException {
-    ByteArrayOutputStream packed = new ByteArrayOutputStream();
-    try (GZIPOutputStream out = new GZIPOutputStream(packed)) {
+  void aFileCompressedAsAWholeIsRefusedWithItsDecompressor() throws IOException {
+    ByteArrayOutputStream compressed = new ByteArrayOutputStream();
+    try (GZIPOutputStream out = new GZIPOutputStream(compressed)) {
       out.write("#!AER-DAT2.0\n\0\0\0\0\0\0\0\7".getBytes(StandardCharsets.ISO_8859_1));
     }
     assertSays(
         "decompress it first: gunzip",
-        refused(Files.write(folder.resolve("a.aedat.gz"), packed.toByteArray())));
+        refused(Files.write(folder.resolve("a.aedat.gz"), compressed.toByteArray())));
     assertSays(
         "decompress it first: zstd -d",
         refused(Files.write(folder.resolve("a.db3.zstd"), Zstd.compress(PNG))));

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Inputs of the fuzzer are read anew, each by every format: those that it made on its way to odd
- * places, and those that it found a fault with, which come here when the fault is mended.
+ * places, and those that it found a fault with, which come here when the fault is corrected.
  */
 class FuzzedFormatsTest {
   @TempDir Path folder;

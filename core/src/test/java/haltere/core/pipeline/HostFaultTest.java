@@ -83,7 +83,7 @@ class HostFaultTest {
   }
 
   @Test
-  void aSubscriberThatThrowsIsReportedAndDroppedAndTheFilterGoesOn() {
+  void aSubscriberThatThrowsIsReportedAndDroppedAndTheFilterContinues() {
     List<Long> heard = new ArrayList<>();
     List<RuntimeException> reported = new ArrayList<>();
     counter.counts.subscribe(

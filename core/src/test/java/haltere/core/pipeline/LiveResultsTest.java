@@ -127,7 +127,7 @@ class LiveResultsTest {
   }
 
   @Test
-  void anOutputThatFailsIsToldAtOnceAndWhatWaitsIsCounted() throws IOException {
+  void anOutputThatFailsIsReportedAtOnceAndWhatWaitsIsCounted() throws IOException {
     List<String> told = new CopyOnWriteArrayList<>();
     Kept output =
         new Kept(true) {
@@ -149,7 +149,7 @@ class LiveResultsTest {
   }
 
   @Test
-  void aSenderThatFailsIsToldAtOnceAndWhatItDidNotSendIsCounted() throws IOException {
+  void aSenderThatFailsIsReportedAtOnceAndWhatItDidNotSendIsCounted() throws IOException {
     List<String> told = new CopyOnWriteArrayList<>();
     Kept output =
         new Kept(false) {
@@ -196,7 +196,7 @@ class LiveResultsTest {
   }
 
   @Test
-  void anOutputThatIsHeldUpHoldsUpNobodyAndEveryLossIsTold() throws IOException {
+  void anOutputThatIsHeldUpHoldsUpNobodyAndEveryLossIsReported() throws IOException {
     FilterChain chain = new FilterChain(SENSOR);
     chain.add("every-event", new EveryEvent());
     Kept output = new Kept(true);

@@ -130,7 +130,7 @@ class RecorderTest {
   }
 
   @Test
-  void aDiskThatIsHeldUpCostsACameraEventsThatAreCountedAndTold() throws Exception {
+  void aDiskThatIsHeldUpCostsACameraEventsThatAreCountedAndReported() throws Exception {
     disk.gate = new CountDownLatch(1);
     EventPacket all = packet(12 * Recorder.PACKET_EVENTS, 1000);
     int shown = 100;

@@ -46,7 +46,7 @@ final class RecordingProcess {
   /**
    * Records until it is killed.
    *
-   * @param arguments a folder, a seed, and how packets are packed
+   * @param arguments a folder, a seed, and how packets are compressed
    */
   public static void main(String[] arguments) throws IOException {
     Path folder = Path.of(arguments[0]);

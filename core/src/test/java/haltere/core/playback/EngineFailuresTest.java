@@ -26,10 +26,10 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import org.junit.jupiter.api.Test;
 
-/** What goes on where a filter, a sink or a source fails. */
+/** What continues where a filter, a sink or a source fails. */
 class EngineFailuresTest {
   @Test
-  void aFilterThatThrowsIsSwitchedOffAndPlaybackGoesOn() throws IOException {
+  void aFilterThatThrowsIsSwitchedOffAndPlaybackContinues() throws IOException {
     EngineRig rig = new EngineRig(recording(even(8)), byTime(20));
     ChainStage broken =
         rig.chain.add(

@@ -142,7 +142,7 @@ class EngineJumpsTest {
   }
 
   @Test
-  void afterTheEndAJumpStartsTheStreamAnew() throws IOException {
+  void afterTheEndAJumpRestartsTheStream() throws IOException {
     EngineRig rig = new EngineRig(recording(even(3)), byTime(100)).run();
     assertEquals(State.ENDED, rig.engine.status().state());
     rig.ask(new PlaybackCommand.Seek(10));

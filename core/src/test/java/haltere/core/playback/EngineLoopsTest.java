@@ -60,7 +60,7 @@ class EngineLoopsTest {
   }
 
   @Test
-  void behindTheOutPointPlaybackGoesOnToTheEndFirst() throws IOException {
+  void behindTheOutPointPlaybackContinuesToTheEndFirst() throws IOException {
     EngineRig rig =
         new EngineRig(
             recording(even(6)), byTime(20).withPaused(true).withLoop(Loop.between(0, 20)));

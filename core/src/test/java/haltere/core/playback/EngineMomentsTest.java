@@ -26,7 +26,7 @@ class EngineMomentsTest {
     return new EngineRig(recording(even(400)), byTime(100).withPaused(paused), MEMORY_US);
   }
 
-  /** What the chain has been told since it began anew. */
+  /** What the chain has been told since it restarted. */
   private static List<String> run(EngineRig rig) {
     return List.copyOf(rig.told.subList(rig.told.lastIndexOf("Reset SEEK"), rig.told.size()));
   }

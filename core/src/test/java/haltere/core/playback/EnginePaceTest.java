@@ -186,7 +186,7 @@ class EnginePaceTest {
   }
 
   @Test
-  void whatWasPlayedAtUnlimitedSpeedGoesOnAtALimitedOneWithoutAWait() throws IOException {
+  void whatWasPlayedAtUnlimitedSpeedContinuesAtALimitedOneWithoutAWait() throws IOException {
     EngineRig rig =
         new EngineRig(recording(even(5000)), byTime(20).withSpeed(Double.POSITIVE_INFINITY));
     while (rig.log.slices < 100) {

@@ -83,7 +83,7 @@ class EngineStepsTest {
   }
 
   @Test
-  void aStepBackFromTheEndStartsTheStreamAnew() throws IOException {
+  void aStepBackFromTheEndRestartsTheStream() throws IOException {
     EngineRig rig = new EngineRig(recording(even(6)), byTime(20)).run();
     rig.log.take();
     rig.ask(new PlaybackCommand.Step(-1));
@@ -93,7 +93,7 @@ class EngineStepsTest {
   }
 
   @Test
-  void aPauseHoldsAndPlayGoesOnWhereItWas() throws IOException {
+  void aPauseHoldsAndPlayContinuesWhereItWas() throws IOException {
     EngineRig rig = new EngineRig(recording(even(100)), byTime(100));
     rig.runUntil(250_000);
     assertEquals(3, rig.log.slices);

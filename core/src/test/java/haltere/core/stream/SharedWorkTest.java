@@ -92,7 +92,7 @@ class SharedWorkTest {
   }
 
   @Test
-  void theThreadEndsWithItAndWorkGoesOnWithoutIt() throws InterruptedException {
+  void theThreadEndsWithItAndWorkContinuesWithoutIt() throws InterruptedException {
     Thread[] second = new Thread[1];
     Thread caller = Thread.currentThread();
     CountDownLatch both = new CountDownLatch(2);

@@ -7,8 +7,7 @@ import haltere.device.usb.UsbTransport;
 import java.util.Map;
 
 /**
- * Knows what one camera must be told. Keeps its settings, so that it gets them again after it was
- * unplugged.
+ * Commands of one camera. Stores its settings, to restore them after it was unplugged.
  *
  * <p>Thread rule: {@link #connect} to {@link #disconnect} are called by one thread at a time;
  * facets by any thread.

@@ -81,9 +81,8 @@ final class CameraLink {
   }
 
   /**
-   * Ends all that is under way and closes the device; what has come can still be taken. A transfer
-   * that does not end within seconds keeps the device and its own memory: libusb may still write to
-   * it.
+   * Ends all transfers and closes the device; received data can still be read. A transfer that does
+   * not end within seconds keeps the device and its memory, since libusb may still write to it.
    */
   void close() {
     if (closed) {
@@ -95,7 +94,7 @@ final class CameraLink {
       try {
         driver.stop();
       } catch (CameraProblem ignored) {
-        // It is closed all the same, and told everything anew when it is opened again.
+        // It is closed anyway, and configured again when it is opened.
       }
     }
     driver.disconnect();

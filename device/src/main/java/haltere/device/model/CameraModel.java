@@ -21,7 +21,7 @@ interface CameraModel {
   boolean matches(UsbDevice device);
 
   /**
-   * Asks a camera that is claimed, and tells no number in its descriptor, for one.
+   * Reads the serial number of a claimed camera without one in its descriptor.
    *
    * @param transport to ask
    * @return empty if it has none
@@ -39,13 +39,13 @@ interface CameraModel {
     return "";
   }
 
-  /** A remark for whoever sees it listed, or empty. */
+  /** A remark for the list of cameras, or empty. */
   String remark();
 
   /**
-   * Makes the driver of a camera that is open and claimed.
+   * Creates the driver of an open and claimed camera.
    *
-   * @param transport to ask the camera what it is; not kept
+   * @param transport to identify the camera; not stored
    * @param id of the camera
    * @param serial of the camera
    * @return a driver that is not connected yet

@@ -42,7 +42,7 @@ final class ClockWatch {
         < other.hostNanos() - other.cameraUs() * NANOS_PER_US;
   }
 
-  /** The camera's clock begins anew. */
+  /** The camera's clock restarts. */
   void restart() {
     relation = null;
     shortestLately = null;

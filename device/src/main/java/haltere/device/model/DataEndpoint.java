@@ -1,10 +1,10 @@
 package haltere.device.model;
 
 /**
- * Where a camera's data come from, and in what pieces if nobody says otherwise.
+ * Endpoint of the data of a camera, with default transfers.
  *
  * @param address of a bulk endpoint, 0x80 or more
- * @param usualTransfers under way at a time
- * @param usualBufferBytes of each
+ * @param usualTransfers default number of simultaneous transfers
+ * @param usualBufferBytes default size of each
  */
 record DataEndpoint(int address, int usualTransfers, int usualBufferBytes) {}

@@ -122,7 +122,7 @@ final class DavisBiases implements Biases, BiasSliders {
     DavisBias bias = bias(name);
     double near = bias.nearest((Double) bias.asParameter().convert(value));
     send(bias, near);
-    // What is set by name is what is in effect from now on: the sliders begin anew around it.
+    // Biases set by name are in effect from now on: the sliders restart around them.
     middle.replaceAll((other, usual) -> effective(bias(other), sliders));
     middle.put(name, near);
     sliders = sliders.centred();
@@ -179,7 +179,7 @@ final class DavisBiases implements Biases, BiasSliders {
       try {
         send(bias, effective(bias, sliders));
       } catch (CameraProblem ignored) {
-        return; // it gets all biases anew when it is back
+        return; // all biases are sent again after reconnection
       }
     }
   }

@@ -18,7 +18,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongConsumer;
 
-/** What a DAVIS240 or DAVIS346 with logic version 18 is told, by module and parameter. */
+/** Driver of a DAVIS240 or DAVIS346 with logic version 18, by module and parameter. */
 final class DavisDriver
     implements CameraDriver, TimestampReset, RegionOfInterest, ClockSync, EarlyTransfer {
   private static final DataEndpoint ENDPOINT = new DataEndpoint(0x82, 32, 8192);
@@ -54,8 +54,8 @@ final class DavisDriver
    * A driver.
    *
    * @param info of the camera
-   * @param identity what it tells of itself
-   * @param pause waits so many nanoseconds
+   * @param identity of the camera
+   * @param pause waits for a number of nanoseconds
    */
   DavisDriver(CameraInfo info, DavisIdentity identity, LongConsumer pause) {
     this.info = info;

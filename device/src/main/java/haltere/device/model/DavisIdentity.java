@@ -6,13 +6,13 @@ import haltere.device.protocol.DavisLayout;
 import haltere.device.usb.UsbTransport;
 
 /**
- * What a DAVIS camera tells of itself.
+ * Properties of a DAVIS camera, as read from it.
  *
  * @param name of its chip
  * @param isSmall whether it is a DAVIS240, else a DAVIS346
  * @param layout of its words
- * @param adcClockMhz clock that exposures are counted in, as it really is
- * @param usbClockMhz clock that delays of USB are counted in, nominally
+ * @param adcClockMhz clock of exposures, as measured
+ * @param usbClockMhz clock of USB delays, nominal
  * @param hasRegion whether events of a part of the sensor can be chosen
  * @param hasNoiseFilter whether it can drop events without neighbours
  * @param hasGlobalShutter whether frames can be exposed all at once

@@ -4,9 +4,9 @@ import haltere.core.settings.Parameter;
 import java.util.List;
 
 /**
- * One setting of a DAVIS camera: how it is called, and where the logic has it.
+ * A setting of a DAVIS camera and its address in the logic.
  *
- * @param parameter name, range, unit and what it does
+ * @param parameter name, range, unit and help
  * @param module of the logic
  * @param number of the parameter in the module
  * @param scale steps of the logic for one unit
@@ -46,7 +46,7 @@ record DavisSetting(Parameter parameter, int module, int number, double scale) {
     return inertial || frames || input || events;
   }
 
-  /** What the logic is told for a value. */
+  /** Register value of a value. */
   int register(Object value) {
     if (value instanceof Boolean on) {
       return on ? 1 : 0;

@@ -20,7 +20,7 @@ import java.util.Map;
  * <p>Values of the sets: jAER's and libcaer's; see the wire facts in docs/cameras.md.
  */
 final class Dvs128Biases implements Biases, BiasSliders {
-  /** A bias: where it stands in the register, what it does, and its value in each set. */
+  /** A bias: its position in the register, its effect, and its value in each set. */
   private enum Bias {
     CAS("cas", "Cascode of the photoreceptor.", 1992, 54, 54, 556),
     INJ_GND("injGnd", "Level of the differentiator's switch.", 1108364, 1108364, 1108364, 1108364),
@@ -126,7 +126,7 @@ final class Dvs128Biases implements Biases, BiasSliders {
       throw new IllegalArgumentException(
           "bias " + name + " is " + value + ", it must be 0 to " + LARGEST);
     }
-    // What is set by name is what is in effect from now on: the sliders begin anew around it.
+    // Biases set by name are in effect from now on: the sliders restart around them.
     int[] values = effective(middle, sliders);
     values[bias.ordinal()] = (int) Math.round(value);
     take(values);

@@ -16,9 +16,9 @@ import haltere.device.usb.UsbTransport;
 import java.util.Map;
 
 /**
- * What a DVS128 is told, by vendor requests. Since firmware 14 its clock runs on and its queue
- * keeps old events while it is stopped: so each start empties the queue before and resets the clock
- * after, and all that comes before the word that tells of the reset is left out.
+ * Driver of a DVS128 by vendor requests. Since firmware 14 its clock runs and its queue keeps old
+ * events while it is stopped. Each start therefore empties the queue before and resets the clock
+ * after, and words before that of the reset are dropped.
  */
 final class Dvs128Driver
     implements CameraDriver, TimestampReset, ArrayReset, Led, ClockSync, EarlyTransfer {
@@ -35,7 +35,7 @@ final class Dvs128Driver
 
   private static final DataEndpoint ENDPOINT = new DataEndpoint(0x86, 16, 4096);
 
-  /** The first firmware that sends what it has after one millisecond rather than four. */
+  /** The first firmware that sends partial transfers after 1 ms instead of 4 ms. */
   private static final int FIRMWARE_OF_EARLY_TIMER = 10;
 
   private static final int FIRMWARE_OF_SYNC = 11;
@@ -114,7 +114,8 @@ final class Dvs128Driver
     try {
       line.send(EMPTY_QUEUE, 0, 0);
     } catch (CameraProblem problem) {
-      // Old firmware does not know the request; the reset of the clock tells old from new as well.
+      // Old firmware does not know the request; the reset of the clock separates old from new
+      // events too.
       if (problem.kind() != CameraProblem.Kind.REFUSED) {
         throw problem;
       }

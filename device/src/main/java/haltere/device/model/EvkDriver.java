@@ -11,9 +11,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * An EVK4, as an experiment: it is recognised, asked who it is, and told to stream; what comes is
- * decoded as EVT3. The hundreds of registers that set its sensor up after it was powered on are not
- * written here, so the maker's program has to run once before.
+ * An EVK4, experimental: it is identified and started, and its data are decoded as EVT3. The
+ * hundreds of registers that initialise its sensor are not written here, so the program of the
+ * manufacturer must run once before.
  */
 final class EvkDriver implements CameraDriver, Configuration {
   private static final DataEndpoint ENDPOINT = new DataEndpoint(0x81, 20, 128 << 10);

@@ -9,11 +9,10 @@ import haltere.device.usb.UsbTransport;
 import java.util.List;
 
 /**
- * An event camera that is recognised but not driven: listed, so that nobody wonders why it is not
- * seen, with what can be done instead.
+ * An event camera that is recognised but not supported: it is listed, with an alternative.
  *
- * @param key what its ids begin with
- * @param name what a person calls it
+ * @param key prefix of its ids
+ * @param name for users
  * @param usbId vendor in the upper 16 bits, product in the lower
  * @param usualGeometry its sensor, or that of the largest of its kind
  * @param obstacle why it is not driven, and what to do

@@ -7,18 +7,18 @@ import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Says when to look for a camera that is away: at once when something is plugged in, where the bus
- * tells; often for some seconds after that, for the system may not have handed the device to this
- * user yet; and now and then in any case.
+ * Times at which a lost camera is searched: at once when a device is plugged in, if the bus reports
+ * it; often for some seconds after that, since the system may not have granted access yet; and
+ * rarely in any case.
  *
  * <p>Thread rule: one thread begins, waits and ends; {@link #close} from any.
  */
 final class Lookout implements AutoCloseable {
   /**
-   * How often to look.
+   * Intervals of the search.
    *
-   * @param oftenNanos where the bus does not tell, and after it has told
-   * @param rarelyNanos where the bus tells and has not
+   * @param oftenNanos without reports of the bus, and after a report
+   * @param rarelyNanos before a report of the bus
    */
   record Pace(long oftenNanos, long rarelyNanos) {
     /** Five times a second, or every two seconds. */
@@ -92,7 +92,7 @@ final class Lookout implements AutoCloseable {
     watch = Optional.empty();
   }
 
-  /** Nobody looks any more; who waits wakes up. */
+  /** Ends the search; waiting threads wake up. */
   @Override
   public synchronized void close() {
     closed = true;

@@ -16,8 +16,8 @@ import java.util.ArrayDeque;
 import java.util.Collection;
 
 /**
- * Makes the stream of one connection: packets, samples and notices, in order, of the buffers that
- * come. Where something is missing, {@link DataLost} stands before what comes next.
+ * Creates the stream of one connection from its buffers: packets, samples and notifications, in
+ * order. {@link DataLost} precedes the data after a loss.
  *
  * <p>Thread rule: the consumer's thread.
  */
@@ -51,13 +51,13 @@ final class StreamAssembly {
   /**
    * The stream of a connection.
    *
-   * @param buffers give what comes
+   * @param buffers received data
    * @param decoder of a new stream
-   * @param recover called when a transfer did not end well
-   * @param camera its name, for a person
-   * @param samples whether samples are handed over
-   * @param latency is told how long each buffer took
-   * @param clock is told of times
+   * @param recover called after a failed transfer
+   * @param camera its name, for users
+   * @param samples whether samples are passed on
+   * @param latency receives the latency of each buffer
+   * @param clock receives times
    */
   StreamAssembly(
       ReceivedBuffers buffers,
@@ -100,16 +100,16 @@ final class StreamAssembly {
     return 0;
   }
 
-  /** Gives away what can be handed over, which are notifications only. */
+  /** Passes on the pending notifications. */
   void drainTo(Collection<StreamNotification> notices) {
     ready.forEach(next -> notices.add((StreamNotification) next));
     ready.clear();
   }
 
   /**
-   * Works on what has come until something can be handed over.
+   * Decodes buffers until something can be passed on.
    *
-   * @param nanos waits at most so long for a buffer
+   * @param nanos longest wait for a buffer
    * @return false if no buffer came in time, or none will come
    */
   boolean advance(long nanos) throws InterruptedIOException {
@@ -149,7 +149,7 @@ final class StreamAssembly {
     }
   }
 
-  /** Brings the decoder over what was dropped. */
+  /** Advances the decoder over dropped words. */
   void skip(DroppedWords dropped) {
     lostBytes += dropped.bytes();
     lostEvents += dropped.events();
@@ -168,7 +168,7 @@ final class StreamAssembly {
     }
   }
 
-  /** Puts notices of what is missing before what comes next: what was counted, what was not. */
+  /** Adds notifications of counted and uncounted losses before the next data. */
   void tellLoss(long nextUs) {
     if (losing) {
       String place = "buffers of " + camera + " were not consumed in time";
@@ -196,7 +196,7 @@ final class StreamAssembly {
     clock.restart();
   }
 
-  /** All of a buffer is decoded; it is given back once what it held has been handed over. */
+  /** A buffer is decoded; it is released once its content has been passed on. */
   private void finish() {
     if (lastUs != StreamNotification.NO_TIME_US) {
       clock.note(lastUs, current.arrivedNanos());

@@ -9,8 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 
 /**
- * Commands of Prophesee's boards: a property, the length of what follows, and that; the answer
- * repeats the property.
+ * Commands of Prophesee's boards: property, length and data; the answer repeats the property.
  *
  * <p>Source: the public driver of Prophesee's boards (OpenEB), facts only.
  */

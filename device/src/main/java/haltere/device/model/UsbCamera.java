@@ -36,7 +36,7 @@ final class UsbCamera implements Camera {
   }
 
   /**
-   * The link of now and what came over those before.
+   * The present link and the counts of earlier ones.
    *
    * @param link null while the camera is away
    * @param earlier sums
@@ -69,9 +69,9 @@ final class UsbCamera implements Camera {
    *
    * @param driver of the camera
    * @param link that was made with it
-   * @param options how its events come
+   * @param options of its stream
    * @param finder finds it again
-   * @param lookout says when to look; closed with this
+   * @param lookout times of the search; closed with this
    */
   UsbCamera(
       CameraDriver driver, CameraLink link, CameraOptions options, Finder finder, Lookout lookout) {

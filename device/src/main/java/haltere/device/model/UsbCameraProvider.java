@@ -180,7 +180,7 @@ public final class UsbCameraProvider implements CameraProvider {
       UsbDevice device, CameraModel model, List<Seen> before, String serial, String obstacle) {
     String plain = model.key() + ":" + (serial.isEmpty() ? device.place() : serial);
     boolean taken = before.stream().anyMatch(other -> other.info.id().equals(plain));
-    // two that nobody ever gave a number
+    // two cameras without a serial number
     String id = taken ? plain + "@" + device.place() : plain;
     boolean canOpen = obstacle.isEmpty();
     String note = canOpen ? model.remark() : obstacle;

@@ -1,4 +1,2 @@
-/**
- * The cameras that are known: what each must be told, over USB, to start, to stop and to be set up.
- */
+/** Drivers of the known cameras: their commands over USB to start, stop and configure. */
 package haltere.device.model;

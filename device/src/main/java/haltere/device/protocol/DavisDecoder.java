@@ -64,8 +64,8 @@ public final class DavisDecoder implements WireDecoder {
   }
 
   /**
-   * Takes everything for left over from before until the clock is reset. If that does not come
-   * within half a second of the camera's clock, what follows is taken after all.
+   * Drops everything until the clock is reset, or for half a second of the camera's clock if there
+   * is no reset.
    */
   public void awaitReset() {
     wrapsToAwaitReset = LONGEST_AWAIT_WRAPS;
@@ -218,7 +218,7 @@ public final class DavisDecoder implements WireDecoder {
         }
       }
       default -> {
-        // The exposure in cycles of a clock; the times of its begin and end say the same.
+        // The exposure in clock cycles; the times of its start and end are equivalent.
         oddWords += data >> 10 == 0 ? 0 : 1;
       }
     }

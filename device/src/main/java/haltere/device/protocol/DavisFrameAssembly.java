@@ -3,9 +3,9 @@ package haltere.device.protocol;
 import haltere.core.event.Frame;
 
 /**
- * Puts a frame together of its words: a start, four numbers of its region, its exposure; then
- * column by column what the pixels held after they were reset and what they held in the end. A
- * pixel is what is left of the first if the second is taken from it. Only whole frames are given.
+ * Assembles a frame from its words: start, four numbers of its region, exposure, then column by
+ * column the reset and the signal values of the pixels. A pixel is the first minus the second. Only
+ * complete frames are returned.
  */
 final class DavisFrameAssembly {
   private static final int GLOBAL_START = 8;

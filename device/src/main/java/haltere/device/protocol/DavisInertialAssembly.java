@@ -3,9 +3,8 @@ package haltere.device.protocol;
 import haltere.core.event.InertialSample;
 
 /**
- * Puts an inertial sample together of its bytes: x, y and z of the acceleration, the temperature,
- * x, y and z of the rotation, each of 16 bits, the high byte first; groups that are switched off
- * are not there.
+ * Assembles an inertial sample from its bytes: x, y and z of the acceleration, the temperature, x,
+ * y and z of the rotation, each of 16 bits, the high byte first; disabled groups are missing.
  *
  * <p>Source of the scales: the InvenSense MPU-6050 and MPU-9250, ranges as the sample tells them.
  */

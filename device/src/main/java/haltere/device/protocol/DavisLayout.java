@@ -4,11 +4,11 @@ import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 
 /**
- * How a DAVIS camera's words are laid out, as the camera tells it itself.
+ * Layout of a DAVIS camera's words, as read from the camera.
  *
  * @param columns values that a column word can have, 1 to 2048
  * @param rows values that a row word can have, 1 to 2048
- * @param swapped whether what is called columns are the sensor's rows
+ * @param swapped whether column words are the sensor's rows
  * @param frameFlips for frames: bit 0 upside down, bit 1 left to right, bit 2 rows for columns
  * @param inertialFlips for inertial samples: bits 2, 1 and 0 turn x, y and z round
  * @param doubleSamples whether samples of pixels use half of their range (DAVIS240)

@@ -4,9 +4,8 @@ import java.nio.ByteBuffer;
 import java.util.function.Consumer;
 
 /**
- * What must be known of bytes that were dropped before anybody decoded them: how many events they
- * held, and a few words that bring the decoder where those bytes would have brought it, above all
- * on to the right time. Its size does not grow with what is dropped.
+ * Summary of bytes that were dropped before decoding: the number of events, and a few words that
+ * set the decoder to its state after them, above all to the right time. Its size is constant.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -30,7 +29,7 @@ public abstract class DroppedWords {
   }
 
   /**
-   * Notes what was dropped after those before.
+   * Adds later dropped bytes.
    *
    * @param later of the same camera; it does not change
    */
@@ -103,7 +102,7 @@ public abstract class DroppedWords {
   /**
    * Gives the words that have the same effect on the decoder's state, without events.
    *
-   * @param decoder takes them, piece by piece
+   * @param decoder receives them, piece by piece
    */
   public abstract void replay(Consumer<ByteBuffer> decoder);
 

@@ -52,8 +52,8 @@ public final class Dvs128Decoder implements WireDecoder {
   }
 
   /**
-   * Takes everything for left over from before until the clock is reset. If that does not come
-   * within half a second of the camera's clock, what follows is taken after all.
+   * Drops everything until the clock is reset, or for half a second of the camera's clock if there
+   * is no reset.
    */
   public void awaitReset() {
     wrapsToAwaitReset = LONGEST_AWAIT_WRAPS;

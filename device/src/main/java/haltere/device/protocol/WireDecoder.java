@@ -19,12 +19,12 @@ public interface WireDecoder {
     PACKET_FULL,
     /** A frame, an inertial sample or a trigger stands here: {@link #sample}. */
     SAMPLE,
-    /** The camera's clock was set back here; what follows may be earlier than what was before. */
+    /** The camera's clock was reset here; later times may be smaller. */
     CLOCK_RESET
   }
 
   /**
-   * Decodes until something else than an event comes, or the input or the packet is at its end.
+   * Decodes until something other than an event, or the end of input or packet.
    *
    * @param in bytes of one transfer; its position moves behind what was decoded
    * @param out events are appended; their times never descend
@@ -40,7 +40,7 @@ public interface WireDecoder {
    */
   SensorSample sample();
 
-  /** Bytes are missing here: what is half done is given up, and the next time may be any. */
+  /** Bytes are missing here: incomplete data are dropped, and the next time is arbitrary. */
   void breakOff();
 
   /**

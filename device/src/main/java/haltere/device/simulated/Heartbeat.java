@@ -17,11 +17,11 @@ final class Heartbeat {
   private boolean started;
 
   /**
-   * A heart that does not beat yet.
+   * A heartbeat that is not started.
    *
-   * @param transfers are made when due
+   * @param transfers made when due
    * @param name of the camera
-   * @param failed told, on the thread, that the scene failed
+   * @param failed called on its thread if the scene fails
    */
   Heartbeat(SimulatedTransfers transfers, String name, Consumer<Throwable> failed) {
     this.transfers = transfers;

@@ -16,7 +16,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Stream;
 
-/** The biases of a simulated camera: what its pixels do, in the units of what they do. */
+/** The biases of a simulated camera: parameters of its pixels in physical units. */
 final class SimulatedBiases implements Biases, BiasSliders {
   private static final List<String> NAMES =
       List.of(
@@ -157,7 +157,7 @@ final class SimulatedBiases implements Biases, BiasSliders {
         });
   }
 
-  /** What the sliders make of what is in effect in their middle. */
+  /** Tuning by the sliders, relative to their middle. */
   private SensorTuning slid() {
     SensorTuning tuning = middle;
     tuning = scaled(tuning, "bandwidthHz", Math.pow(10, sliders.get(Slider.BANDWIDTH)));

@@ -48,7 +48,7 @@ final class SimulatedCamera implements Camera, TimestampReset, RegionOfInterest,
     return new SimulatedCamera(info, scene, options, System::nanoTime, Sleeper.real(), true);
   }
 
-  /** A camera whose time goes on where its consumer waits. */
+  /** A camera whose time continues where its consumer waits. */
   static SimulatedCamera stepped(
       CameraInfo info,
       Scene<?> scene,
@@ -139,7 +139,7 @@ final class SimulatedCamera implements Camera, TimestampReset, RegionOfInterest,
     }
   }
 
-  /** Sees to it that what is due is made. */
+  /** Starts due transfers. */
   private void goOn() {
     transfers.start();
     if (heartbeat.isPresent()) {

@@ -21,9 +21,8 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
 /**
- * The camera's half of a simulated camera: transfers of a millisecond are made when their time has
- * come and put where the consumer finds them, whether it takes them or not. A bounded number waits;
- * what finds no room is lost, counted and told.
+ * The device side of a simulated camera: transfers of a millisecond are created at their time and
+ * queued for the consumer. The queue is bounded; further transfers are lost, counted and reported.
  *
  * <p>Its clock is live. Where making the scene takes so long that it falls behind, the scene stands
  * still for the time that is missing, and a notice stands there, without a number, for nobody knows
@@ -80,13 +79,13 @@ final class SimulatedTransfers {
   private long timesBehind;
 
   /**
-   * What has become of the transfers.
+   * Counts of the transfers.
    *
    * @param transfers that were made
    * @param events in them
-   * @param lost events that nobody got
+   * @param lost lost events
    * @param waiting transfers that wait now
-   * @param mostWaiting the most that ever waited
+   * @param mostWaiting largest number that waited
    * @param streams that were begun
    * @param timesBehind how often the scene stood still because making it took too long
    */
@@ -147,7 +146,7 @@ final class SimulatedTransfers {
     return Math.floorDiv(nanoTime.getAsLong() - anchorNanos, NANOS_PER_US);
   }
 
-  /** Makes the transfers whose time has come, for some milliseconds at the most. */
+  /** Makes the transfers whose time has come, for some milliseconds at most. */
   void makeDue() {
     lock.lock();
     try {
@@ -164,7 +163,7 @@ final class SimulatedTransfers {
     }
   }
 
-  /** The clock has gone on while the scene was made: what is too late is left out. */
+  /** The clock has advanced during the simulation: the late interval is skipped. */
   private void standStill(long lateUs) {
     if (lateUs > MAX_LATE_US) {
       anchorNanos += lateUs * NANOS_PER_US;
@@ -282,7 +281,7 @@ final class SimulatedTransfers {
     }
   }
 
-  /** Changes the scene or the sensor, after what came before is made. */
+  /** Changes the scene or the sensor, after the simulation up to now. */
   void change(Runnable change) {
     locked(
         () -> {

@@ -1,2 +1,2 @@
-/** Scenes that behave as cameras: live, tunable, and lossy when nobody takes their events. */
+/** Scenes that behave as cameras: live, tunable, and with losses if the consumer is too slow. */
 package haltere.device.simulated;

@@ -27,13 +27,13 @@ final class ArrivalWait {
     changed = lock.newCondition();
   }
 
-  /** Something has changed. Whoever is not within a listener calls {@link #interrupt} after it. */
+  /** Marks a change. Outside of a listener, call {@link #interrupt} afterwards. */
   void changed() {
     change.put(0, 1);
     changed.signalAll();
   }
 
-  /** Has a consumer that works for the bus see what has changed; without the lock. */
+  /** Wakes a consumer that works for the bus; without the lock. */
   void interrupt() {
     work.interrupt();
   }

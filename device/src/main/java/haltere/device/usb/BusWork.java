@@ -3,9 +3,8 @@ package haltere.device.usb;
 import java.nio.IntBuffer;
 
 /**
- * The work of a bus: having the listeners of transfers called. A consumer that has nothing to do
- * but to wait for its transfers does it itself, so that what comes need not go from one thread to
- * another first.
+ * The work of a bus: calling the listeners of transfers. A waiting consumer does this itself, so
+ * that data need not pass from one thread to another.
  *
  * <p>Thread rule: all methods may be called from any thread that is not within a listener.
  */
@@ -20,7 +19,7 @@ public interface BusWork {
 
         @Override
         public void interrupt() {
-          // nobody works here
+          // no work here
         }
       };
 

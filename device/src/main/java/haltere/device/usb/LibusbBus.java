@@ -63,7 +63,7 @@ public final class LibusbBus implements UsbBus {
     return found;
   }
 
-  /** What is told of a device without opening it, or null. */
+  /** Properties of a device without opening it, or null. */
   private static UsbDevice describe(Device device) {
     DeviceDescriptor descriptor = new DeviceDescriptor();
     if (LibUsb.getDeviceDescriptor(device, descriptor) != LibUsb.SUCCESS) {

@@ -8,9 +8,9 @@ import org.usb4java.HotplugCallbackHandle;
 import org.usb4java.LibUsb;
 
 /**
- * Tells of devices that come and go, by libusb's hot-plug callbacks where it has them: on Linux and
- * macOS, not on Windows. One callback for the program, which is never taken back: usb4java forgets
- * a callback that is taken back while libusb may be on its way to call it.
+ * Reports arrivals and removals of devices by libusb's hot-plug callbacks, where available: on
+ * Linux and macOS, not on Windows. One callback for the program, which is never taken back:
+ * usb4java forgets a callback that is taken back while libusb may be on its way to call it.
  *
  * <p>Thread rule: all methods may be called from any thread; whoever watches is told by a thread
  * that works in {@link LibusbEvents}.
@@ -60,7 +60,7 @@ final class LibusbChanges {
     return registered;
   }
 
-  /** Somebody who is told; one object for each who asked, also if they ask for the same. */
+  /** A subscription; one object for each, also for equal listeners. */
   private final class Watching implements UsbBus.Watch {
     private final Runnable changed;
 

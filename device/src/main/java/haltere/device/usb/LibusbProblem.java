@@ -8,7 +8,7 @@ import org.usb4java.LibUsb;
 final class LibusbProblem {
   private LibusbProblem() {}
 
-  /** Returns what is no error; throws for what is one. */
+  /** Returns a result that is no error; throws otherwise. */
   static int check(int result, String attempt) throws CameraProblem {
     if (result < 0) {
       throw of(result, attempt);

@@ -5,8 +5,8 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * What one transfer brought, and what was dropped before it. The objects of a {@link
- * ReceivedBuffers} go round; none is made while a camera runs.
+ * Data of one transfer, and the words dropped before it. The objects of a {@link ReceivedBuffers}
+ * are reused; none is created while a camera runs.
  *
  * <p>Thread rule: belongs to the ring while it is filled, to the consumer between {@link
  * ReceivedBuffers#take} and {@link ReceivedBuffers#release}, else to the lock of its buffers.
@@ -34,7 +34,7 @@ public final class Received {
     arrivedNanos = nanos;
   }
 
-  /** Gives the note of what was dropped before away for another one. */
+  /** Exchanges the summary of earlier dropped words for another one. */
   DroppedWords swapBefore(DroppedWords other) {
     DroppedWords old = before;
     before = other;

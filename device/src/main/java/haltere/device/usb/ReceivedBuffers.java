@@ -22,7 +22,7 @@ public final class ReceivedBuffers {
   private static final int ALIGNMENT = 64;
   private static final long MAX_BYTES = 1L << 30;
 
-  /** The oldest may wait for so long where what is up to date is wanted. */
+  /** Longest wait of the oldest buffer if the newest data are preferred. */
   private static final long UP_TO_DATE_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
   private final WhenFull whenFull;
@@ -34,7 +34,7 @@ public final class ReceivedBuffers {
   /** What was dropped after all that waits. */
   private DroppedWords droppedLast;
 
-  /** What nobody will ask for any more. */
+  /** Dropped words that are no longer needed. */
   private final DroppedWords abandoned;
 
   private boolean leaving;
@@ -199,9 +199,7 @@ public final class ReceivedBuffers {
     }
   }
 
-  /**
-   * Says that nothing more will come after a time, 0 for at once; the shortest time said counts.
-   */
+  /** Sets the end of data after a time, 0 for at once; the shortest time counts. */
   void endOfDeviceWithin(long nanos) {
     lock.lock();
     try {
@@ -295,7 +293,7 @@ public final class ReceivedBuffers {
   }
 
   /**
-   * Whether {@link #end} was said and all that came before has been taken.
+   * Whether {@link #end} was called and all earlier data have been taken.
    *
    * @return true if {@link #take} will give nothing any more because of that
    */
@@ -336,15 +334,15 @@ public final class ReceivedBuffers {
   }
 
   /**
-   * What has come so far.
+   * Counts of received data.
    *
-   * @param transfers that ended
+   * @param transfers completed transfers
    * @param bytes in them
-   * @param lostTransfers that nobody will get
+   * @param lostTransfers lost transfers
    * @param lostEvents in those
-   * @param brokenTransfers that did not end well
+   * @param brokenTransfers failed transfers
    * @param waiting buffers that wait now
-   * @param mostWaiting the most that ever waited
+   * @param mostWaiting largest number that waited
    */
   public record Counts(
       long transfers,

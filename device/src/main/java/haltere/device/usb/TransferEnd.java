@@ -2,15 +2,15 @@ package haltere.device.usb;
 
 /** How a transfer ended. */
 public enum TransferEnd {
-  /** The buffer is full, or the device had no more to say for now. */
+  /** The buffer is full, or the device has no more data for now. */
   COMPLETED,
-  /** This program asked for it. Some systems say this of a device that was unplugged. */
+  /** Cancelled by this program. Some systems report this for an unplugged device. */
   CANCELLED,
   /** The endpoint is halted. */
   STALLED,
   /** The device sent more than the buffer takes. */
   OVERFLOW,
-  /** Anything else on the bus. Some systems say this of a device that was unplugged. */
+  /** Another error of the bus. Some systems report this for an unplugged device. */
   FAILED,
   /** The device was unplugged. */
   GONE

@@ -8,9 +8,8 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * Keeps a number of transfers under way: takes each that ends, stamps it with {@link
- * System#nanoTime}, hands its buffer over, and starts it again with another one. Does nothing else
- * within a listener.
+ * Keeps a number of transfers active: time-stamps each completed one with {@link System#nanoTime},
+ * passes on its buffer, and restarts it with another one. Does nothing else within a listener.
  *
  * <p>A transfer is started in one place only, under the lock and while the ring is {@link
  * State#RUNNING}; the ring leaves this state, and cancels what is under way, under the same lock.
@@ -82,12 +81,12 @@ public final class TransferRing {
   }
 
   /**
-   * A ring that stands still.
+   * A ring that is not started.
    *
    * @param transport the device
    * @param endpoint address of a bulk endpoint, 0x80 or more
-   * @param transfers how many are under way at a time
-   * @param buffers take what comes; made for so many transfers
+   * @param transfers number of simultaneous transfers
+   * @param buffers receive the data; made for as many transfers
    */
   public TransferRing(
       UsbTransport transport, int endpoint, int transfers, ReceivedBuffers buffers) {
@@ -99,7 +98,7 @@ public final class TransferRing {
     }
   }
 
-  /** Starts all transfers; if the device is gone already, the buffers are told. */
+  /** Starts all transfers; the buffers are notified if the device is lost already. */
   public void start() {
     lock.lock();
     try {
@@ -166,8 +165,8 @@ public final class TransferRing {
   }
 
   /**
-   * Lifts the halt of the endpoint and starts again; does nothing if it is not halted. What cannot
-   * be recovered is taken for gone.
+   * Clears a halt of the endpoint and restarts; does nothing without a halt. A device that cannot
+   * be recovered is lost.
    */
   public void recover() {
     lock.lock();

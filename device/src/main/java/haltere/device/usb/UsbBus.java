@@ -10,17 +10,17 @@ import java.util.Optional;
  * <p>Thread rule: all methods may be called from any thread.
  */
 public interface UsbBus {
-  /** Being told of devices that come and go, until it is closed. */
+  /** A subscription to arrivals and removals of devices. */
   interface Watch extends AutoCloseable {
-    /** Nobody is told any more. A second call does nothing. */
+    /** Ends the subscription. A second call has no effect. */
     @Override
     void close();
   }
 
   /**
-   * Has somebody told each time that a device was plugged in or pulled out.
+   * Subscribes to arrivals and removals of devices.
    *
-   * @param changed called on a thread that works for the bus: returns at once and asks nothing of
+   * @param changed called on a thread that works for the bus; must return at once without calling
    *     the bus
    * @return a watch that the caller closes, or empty where the bus cannot tell, so that {@link
    *     #devices()} has to be asked every now and then

@@ -30,7 +30,7 @@ public interface UsbTransport extends Closeable {
   }
 
   /**
-   * The serial number that the device tells.
+   * The serial number of the device.
    *
    * @return trimmed; empty if it has none
    * @throws CameraProblem if it does not answer
@@ -78,11 +78,11 @@ public interface UsbTransport extends Closeable {
   void write(int endpoint, byte... data) throws CameraProblem;
 
   /**
-   * Reads from a bulk endpoint what one transfer brings.
+   * Reads one transfer from a bulk endpoint.
    *
    * @param endpoint its address, 0x80 or more
    * @param most bytes
-   * @return what came
+   * @return the data
    * @throws CameraProblem if nothing came in time, or the device is gone
    */
   byte[] read(int endpoint, int most) throws CameraProblem;
@@ -100,7 +100,7 @@ public interface UsbTransport extends Closeable {
    *
    * @param endpoint address of a bulk endpoint, 0x80 or more
    * @param listener told of its end
-   * @return a transfer that is not under way
+   * @return a transfer that is not started
    */
   BulkTransfer prepare(int endpoint, TransferListener listener);
 

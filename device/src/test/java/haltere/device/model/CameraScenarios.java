@@ -267,7 +267,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void garbageIsCountedAndTheStreamGoesOn() throws IOException {
+  void garbageIsCountedAndTheStreamContinues() throws IOException {
     try (Camera camera = open(SMALL)) {
       StreamLog log = started(camera);
       byte[] junk = new byte[511];
@@ -282,7 +282,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void aPacketThatIsTooLongIsToldAndTheStreamGoesOn() throws IOException {
+  void aPacketThatIsTooLongIsToldAndTheStreamContinues() throws IOException {
     try (Camera camera = open(SMALL.withBuffers(2, 100, 64))) {
       StreamLog log = started(camera);
       device.send(ENDPOINT, new byte[512]);
@@ -311,7 +311,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void anErrorOnTheBusIsToldAndTheStreamGoesOn() throws IOException {
+  void anErrorOnTheBusIsToldAndTheStreamContinues() throws IOException {
     try (Camera camera = open(SMALL)) {
       StreamLog log = started(camera);
       await(() -> device.waiting(ENDPOINT) == 4);

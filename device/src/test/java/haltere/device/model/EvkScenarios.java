@@ -90,7 +90,7 @@ abstract class EvkScenarios extends DeviceBench<EvkFirmware> {
   }
 
   @Test
-  void pluggedInAgainItIsKnownByItsNumberAndGoesOn() throws IOException {
+  void pluggedInAgainItIsKnownByItsNumberAndContinues() throws IOException {
     try (Camera camera = open(CameraOptions.DEFAULT.withReconnect(true))) {
       StreamLog log = started(camera);
       device.send(EvkFirmware.ENDPOINT, words(0x8001, 0x6005, 10, 0x2800 | 20));

@@ -131,7 +131,7 @@ abstract class LossScenarios extends CameraBench {
   }
 
   @Test
-  void pluggedInAgainItGoesOnWithANewStreamAndItsSettings() throws IOException {
+  void pluggedInAgainItContinuesWithANewStreamAndItsSettings() throws IOException {
     try (Camera camera = open(SMALL.withReconnect(true))) {
       StreamLog log = started(camera);
       camera.facet(Biases.class).orElseThrow().apply("slow");

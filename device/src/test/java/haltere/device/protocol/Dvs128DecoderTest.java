@@ -47,7 +47,7 @@ class Dvs128DecoderTest {
   }
 
   @Test
-  void aResetStopsAndTimeBeginsAnew() {
+  void aResetStopsAndTimeRestarts() {
     ByteBuffer in = words(event(500, 0), 0x4000_8000, event(6, 0));
 
     assertEquals(Stop.CLOCK_RESET, decoder.decode(in, packet, 16));

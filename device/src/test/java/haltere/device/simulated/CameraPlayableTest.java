@@ -63,7 +63,7 @@ class CameraPlayableTest {
   }
 
   @Test
-  void itsTimelineGoesOnWhereTheClockOfTheCameraRestarts() throws IOException {
+  void itsTimelineContinuesWhereTheClockOfTheCameraRestarts() throws IOException {
     try (CameraPlayable playable = fly(true)) {
       long[] lastElapsed = {-1};
       StreamHandler ascending =

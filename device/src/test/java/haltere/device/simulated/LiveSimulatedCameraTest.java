@@ -29,7 +29,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Simulated cameras in real time: their clock goes on whatever the consumer does. */
+/** Simulated cameras in real time: their clock continues whatever the consumer does. */
 @Timeout(60)
 class LiveSimulatedCameraTest {
   private final Cameras cameras = new Cameras(List.of(new SimulatedCameraProvider()));
@@ -47,14 +47,14 @@ class LiveSimulatedCameraTest {
   }
 
   @Test
-  void aConsumerThatIsBusyLosesCountedEventsAndTheClockGoesOn() throws IOException {
+  void aConsumerThatIsBusyLosesCountedEventsAndTheClockContinues() throws IOException {
     Camera camera = dots(CameraOptions.DEFAULT.withBuffers(0, 0, 5));
     while (recorder.events().isEmpty()) {
       camera.next(stream);
     }
     long zeroNanos = camera.clockRelation().orElseThrow().hostNanos();
 
-    // nobody takes anything, and the camera goes on
+    // nobody takes anything, and the camera continues
     Waiting.until("60 transfers", () -> camera.statistics().transfers() >= 60);
     assertTrue(camera.statistics().lostEvents() > 0);
     assertEquals(zeroNanos, camera.clockRelation().orElseThrow().hostNanos());
@@ -155,7 +155,7 @@ class LiveSimulatedCameraTest {
   }
 
   @Test
-  void aSceneThatTakesTooLongToMakeStandsStillWhileTheClockGoesOnAndThatIsTold()
+  void aSceneThatTakesTooLongToMakeStandsStillWhileTheClockContinuesAndThatIsReported()
       throws IOException {
     ManualClock time = new ManualClock();
     Scene<Nothing> scene = new HardScene(() -> time.advance(TimeUnit.MILLISECONDS.toNanos(300)));

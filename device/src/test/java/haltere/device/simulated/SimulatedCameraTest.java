@@ -224,7 +224,7 @@ class SimulatedCameraTest {
   }
 
   @Test
-  void oneThatReconnectsGoesOnWithANewStreamAndNoEventTwice() throws IOException {
+  void oneThatReconnectsContinuesWithANewStreamAndNoEventTwice() throws IOException {
     try (Camera camera = open(CameraOptions.DEFAULT.withReconnect(true))) {
       Plug plug = camera.facet(Plug.class).orElseThrow();
       for (int part = 0; part < 4; part++) {

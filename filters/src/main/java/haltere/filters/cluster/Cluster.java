@@ -1,8 +1,8 @@
 package haltere.filters.cluster;
 
 /**
- * The present state of one cluster of a {@link ClusterTracker}. The tracker uses the object again
- * for another cluster after a death: {@link #id} tells them apart.
+ * The present state of one cluster of a {@link ClusterTracker}. The tracker reuses the object for
+ * another cluster, with another {@link #id}.
  *
  * <p>Thread rule: that of its tracker.
  */
@@ -95,7 +95,7 @@ public final class Cluster {
 
   Cluster() {}
 
-  /** {@return the identity, from 1, never given out twice; 0 before the cluster was visible} */
+  /** {@return the identity, from 1, never reused; 0 before the cluster was visible} */
   public int id() {
     return id;
   }

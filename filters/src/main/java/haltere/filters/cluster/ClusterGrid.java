@@ -8,13 +8,13 @@ import java.util.Arrays;
  * capture regions reach it. Clusters may move by {@link #SLACK_PX} before they are indexed again.
  */
 final class ClusterGrid {
-  /** What a cell says that more clusters reach than it can name. */
+  /** Value of a cell in reach of more clusters than it can list. */
   static final long ALL = -1;
 
   /** Motion of a cluster that the index allows for, along each axis, pixels. */
   private static final double SLACK_PX = 2;
 
-  /** Cells along the longer side at most: few enough to be filled anew at each update. */
+  /** Cells along the longer side at most: few enough to be refilled at each update. */
   private static final int MAX_CELLS = 64;
 
   private final int shift;
@@ -35,12 +35,12 @@ final class ClusterGrid {
     cells = new long[columns * rows];
   }
 
-  /** The clusters that may capture an event: 0 for none, {@link #ALL}, or bytes as said above. */
+  /** The clusters that may capture an event: 0 for none, {@link #ALL}, or bytes as above. */
   long at(int x, int y) {
     return cells[(y >> shift) * columns + (x >> shift)];
   }
 
-  /** Indexes all clusters anew. */
+  /** Updates the index of all clusters. */
   void index(Cluster[] clusters, int count) {
     Arrays.fill(cells, 0);
     for (int i = 0; i < count; i++) {

@@ -1,8 +1,8 @@
 package haltere.filters.cluster;
 
 /**
- * Is told what a {@link ClusterTracker} does at regular times of the events. Called on the thread
- * of the tracker, which must not be given events meanwhile.
+ * Receives updates and reports of a {@link ClusterTracker}, on its thread. It must not pass events
+ * to the tracker.
  */
 public interface ClusterListener {
   /**

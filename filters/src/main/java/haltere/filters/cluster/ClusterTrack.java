@@ -5,10 +5,10 @@ import haltere.filters.trail.Ellipse;
 import haltere.filters.trail.TrailPoint;
 
 /**
- * Where a cluster is at one time, from events before that time only.
+ * State of a cluster at one time, from events before that time only.
  *
  * @param timeUs time on the clock of the events, microseconds
- * @param id identity of the cluster, from 1, never given out twice by a tracker
+ * @param id identity of the cluster, from 1, never reused by a tracker
  * @param xPx column of the centre, pixels
  * @param yPx row of the centre, pixels
  * @param vxPxS velocity to the right, pixels a second

@@ -54,11 +54,11 @@ public final class ClusterTracker {
   private double edgeTo;
 
   /**
-   * A tracker that has seen nothing.
+   * A tracker in its initial state.
    *
-   * @param geometry the sensor whose events it will see
-   * @param settings what to do
-   * @param listener is told of updates and reports
+   * @param geometry of the sensor
+   * @param settings of the tracker
+   * @param listener receives updates and reports
    */
   public ClusterTracker(
       SensorGeometry geometry, ClusterTrackerSettings settings, ClusterListener listener) {
@@ -68,7 +68,7 @@ public final class ClusterTracker {
     apply(settings);
   }
 
-  /** Forgets all clusters. Their identities are not given out again. */
+  /** Removes all clusters. Their identities are not reused. */
   public void reset() {
     count = 0;
     started = false;
@@ -277,7 +277,7 @@ public final class ClusterTracker {
     count++;
   }
 
-  /** Does what is due until a time. */
+  /** Does the work due until a time. */
   private void advance(long timeUs) {
     if (!started) {
       started = true;
@@ -297,7 +297,7 @@ public final class ClusterTracker {
     }
   }
 
-  /** Leaves out what is due until a time. */
+  /** Skips the work due until a time. */
   private void skipTo(long timeUs) {
     nextUpdateUs = nextMultiple(timeUs);
     reports.skipTo(timeUs + 1);

@@ -15,8 +15,8 @@ import java.util.Map;
 
 /**
  * {@link ClusterTracker} as a stage of a chain. Publishes a {@link ClusterTrack} for each visible
- * cluster at each report, and all of them together as a {@link TrailSnapshot}, once also when there
- * is none any more. Passes all events on unless its settings say otherwise.
+ * cluster at each report, and all of them together as a {@link TrailSnapshot}, also once when there
+ * are none left. Passes all events on unless its settings say otherwise.
  */
 public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerSettings> {
   private final Outlet<ClusterTrack> clusters = outlet("clusters", ClusterTrack.class);
@@ -29,8 +29,8 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
   /**
    * A filter in its initial state.
    *
-   * @param geometry the sensor whose events it will see
-   * @param settings what to do
+   * @param geometry of the sensor
+   * @param settings of the filter
    */
   public ClusterTrackerFilter(SensorGeometry geometry, ClusterTrackerSettings settings) {
     tracker = new ClusterTracker(geometry, settings, new Publisher());
@@ -48,7 +48,7 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
     }
   }
 
-  /** Publishes what is visible; false if nothing is. */
+  /** Publishes the visible clusters; false if there are none. */
   private boolean publish(long timeUs) {
     List<ClusterTrack> tracks = tracker.tracks(timeUs);
     for (ClusterTrack track : tracks) {
@@ -83,14 +83,16 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
     showing = false;
   }
 
-  /** {@inheritDoc} Identities begin anew. */
+  /** {@inheritDoc} Identities restart. */
   @Override
   public void rewind() {
     reset();
     tracker.restartIdentities();
   }
 
-  /** Time goes on over a gap in the data, and clusters live on for as long as they live anyway. */
+  /**
+   * Time continues over a gap in the data, and clusters live on for as long as they live anyway.
+   */
   @Override
   public boolean bridgesGaps() {
     return true;

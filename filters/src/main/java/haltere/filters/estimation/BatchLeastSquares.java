@@ -10,8 +10,8 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /**
  * The batch estimator of a process without noise: finds the first state whose trajectory fits all
- * measurements and the prior best. Unlike an extended Kalman filter, which keeps what a Jacobian at
- * an early estimate told, it linearises all measurements anew about each better trajectory.
+ * measurements and the prior best. Unlike an extended Kalman filter, which keeps the effect of
+ * early Jacobians, it linearises all measurements again about each improved trajectory.
  *
  * <pre>
  * minimise  J(x₀) = (x₀ − m)ᵀ P₀⁻¹ (x₀ − m) + Σ yₖᵀ R⁻¹ yₖ     yₖ = zₖ ⊖ h(xₖ)     xₖ = f(xₖ₋₁, Δt)

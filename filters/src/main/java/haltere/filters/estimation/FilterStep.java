@@ -6,9 +6,9 @@ public sealed interface FilterStep {
   Estimate estimate();
 
   /**
-   * A filter was set to a state and covariance from outside: at first, or anew.
+   * A filter was set to a state and covariance, initially or again.
    *
-   * @param estimate what it was set to
+   * @param estimate the new estimate
    */
   record Launch(Estimate estimate) implements FilterStep {}
 

@@ -3,11 +3,11 @@ package haltere.filters.estimation;
 import org.apache.commons.statistics.distribution.ChiSquaredDistribution;
 
 /**
- * Which innovations are believed: those whose normalised square yᵀ S⁻¹ y is at most a threshold.
+ * A gate for innovations: accepts those whose normalised square yᵀ S⁻¹ y is at most a threshold.
  *
  * <p>For a scalar that is y² ≤ g² S. For a vector the threshold is the chi-square quantile of the
  * same probability for its dimension (Bar-Shalom, Li and Kirubarajan 2001, section 3.7.2), so that
- * a gate of 3 sigma lets the same share of good measurements through whatever their dimension.
+ * a gate of 3 sigma accepts the same share of inliers in any dimension.
  */
 public final class Gate {
   /** Everything passes. */
@@ -64,7 +64,7 @@ public final class Gate {
   }
 
   /**
-   * Whether an innovation is believed.
+   * Whether an innovation is accepted.
    *
    * @param nis normalised innovation squared
    * @param dimension of the measurement, at least 1

@@ -183,7 +183,7 @@ public final class GaussianState {
   }
 
   /**
-   * {@link #shear} of the covariance alone, where the mean has gone on already.
+   * {@link #shear} of the covariance alone, after the mean was predicted.
    *
    * @param i the entry that changes
    * @param j another entry
@@ -406,7 +406,7 @@ public final class GaussianState {
   }
 
   /**
-   * Sets one entry of the covariance so that it stays one; for a person, not for the hot path. A
+   * Sets one entry of the covariance so that it stays one; for users, not for the hot path. A
    * variance takes its row and column along, so that the correlations stay; a covariance changes
    * its counterpart as well.
    *

@@ -20,11 +20,11 @@ import org.ejml.dense.row.MatrixFeatures_DDRM;
  * <p>⊖ is the model's residual, which wraps angles. S is factored by Cholesky or, for a single
  * number, divided by; nothing is ever inverted. Kalman (1960), "A new approach to linear filtering
  * and prediction problems"; Bar-Shalom, Li and Kirubarajan (2001), eq. 5.2.3-1 to 5.2.3-18 and
- * section 10.3.3, first order. Mean and covariance are a {@link GaussianState}; nothing is
- * allocated by a prediction or an update as long as nobody observes it.
+ * section 10.3.3, first order. Mean and covariance are a {@link GaussianState}; predictions and
+ * updates allocate nothing without an observer.
  *
  * <p>Time steps are seconds and must be finite and not negative: a caller whose clock jumps back
- * launches anew. A step of 0 predicts nothing. A measurement that is not finite is refused with
+ * launches again. A step of 0 predicts nothing. A measurement that is not finite is refused with
  * {@link UpdateOutcome#UNUSABLE} and leaves the estimate as it is.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
@@ -57,7 +57,7 @@ public final class KalmanFilter {
   }
 
   /**
-   * Begins (again) from a state. The clock goes on.
+   * Begins (again) from a state. The clock continues.
    *
    * @param x state, copied
    * @param p its covariance, symmetric and positive definite, copied
@@ -94,11 +94,11 @@ public final class KalmanFilter {
   }
 
   /**
-   * Takes in a measurement, unless it lies outside its gate.
+   * Updates with a measurement inside its gate.
    *
-   * @param model how it comes from the state
+   * @param model of the measurement
    * @param z the measurement, not kept
-   * @return what became of it
+   * @return the outcome
    * @throws ArithmeticException if the state leaves the numbers, as that of a diverged extended
    *     filter may; launch anew
    */
@@ -120,9 +120,9 @@ public final class KalmanFilter {
   /**
    * Takes in a measurement given as numbers; allocates.
    *
-   * @param model how it comes from the state
+   * @param model of the measurement
    * @param z the measurement
-   * @return what became of it
+   * @return the outcome
    */
   public UpdateOutcome update(MeasurementModel model, double... z) {
     return update(model, new DMatrixRMaj(z.length, 1, true, Arrays.copyOf(z, z.length)));

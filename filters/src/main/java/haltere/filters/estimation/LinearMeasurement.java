@@ -15,7 +15,7 @@ public final class LinearMeasurement implements MeasurementModel {
    *
    * @param h a row per measured number, a column per state; copied
    * @param r covariance of the noise, positive definite; copied
-   * @param gate which innovations are believed
+   * @param gate for innovations
    */
   public LinearMeasurement(DMatrixRMaj h, DMatrixRMaj r, Gate gate) {
     Require.finite("H", h);

@@ -48,7 +48,7 @@ public interface MeasurementModel {
     CommonOps_DDRM.subtract(z, expected, y);
   }
 
-  /** {@return the gate that tells which innovations are believed, open unless overridden} */
+  /** {@return the gate for innovations, open unless overridden} */
   default Gate gate() {
     return Gate.OPEN;
   }

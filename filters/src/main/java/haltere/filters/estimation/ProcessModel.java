@@ -6,7 +6,7 @@ import org.ejml.data.DMatrixRMaj;
  * How a state evolves: one method per equation.
  *
  * <p>Outputs are preallocated with the right size and hold anything; a model fills every entry and
- * allocates nothing. A model is not changed by being used, unless it says so.
+ * allocates nothing. A model has no state, unless stated.
  */
 public interface ProcessModel {
   /** {@return the dimension of the state, at least 1} */

@@ -10,8 +10,8 @@ import org.ejml.dense.row.CommonOps_DDRM;
 import org.ejml.dense.row.MatrixFeatures_DDRM;
 
 /**
- * Goes back over the steps that a filter has recorded and gives each time the benefit of what came
- * after it.
+ * Rauch-Tung-Striebel smoother over the recorded steps of a filter: each estimate uses all
+ * measurements.
  *
  * <pre>
  * C = P Fᵀ (P⁻)⁻¹     xˢ = x + C (xˢ₊ − x⁻)     Pˢ = P + C (Pˢ₊ − P⁻) Cᵀ
@@ -48,7 +48,7 @@ public final class RtsSmoother {
     Estimate later = null;
     for (int k = filtered.size() - 1; k >= 0; k--) {
       Prediction lead = k < leads.size() ? leads.get(k) : null;
-      // Nothing after a launch tells of the time before it.
+      // a launch separates the times before and after it
       later = lead == null ? filtered.get(k) : back(filtered.get(k), lead, later);
       smoothed.add(later);
     }

@@ -23,7 +23,7 @@ import java.util.Objects;
  * @since 0.1
  */
 public final class FrequencyMap {
-  /** Periods after which a frequency that is not found again is not told any more. */
+  /** Periods after which a frequency that is not found again is no longer reported. */
   public static final int MAX_SILENT_PERIODS = 10;
 
   private static final int CELL_SHIFT = 2;
@@ -88,7 +88,7 @@ public final class FrequencyMap {
   }
 
   /**
-   * Takes other settings; what is known of the pixels stays.
+   * Applies settings; the state of the pixels stays.
    *
    * @param newSettings from the next event on
    */
@@ -99,9 +99,9 @@ public final class FrequencyMap {
   }
 
   /**
-   * Time after which events do not matter any more.
+   * Memory of the map.
    *
-   * @return microseconds: the edges of a longest period, and how long it is told
+   * @return microseconds: the edges of a longest period, and the time for which it is reported
    */
   public long memoryUs() {
     return Math.round((EDGES + MAX_SILENT_PERIODS) * 1e6 / settings.minFrequencyHz());

@@ -25,7 +25,7 @@ final class FrequencyMapFilter extends PublishingFilter<FrequencyMapSettings> {
   /**
    * A filter in its initial state.
    *
-   * @param geometry the sensor whose events it will see
+   * @param geometry of the sensor
    * @param settings limits, tolerance and rate of reports
    */
   public FrequencyMapFilter(SensorGeometry geometry, FrequencyMapSettings settings) {

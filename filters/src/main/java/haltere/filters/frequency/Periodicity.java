@@ -25,7 +25,7 @@ final class Periodicity {
   /** Means over so small a part of the period take the noise out of long ones. */
   private static final int SMOOTHING = 16;
 
-  /** A multiple says the period more exactly than the one before: it changes it by no more. */
+  /** Largest relative change of the period by its next multiple. */
   private static final double MAX_CHANGE = 0.1;
 
   private final double[] correlation;
@@ -124,7 +124,7 @@ final class Periodicity {
     return sum / (to - from + 1);
   }
 
-  /** Follows the peak through its multiples, each of which says the period more exactly. */
+  /** Refines the period with each multiple of the peak. */
   private double refined(int lag, int lags) {
     int reach = lag / SMOOTHING;
     double period = top(lag, reach);

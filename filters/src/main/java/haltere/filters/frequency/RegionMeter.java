@@ -8,8 +8,8 @@ import haltere.core.stream.StreamNotification;
 import java.util.Arrays;
 
 /**
- * Counts the events of a region in short bins and says how many they are and how often they repeat.
- * Remembers the last so many bins of {@value #BIN_US} microseconds.
+ * Event rate and repetition frequency of a region, from counts in the last bins of {@value #BIN_US}
+ * microseconds.
  *
  * <p>Thread rule: one thread at a time.
  *
@@ -32,7 +32,7 @@ public final class RegionMeter implements StreamHandler {
   private final int[] on;
   private final int[] off;
 
-  /** Made when the first frequency is asked for. */
+  /** Created at the first request of a frequency. */
   private Periodicity periodicity;
 
   private float[] ordered;
@@ -140,10 +140,10 @@ public final class RegionMeter implements StreamHandler {
   }
 
   /**
-   * What the region has been doing.
+   * Rate and frequency of the region.
    *
-   * @param withFrequency whether the frequency is looked for, which takes about a millisecond
-   * @return a reading of the last moments
+   * @param withFrequency whether the frequency is computed, which takes about a millisecond
+   * @return of the stored bins
    */
   public RegionReading reading(boolean withFrequency) {
     if (newestBin == NONE) {

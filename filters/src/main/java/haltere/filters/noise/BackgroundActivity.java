@@ -8,10 +8,10 @@ import java.util.Objects;
 import java.util.function.Consumer;
 
 /**
- * Passes an event if enough of its eight neighbours fired shortly before it: what moves fires
- * neighbouring pixels one after the other, noise fires single ones. The own pixel does not count,
- * so a pixel that fires all the time does not support itself; all events count as support for their
- * neighbours, whether they pass or not.
+ * Passes an event if enough of its eight neighbours fired shortly before it: moving edges fire
+ * neighbouring pixels one after the other, noise fires single ones. The pixel itself does not
+ * count, so a pixel that fires continuously does not support itself; all events count as support
+ * for their neighbours, whether they pass or not.
  *
  * <p>After T. Delbruck, "Frame-free dynamic digital vision", Intl. Symp. on Secure-Life
  * Electronics, 2008, with a number of neighbours as in the spatio-temporal correlation filter of S.
@@ -62,21 +62,21 @@ public final class BackgroundActivity {
   private long windowPassed;
 
   /**
-   * A filter that has seen nothing.
+   * A filter in its initial state.
    *
-   * @param geometry the sensor whose events it will see
-   * @param settings what to do
+   * @param geometry of the sensor
+   * @param settings of the filter
    */
   public BackgroundActivity(SensorGeometry geometry, BackgroundActivitySettings settings) {
     this(geometry, settings, share -> {});
   }
 
   /**
-   * A filter that has seen nothing.
+   * A filter in its initial state.
    *
-   * @param geometry the sensor whose events it will see
-   * @param settings what to do
-   * @param listener told after each window of 100 ms in which there were events
+   * @param geometry of the sensor
+   * @param settings of the filter
+   * @param listener called after each window of 100 ms with events
    */
   public BackgroundActivity(
       SensorGeometry geometry,

@@ -20,8 +20,8 @@ final class BackgroundActivityFilter extends PublishingFilter<BackgroundActivity
   /**
    * A filter in its initial state.
    *
-   * @param geometry the sensor whose events it will see
-   * @param settings what to do
+   * @param geometry of the sensor
+   * @param settings of the filter
    */
   public BackgroundActivityFilter(SensorGeometry geometry, BackgroundActivitySettings settings) {
     activity = new BackgroundActivity(geometry, settings, shares::publish);

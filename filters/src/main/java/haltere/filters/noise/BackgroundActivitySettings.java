@@ -23,7 +23,7 @@ public record BackgroundActivitySettings(
         @Range(min = 1, max = 8)
         @Unit("pixels")
         int neighbours,
-    @Help("Whether only neighbours that fired with the event's own polarity support it.")
+    @Help("Only neighbours that fired with the polarity of the event support it.")
         boolean samePolarity) {
   /** The longest time of support. */
   static final int MAX_CORRELATION_US = 10_000_000;

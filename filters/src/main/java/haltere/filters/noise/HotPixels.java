@@ -32,7 +32,7 @@ import java.util.Objects;
  * @since 0.1
  */
 public final class HotPixels {
-  /** Bit of a cell that says that its pixel is blocked; the other bits count the events. */
+  /** Bit of a cell whose pixel is blocked; the other bits count the events. */
   private static final int BLOCKED = 1 << 31;
 
   private final int width;
@@ -58,10 +58,10 @@ public final class HotPixels {
   private long periodEndUs;
 
   /**
-   * A filter that has seen nothing.
+   * A filter in its initial state.
    *
-   * @param geometry the sensor whose events it will see
-   * @param settings what to do
+   * @param geometry of the sensor
+   * @param settings of the filter
    */
   public HotPixels(SensorGeometry geometry, HotPixelsSettings settings) {
     width = geometry.width();

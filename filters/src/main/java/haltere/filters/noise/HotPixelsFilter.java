@@ -12,8 +12,8 @@ final class HotPixelsFilter implements ConfigurableFilter<HotPixelsSettings> {
   /**
    * A filter in its initial state.
    *
-   * @param geometry the sensor whose events it will see
-   * @param settings what to do
+   * @param geometry of the sensor
+   * @param settings of the filter
    */
   public HotPixelsFilter(SensorGeometry geometry, HotPixelsSettings settings) {
     hotPixels = new HotPixels(geometry, settings);
@@ -29,7 +29,7 @@ final class HotPixelsFilter implements ConfigurableFilter<HotPixelsSettings> {
     hotPixels.reset();
   }
 
-  /** A gap in the data heals no pixel, so what has been learned outlives it. */
+  /** Hot pixels remain hot over a gap in the data. */
   @Override
   public boolean bridgesGaps() {
     return true;
@@ -37,7 +37,7 @@ final class HotPixelsFilter implements ConfigurableFilter<HotPixelsSettings> {
 
   @Override
   public long memoryUs() {
-    // what is hot is known after one period that is whole
+    // hot pixels are known after one complete period
     return 2 * settings().periodUs();
   }
 

@@ -11,7 +11,7 @@ import haltere.core.settings.Unit;
  * @since 0.1
  */
 public record HotPixelsSettings(
-    @Help("After each period of this length it is decided anew which pixels are hot.")
+    @Help("Hot pixels are determined again after each period of this length.")
         @Range(min = 1000, max = 60_000_000, logarithmic = true)
         @Unit("us")
         long periodUs,
@@ -27,7 +27,8 @@ public record HotPixelsSettings(
         @Range(min = 1, max = 1000, logarithmic = true)
         @Unit("1")
         double ratio,
-    @Help("A blocked pixel passes again when it was not hot for this many periods in a row.")
+    @Help(
+            "A blocked pixel passes again after this many consecutive periods in which it was not hot.")
         @Range(min = 1, max = 1000, logarithmic = true)
         @Unit("periods")
         int calmPeriods,

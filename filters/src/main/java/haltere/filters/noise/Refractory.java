@@ -25,10 +25,10 @@ public final class Refractory {
   private RefractorySettings settings;
 
   /**
-   * A filter that has seen nothing.
+   * A filter in its initial state.
    *
-   * @param geometry the sensor whose events it will see
-   * @param settings what to do
+   * @param geometry of the sensor
+   * @param settings of the filter
    */
   public Refractory(SensorGeometry geometry, RefractorySettings settings) {
     this.settings = Objects.requireNonNull(settings, "settings");
@@ -52,7 +52,7 @@ public final class Refractory {
   }
 
   /**
-   * Does something else from the next packet on, with what it remembers.
+   * Applies settings from the next packet on; the state stays.
    *
    * @param newSettings the settings to use
    */

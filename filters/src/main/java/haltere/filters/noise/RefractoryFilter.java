@@ -17,8 +17,8 @@ public final class RefractoryFilter implements ConfigurableFilter<RefractorySett
   /**
    * A filter in its initial state.
    *
-   * @param geometry the sensor whose events it will see
-   * @param settings what to do
+   * @param geometry of the sensor
+   * @param settings of the filter
    */
   public RefractoryFilter(SensorGeometry geometry, RefractorySettings settings) {
     refractory = new Refractory(geometry, settings);

@@ -17,11 +17,11 @@ public record RefractorySettings(
         long periodUs,
     @Help("The silence starts at the last event that passed, or at the last event of any kind.")
         Silence silence) {
-  /** From which event of a pixel on its silence counts. */
+  /** The event that starts the silence of a pixel. */
   public enum Silence {
-    /** The last event that passed: a pixel that fires all the time passes once a period. */
+    /** The last event that passed: a pixel that fires continuously passes once a period. */
     SINCE_LAST_PASSED,
-    /** The last event that came, passed or not: a pixel that fires all the time is mute. */
+    /** The last event, passed or not: a pixel that fires continuously never passes. */
     SINCE_LAST_SEEN
   }
 

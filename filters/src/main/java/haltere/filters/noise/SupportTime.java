@@ -5,7 +5,7 @@ import haltere.core.event.SensorGeometry;
 import java.util.Arrays;
 
 /**
- * Chooses how long an event supports its neighbours, from what was measured in the last seconds.
+ * Chooses the correlation time from the noise of the last seconds.
  *
  * <p>Noise is a Poisson process of rate λ in each pixel. At least k of n = 8 neighbours fired
  * within T with probability P(T) = 1 − Σ (i &lt; k) C(n, i) qⁱ (1 − q)ⁿ⁻ⁱ, q = 1 − exp(−λT): the
@@ -43,7 +43,7 @@ final class SupportTime {
   /** Share of the objects' events with support that are kept. */
   static final double KEPT = 0.99;
 
-  /** Time constant of what is remembered: noise changes with light and temperature, in minutes. */
+  /** Time constant of the memory: noise changes with light and temperature, in minutes. */
   private static final double MEMORY_S = 4;
 
   /** Time after which the time of support is near what longer observation leads to. */

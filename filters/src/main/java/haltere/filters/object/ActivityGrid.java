@@ -3,12 +3,12 @@ package haltere.filters.object;
 import haltere.core.event.SensorGeometry;
 
 /**
- * Which pixels fired within the present tick, by tiles of 4 × 4 pixels. A pixel counts once a tick,
- * so that filled, outlined and flickering surfaces count alike. An event changes its tile and the
- * index of tiles, whichever pixels fired before: no branch depends on it.
+ * Pixels that fired within the present tick, by tiles of 4 × 4 pixels. A pixel counts once a tick,
+ * so that surfaces, contours and flickering pixels count alike. An event changes its tile and the
+ * index of tiles without a branch.
  *
- * <p>Sixteen tiles that follow one another are a block of 16 × 16 pixels. A tile is one long: 16
- * bits of pixels and above them their summed times within the tick in microseconds.
+ * <p>Sixteen consecutive tiles are a block of 16 × 16 pixels. A tile is one long: 16 bits of pixels
+ * and above them their summed times within the tick in microseconds.
  */
 final class ActivityGrid {
   private static final int SHIFT = 2;
@@ -39,7 +39,7 @@ final class ActivityGrid {
     perColumns = (1L << Integer.SIZE) / columns + 1;
   }
 
-  /** Tiles of all blocks. */
+  /** Number of tiles. */
   int tiles() {
     return tiles.length;
   }
@@ -55,7 +55,7 @@ final class ActivityGrid {
     fired[tile / Long.SIZE] |= 1L << tile;
   }
 
-  /** Begins the next tick: no pixel has fired. */
+  /** Starts the next tick. */
   void next() {
     for (int word = 0; word < fired.length; word++) {
       for (long left = fired[word]; left != 0; left &= left - 1) {
@@ -68,7 +68,7 @@ final class ActivityGrid {
   /**
    * The first tile in which a pixel fired, block by block.
    *
-   * @param from the first that may be it
+   * @param from first candidate
    * @return -1 if there is none
    */
   int nextTile(int from) {

@@ -6,20 +6,20 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Finds new components: connected cells in which much more came within 50 ms than clutter explains.
- * Their events are kept for as long, so that a new component begins with a shape, a place and, by
- * linear regression with a prior, a velocity.
+ * Detects new components: connected cells with far more events within 50 ms than clutter explains.
+ * These events are stored, so that a new component starts with a shape, a position and, by linear
+ * regression with a prior, a velocity.
  */
 final class BirthDetector {
-  /** Evidence with which a cell belongs to a birth, nat: odds of 7. */
+  /** Least evidence of a cell of a birth, nat: odds of 7. */
   private static final double CELL_NAT = 2;
 
-  /** Standard deviation of a velocity before it was measured, sizes per second. */
+  /** Prior standard deviation of a velocity, sizes per second. */
   static final double SPEED_SIZES_S = 5;
 
   private static final int RING = 1 << 15;
 
-  /** Ticks of the events that make a component: 86 % of an exponential memory. */
+  /** Ticks of the events of a new component: 86 % of an exponential memory. */
   static final int WINDOW = (int) Math.round(2 * ClutterMap.BIRTH_S / ObjectTracker.TICK_S);
 
   private final ActivityGrid grid;
@@ -28,10 +28,10 @@ final class BirthDetector {
   private final int[] ringPixels = new int[RING];
   private final int[] ringTick = new int[RING];
 
-  /** Which tiles of the same cell were kept before. */
+  /** The previously stored tile of the same cell. */
   private final long[] ringBefore = new long[RING];
 
-  /** For each cell how many tiles had been kept when one of its own was kept last. */
+  /** For each cell, the number of tiles stored up to its own last one. */
   private final long[] latest;
 
   private final int[] stack;
@@ -64,7 +64,7 @@ final class BirthDetector {
     Arrays.fill(latest, 0);
   }
 
-  /** Keeps the pixels of a tile that nothing explains. */
+  /** Stores the unexplained pixels of a tile. */
   void remember(int tile, int cell, int pixels) {
     int i = (int) (remembered++ & RING - 1);
     ringBefore[i] = latest[cell];
@@ -74,16 +74,16 @@ final class BirthDetector {
     ringTick[i] = tick;
   }
 
-  /** Cells of each birth of this tick; the list is used again. */
+  /** Cells of each birth of this tick; the list is reused. */
   List<int[]> find() {
     found.clear();
     Arrays.fill(seen, false);
     for (int cell = 0; cell < seen.length; cell++) {
-      if (clutter.isSurprising(cell, CELL_NAT) && !seen[cell]) {
+      if (clutter.isExcess(cell, CELL_NAT) && !seen[cell]) {
         int size = connect(cell);
         double total = 0;
         for (int i = 0; i < size; i++) {
-          total += clutter.surprise(stack[i]);
+          total += clutter.logRatio(stack[i]);
         }
         // a component costs nothing but time: its motion is to bring the other half
         if (total >= 0.5 * clutter.alarmNat()) {
@@ -104,7 +104,7 @@ final class BirthDetector {
       for (int r = Math.max(0, row - 1); r <= Math.min(clutter.rows - 1, row + 1); r++) {
         for (int c = Math.max(0, column - 1); c <= Math.min(clutter.columns - 1, column + 1); c++) {
           int next = r * clutter.columns + c;
-          if (!seen[next] && clutter.isSurprising(next, CELL_NAT)) {
+          if (!seen[next] && clutter.isExcess(next, CELL_NAT)) {
             seen[next] = true;
             stack[size++] = next;
           }
@@ -114,7 +114,7 @@ final class BirthDetector {
     return size;
   }
 
-  /** Makes a component of the events in cells, or says that there are none. */
+  /** Initialises a component from the events in cells; false if there are none. */
   boolean begin(int[] cells, Component component) {
     collect(cells);
     if (events == 0) {
@@ -156,7 +156,7 @@ final class BirthDetector {
     return sum / events;
   }
 
-  /** Linear regression of positions of a variance r on time, with a prior of the velocity. */
+  /** Linear regression of positions with the variance r over time, with a prior of the velocity. */
   private void start(GaussianState state, int at, double[] z, double r, double priorSd) {
     double prior = priorSd * priorSd;
     double tick = ObjectTracker.TICK_S;
@@ -172,7 +172,7 @@ final class BirthDetector {
     state.addNoise(at, at + 1, -pv * meanS);
   }
 
-  /** Takes the events that are kept of some cells. */
+  /** Collects the stored events of some cells. */
   private void collect(int[] cells) {
     events = 0;
     long last = Math.max(0, remembered - RING);

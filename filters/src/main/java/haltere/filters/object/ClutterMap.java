@@ -4,13 +4,13 @@ import haltere.core.event.SensorGeometry;
 import java.util.Arrays;
 
 /**
- * Rates of the events that no object explains. Each pixel's rate has an exponential prior around
- * the mean of the picture, and its posterior is that of a Poisson process (Gamma-Poisson: Gelman et
- * al., Bayesian Data Analysis, 2013, eq. 2.14) with an exponential memory. Cells of 8 × 8 pixels
- * compare what came within the last 50 ms with what is usual there.
+ * Rates of clutter. The rate of each pixel has an exponential prior around the mean of the picture
+ * and the posterior of a Poisson process (Gamma-Poisson: Gelman et al., Bayesian Data Analysis,
+ * 2013, eq. 2.14), with an exponential memory. Cells of 8 × 8 pixels compare the events of the last
+ * 50 ms with their usual number.
  *
- * <p>A flash or a flickering lamp raises all rates by one factor; it is the ratio of the picture's
- * present to its usual rate.
+ * <p>A flash or a flickering lamp increases all rates by one factor, the ratio of the present to
+ * the usual rate of the picture.
  */
 final class ClutterMap {
   static final int CELL_SHIFT = 3;
@@ -22,10 +22,10 @@ final class ClutterMap {
   /** Memory of a cell's excess, seconds: an edge at 100 px/s passes a cell within it. */
   static final double BIRTH_S = 0.05;
 
-  /** Memory of a pixel's own last events, seconds; as long as a component's template lasts. */
+  /** Memory of the last events of a pixel, seconds; that of a component's template. */
   private static final double RECENT_S = ShapeTemplate.MEMORY_S;
 
-  /** Winsorising: a cell counts at most this many times the mean, so that objects do not. */
+  /** Winsorising: a cell counts at most this many times the mean, because of objects. */
   private static final double MAX_OF_MEAN = 3;
 
   /** Prior of a pixel's rate, Hz, as strong as half a second of data: a quiet sensor's noise. */
@@ -36,12 +36,12 @@ final class ClutterMap {
   /** Events of a quiet pixel within {@link #RECENT_S}, so that no ratio is unbounded. */
   private static final double QUIET_EVENTS = PRIOR_HZ * RECENT_S;
 
-  /** Rate of false objects that noise alone may make, Hz: one in eleven days. */
+  /** Rate of false objects by noise, Hz: one in eleven days. */
   private static final double FALSE_ALARM_HZ = 1e-6;
 
   private static final double CELL_PIXELS = 1 << 2 * CELL_SHIFT;
 
-  /** Factor by which weights of pixels grow before all are scaled down: half a float's decades. */
+  /** Growth of the weights of pixels until all are rescaled: half the decades of a float. */
   private static final double MAX_GAIN = 1e19;
 
   private static final int HALF = (1 << Short.SIZE) - 1;
@@ -50,8 +50,8 @@ final class ClutterMap {
   final int rows;
 
   /**
-   * Of each pixel what was clutter, times its gain, in the upper half, and all its events, times
-   * theirs, in the lower: two floats of 16 bits, which round a count by less than 0.4 %.
+   * For each pixel its clutter times its gain in the upper half, and all its events times theirs in
+   * the lower half: two floats of 16 bits, which round a count by less than 0.4 %.
    */
   private final int[] pixels;
 
@@ -97,8 +97,8 @@ final class ClutterMap {
   }
 
   /**
-   * Evidence from which noise makes {@link #FALSE_ALARM_HZ} false objects, nat: the log of the
-   * number of tests, which is one for each cell in each {@link #BIRTH_S}, for each false alarm.
+   * Evidence at which noise makes {@link #FALSE_ALARM_HZ} false objects, nat: the logarithm of the
+   * number of tests, one for each cell in each {@link #BIRTH_S}, per false alarm.
    */
   double alarmNat() {
     return Math.log(cells() / (BIRTH_S * FALSE_ALARM_HZ));
@@ -109,7 +109,7 @@ final class ClutterMap {
     return (y >> CELL_SHIFT) * columns + (x >> CELL_SHIFT);
   }
 
-  /** Begins a tick; several have passed since the last if nothing happened. */
+  /** Starts a tick, after a number of ticks since the last one. */
   void begin(int passed) {
     double keep = keep(passed, MEMORY_S);
     ticks = ticks * keep + (1 - keep) / (1 - keep(1, MEMORY_S));
@@ -129,7 +129,7 @@ final class ClutterMap {
     return Math.exp(-passed * ObjectTracker.TICK_S / memoryS);
   }
 
-  /** Lets new events weigh more instead of all old ones less. */
+  /** Increases the weight of new events, instead of decreasing that of all old ones. */
   private void grow(double keep, double keepRecent) {
     gain /= keep;
     recentGain /= keepRecent;
@@ -152,8 +152,8 @@ final class ClutterMap {
   }
 
   /**
-   * What a pixel would fire in this tick if its own and its neighbours' last events went on: of a
-   * place that flickers, or of noise, this is what comes; of something that moves it is not.
+   * Expected events of a pixel in this tick if its own and its neighbours' last events repeat, as
+   * those of flicker and noise do, and those of a moving object do not.
    */
   double repeatRate(int tile, int pixel, int cell) {
     double own = recent(pixels[tile * ActivityGrid.TILE_PIXELS + pixel]) * perRecentGain;
@@ -188,7 +188,7 @@ final class ClutterMap {
     background[cell] += (float) share;
   }
 
-  /** Estimates the picture's usual rate and its present factor. */
+  /** Estimates the usual rate of the picture and its present factor. */
   void end() {
     winsorisedMeans(Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY);
     winsorisedMeans((float) (MAX_OF_MEAN * usual), (float) (MAX_OF_MEAN * present));
@@ -214,24 +214,24 @@ final class ClutterMap {
   }
 
   /**
-   * Log ratio of a cell's clutter of the last 50 ms under a rate of its own and under the usual
-   * rate: Poisson's, n ln(n/μ) − (n − μ), 0 below the usual.
+   * Log ratio of the clutter of a cell within the last 50 ms under its own and under the usual
+   * rate, n ln(n/μ) − (n − μ) (Poisson), 0 below the usual.
    */
-  double surprise(int cell) {
+  double logRatio(int cell) {
     double mean = cellFactor * (background[cell] + 1);
     double n = excess[cell];
     return n > mean ? n * Math.log(n / mean) - (n - mean) : 0;
   }
 
-  /** Whether a cell's {@link #surprise} reaches a value; its bound (n − μ)² / μ costs less. */
-  boolean isSurprising(int cell, double nat) {
+  /** Whether a cell's {@link #logRatio} reaches a value; its bound (n − μ)² / μ costs less. */
+  boolean isExcess(int cell, double nat) {
     double mean = cellFactor * (background[cell] + 1);
     double over = excess[cell] - mean;
     // the rarer one first: most cells fail it, and half of them are over the mean
-    return over * over >= nat * mean && over > 0 && surprise(cell) >= nat;
+    return over * over >= nat * mean && over > 0 && logRatio(cell) >= nat;
   }
 
-  /** Forgets the excess of a cell: a component takes it. */
+  /** Removes the excess of a cell, which a component explains. */
   void clear(int cell) {
     excess[cell] = 0;
   }

@@ -4,30 +4,29 @@ import haltere.filters.estimation.GaussianState;
 import haltere.filters.trail.Ellipse;
 
 /**
- * A piece of an object that moves as one: a shape that makes events, a place and a velocity, a rate
- * and whether it is present. An object is one component or several, as a person with swinging
- * limbs.
+ * A part of an object that moves as one: shape, position and velocity, event rate and presence. An
+ * object has one component or several, as a person with swinging limbs.
  *
- * <p>The place is the middle of the template, x and y in pixels; state (x, vx, y, vy), which goes
- * on as the {@link MotionModel} says.
+ * <p>The position is the middle of the template, x and y in pixels. {@link MotionModel} predicts
+ * the state (x, vx, y, vy).
  */
 final class Component {
   /**
-   * Independent registrations an event is worth: neighbouring pixels of one edge, and of two ticks,
-   * repeat one another's error.
+   * Effective number of independent registrations per event, since errors of neighbouring pixels
+   * and ticks are correlated.
    */
   private static final double INDEPENDENT = 0.5;
 
   /** Ticks of the path. */
   private static final int PATH = 128;
 
-  /** Ticks between two refreshments of a shape that lasts thirty. */
+  /** Ticks between two updates of a shape with a memory of thirty. */
   private static final int REFRESH_TICKS = 4;
 
-  /** Distance of the extent's middle from the grid's that is mended: more than a cell. */
+  /** Largest distance of the extent's middle from that of the grid, cells. */
   private static final double RECENTRE_CELLS = 1.5;
 
-  /** Rate of one event within the memory, events a tick. */
+  /** One event within the memory, events a tick. */
   private static final double MIN_RATE = ObjectTracker.TICK_S / ShapeTemplate.MEMORY_S;
 
   final GaussianState state = new GaussianState(4);
@@ -47,38 +46,38 @@ final class Component {
   TrackedObject object;
   long activeUs;
 
-  /** Ticks over which its displacement is compared with those of others. */
+  /** Ticks over which displacements are compared. */
   int window;
 
   /** Expected events of a tick. */
   double rate;
 
-  /** Log ratio of its events under motion and under a place that repeats itself. */
+  /** Log ratio of its events under motion and under repetition. */
   double novelty;
 
   // sums of the tick
   double weight;
   double gradientX;
   double gradientY;
-  final double[] products = new double[Presence.DIMMINGS.length];
-  final double[] logs = new double[Presence.DIMMINGS.length];
+  final double[] products = new double[Presence.ATTENUATIONS.length];
+  final double[] logs = new double[Presence.ATTENUATIONS.length];
 
-  /** Expected events of a tick, square pixel and unit of density. */
+  /** Expected events per tick, square pixel and unit of density. */
   double intensity;
 
-  /** Probability to be moving in the tick. */
+  /** Probability of moving in the tick. */
   double active;
 
   /**
-   * A component to be used again and again.
+   * A component that is reused.
    *
-   * @param slot its number among all
+   * @param slot its index
    */
   Component(int slot) {
     this.slot = slot;
   }
 
-  /** Forgets all; what is begun gives it a state, a shape and a rate. */
+  /** Clears everything; the caller sets state, shape and rate. */
   void begin(long nowUs, MotionModel model) {
     motion = model;
     grown = 0;
@@ -135,7 +134,7 @@ final class Component {
     return presence.isMoving();
   }
 
-  /** Events of a tick, as far as it moves. */
+  /** Expected events of a tick, times the probability of moving. */
   double activeRate() {
     return rate * Math.max(presence.moving(), ObjectRelations.ERROR);
   }
@@ -155,7 +154,7 @@ final class Component {
   /** Multiplies the likelihood ratios by those of an event: 1 + ratio. */
   void addLikelihood(double ratio) {
     for (int i = 0; i < products.length; i++) {
-      double product = products[i] * (1 + ratio * Presence.DIMMINGS[i]);
+      double product = products[i] * (1 + ratio * Presence.ATTENUATIONS[i]);
       if (product > 1e200) {
         logs[i] += Math.log(product);
         product = 1;
@@ -195,7 +194,7 @@ final class Component {
     }
   }
 
-  /** Works its shape out anew, with the extent in the middle and cells that fit its size. */
+  /** Recomputes its shape, with the extent in the middle and cells that fit its size. */
   void refresh() {
     shape.refresh();
     double cell = shape.wantedCell();
@@ -211,7 +210,7 @@ final class Component {
     }
   }
 
-  /** Goes on for a tick without events. */
+  /** Predicts over a tick. */
   void predict() {
     double growth = motion.predict(state, shape.size(), ObjectTracker.TICK_S);
     if (growth != 1) {
@@ -231,7 +230,7 @@ final class Component {
   /**
    * Displacement of the events against the template by maximum likelihood: one step of Newton's
    * with Fisher's information (Lehmann and Casella, Theory of Point Estimation, 1998, §6.3), in the
-   * two directions in which the information is independent. An edge tells nothing along itself.
+   * two principal directions of the information. An edge has none along itself.
    */
   private void register() {
     Ellipse information = Ellipse.of(shape.infoXx, shape.infoXy, shape.infoYy);
@@ -241,7 +240,7 @@ final class Component {
     correct(information.minorPx(), -sin, cos);
   }
 
-  /** Takes in the displacement along a direction, of which an event has information of a root. */
+  /** Updates with the displacement along a principal direction of the information. */
   private void correct(double root, double cos, double sin) {
     double information = weight * INDEPENDENT * root * root;
     if (information > 0) {
@@ -275,7 +274,7 @@ final class Component {
     return displacement(pathY, ticks);
   }
 
-  /** Factor by which it grew over the last ticks as it came nearer. */
+  /** Growth over the last ticks by its approach, a factor. */
   double growth(int ticks) {
     return Math.exp(displacement(pathGrowth, ticks));
   }
@@ -300,7 +299,7 @@ final class Component {
     }
   }
 
-  /** Takes another component in, which covers the same object. */
+  /** Merges another component into this one. */
   void absorb(Component other) {
     double dx = other.x() - x();
     double dy = other.y() - y();

@@ -4,20 +4,20 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Shares the events of a tick among the components and clutter. Events are a Poisson process of
- * clutter and components (Streit, Poisson Point Processes, 2010, §3.2): an event is a component's
- * with the probability λ<sub>k</sub> / Σ λ at its pixel and its own time, the expectation step of
- * Dempster, Laird and Rubin (1977).
+ * Assigns the events of a tick to components and clutter. Events are a Poisson process of clutter
+ * and components (Streit, Poisson Point Processes, 2010, §3.2): an event is of component k with the
+ * probability λ<sub>k</sub> / Σ λ at its pixel and time, the expectation step of Dempster, Laird
+ * and Rubin (1977).
  */
 final class EventAssociation {
-  /** Components that share a block of 16 × 16 pixels; more do not count there. */
+  /** Largest number of components in a block of 16 × 16 pixels; others are ignored there. */
   private static final int MAX_NEAR = 16;
 
   private final ActivityGrid grid;
   private final ClutterMap clutter;
   private final BirthDetector births;
 
-  /** How many components share each block, and which, by their places in the list. */
+  /** Number of components in each block, and their indexes. */
   private final int[] counts;
 
   private final int[] near;
@@ -44,7 +44,7 @@ final class EventAssociation {
     }
   }
 
-  /** Lists for each block the components whose template may reach it. */
+  /** Lists the components whose template may reach each block. */
   private void index() {
     Arrays.fill(counts, 0);
     components.forEach(Component::beginTick);
@@ -102,7 +102,7 @@ final class EventAssociation {
     }
   }
 
-  /** Shares one event; returns the share that is clutter. */
+  /** Assigns one event; returns the share of clutter. */
   private double associate(int tile, int pixel, int cell, int count) {
     int dx = ActivityGrid.pixelX(pixel);
     int dy = ActivityGrid.pixelY(pixel);

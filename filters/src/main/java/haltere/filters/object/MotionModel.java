@@ -3,8 +3,8 @@ package haltere.filters.object;
 import haltere.filters.estimation.GaussianState;
 
 /**
- * What is known of the motions and sizes of objects before any is seen: here of objects of any size
- * that move as they like. States are (x, vx, y, vy) in pixels and px/s.
+ * Prior of motions and sizes of objects, here of any size and free motion. States are (x, vx, y,
+ * vy) in pixels and px/s.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -16,7 +16,7 @@ public class MotionModel {
   private static final double ACCELERATION =
       2 * BirthDetector.SPEED_SIZES_S * BirthDetector.SPEED_SIZES_S * Presence.STOP_HZ;
 
-  /** Takes the prior of the velocity into the state of a birth. */
+  /** Applies the prior of the velocity to the state of a birth. */
   protected void begin(GaussianState state) {
     // a birth has the prior of its size already
   }
@@ -24,9 +24,9 @@ public class MotionModel {
   /**
    * Predicts a state; here with a velocity that is a random walk.
    *
-   * @param sizePx longer side of what is at the position
-   * @param dtS how far, seconds
-   * @return factor by which what is seen there grows meanwhile
+   * @param sizePx longer side of the component
+   * @param dtS time step, seconds
+   * @return growth of the component in the picture, a factor
    */
   protected double predict(GaussianState state, double sizePx, double dtS) {
     // what is smaller than a cell of births moves as fast as what fills one
@@ -38,7 +38,7 @@ public class MotionModel {
     return 1;
   }
 
-  /** Whether an object without events goes on, and does not come back once it left. */
+  /** Whether objects without events continue, and do not return after they left. */
   protected boolean coasts() {
     return false;
   }
@@ -48,7 +48,7 @@ public class MotionModel {
     return Math.PI;
   }
 
-  /** Standard deviation of the difference of two objects' displacements, as a share of them. */
+  /** Standard deviation of the difference of two objects' displacements, relative to them. */
   protected double unlikeShare() {
     return 1;
   }

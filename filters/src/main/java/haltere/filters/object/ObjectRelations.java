@@ -5,50 +5,47 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Decides which components are one object: log odds of one against two. A prior falls with the gap
- * between them; evidence comes from how their displacements over 0.3 s differ, summed with
- * forgetting. Under "one" they differ by what was measured badly, by a bend and by a turn of the
- * object; under "two" by their own motions also.
- *
- * <p>The log ratio of the two normal densities is that of track-to-track association (Bar-Shalom,
- * IEEE TAC 26, 1981).
+ * Decides which components are one object by the log odds of one against two. The prior decreases
+ * with their gap. The evidence, with exponential memory, is the log ratio of the densities of the
+ * difference of their displacements (track-to-track association: Bar-Shalom, IEEE TAC 26, 1981).
+ * Under "one" the variance is that of errors, deformation and rotation; under "two" that of their
+ * own motions as well.
  */
 final class ObjectRelations {
   /** Prior log odds of touching components: four of five are one object. */
   private static final double TOUCH_NAT = Math.log(4);
 
   /**
-   * Gap at which the prior is half, as a share of the size, where the gaps between pieces of an
-   * object are Cauchy's and one in ten is larger than the pieces; and how far pieces bend in {@link
-   * #WATCH_S}, as a share of the size.
+   * Gap with half the prior, and deformation within {@link #WATCH_S}, as shares of the size: gaps
+   * within an object have a Cauchy distribution, and one in ten is larger than the components.
    */
   private static final double GAP_SHARE = 1 / Math.tan(0.9 * Math.PI / 2);
 
-  /** Log odds from which two are joined: an odds ratio of e. */
+  /** Least log odds to join two objects: odds of e. */
   private static final double JOIN_NAT = 1;
 
-  /** Probability of an error of a decision that is not taken back: that usual for tests. */
+  /** Error probability of an irreversible decision: that usual for tests. */
   static final double ERROR = 0.05;
 
-  /** Log odds of such a decision: one leaves its object, or two identities become one. */
+  /** Log odds of such a decision: a component leaves its object, or two identities become one. */
   static final double DECISIVE_NAT = -Math.log(ERROR);
 
   /** Least time over which displacements are compared, seconds. */
   static final double WATCH_S = ShapeTemplate.MEMORY_S;
 
-  /** Time from which displacements tell something, and from which touching ones are joined. */
+  /** Least time of usable displacements, and until touching objects are joined. */
   private static final double FIRST_S = 0.1;
 
-  /** Memory of the evidence, seconds: as long as a motion lasts. */
+  /** Memory of the evidence, seconds: the duration of a motion. */
   private static final double EVIDENCE_S = 1 / Presence.STOP_HZ;
 
   /** Variance of a displacement from the cells of the template, px². */
   private static final double CELL_VARIANCE = ShapeTemplate.MIN_CELL_PX * ShapeTemplate.MIN_CELL_PX;
 
-  /** Square of the gap from which the prior is below that of two wrong decisions. */
+  /** Squared gap at which the prior is that of two wrong decisions. */
   private static final double FAR_SQUARES = Math.expm1(TOUCH_NAT + 2 * DECISIVE_NAT);
 
-  /** Of pairs that are too far from one another to be compared. */
+  /** Log odds of pairs that are too far apart to be compared. */
   private static final double FAR = Double.NEGATIVE_INFINITY;
 
   private static final int SLOTS = ObjectTracker.MAX_COMPONENTS;
@@ -56,7 +53,7 @@ final class ObjectRelations {
   private final double[][] gap = new double[SLOTS][SLOTS];
   private final double[][] evidence = new double[SLOTS][SLOTS];
 
-  /** {@link ClutterMap#alarmNat}; half of it tells a component from a flicker. */
+  /** {@link ClutterMap#alarmNat}; half of it is required of a component. */
   private final double alarmNat;
 
   private double scalePx;
@@ -74,7 +71,7 @@ final class ObjectRelations {
     motion = model;
   }
 
-  /** Forgets what is known of a slot, or gives it what is known of another. */
+  /** Clears the evidence of a slot, or copies that of another component. */
   void begin(int slot, Component like) {
     for (int i = 0; i < SLOTS; i++) {
       double known = like == null || like.slot == i ? 0 : evidence[like.slot][i];
@@ -143,7 +140,7 @@ final class ObjectRelations {
     double ay = a.displacementY(ticks);
     double bx = b.displacementX(ticks);
     double by = b.displacementY(ticks);
-    // what comes nearer moves apart
+    // approaching components move apart
     double growth = Math.sqrt(a.growth(ticks) * b.growth(ticks)) - 1;
     double dx = ax - bx + growth * (b.middleX() - bx - a.middleX() + ax);
     double dy = ay - by + growth * (b.middleY() - by - a.middleY() + ay);
@@ -154,7 +151,7 @@ final class ObjectRelations {
     double lineX = turn * (b.middleX() - a.middleX());
     double lineY = turn * (b.middleY() - a.middleY());
     double both = bend * bend + CELL_VARIANCE;
-    // Places at both ends of the displacement; a turn moves across the line between the two.
+    // positions at both ends of the displacement; a rotation is perpendicular to the line between
     double xx = 2 * (a.state.covariance(0, 0) + b.state.covariance(0, 0)) + both + lineY * lineY;
     double xy = 2 * (a.state.covariance(0, 2) + b.state.covariance(0, 2)) - lineX * lineY;
     double yy = 2 * (a.state.covariance(2, 2) + b.state.covariance(2, 2)) + both + lineX * lineX;
@@ -201,12 +198,12 @@ final class ObjectRelations {
     return motion.oneLog(lowX, highX, lowY);
   }
 
-  /** Whether two objects are surely not one. */
+  /** Whether two objects are separate. */
   boolean areApart(TrackedObject a, TrackedObject b) {
     return score(a.components, b.components) < -DECISIVE_NAT;
   }
 
-  /** Whether two objects are to be one. */
+  /** Whether two objects are to be joined. */
   boolean areOne(TrackedObject a, TrackedObject b) {
     double odds = score(a.components, b.components);
     if (odds == FAR || !mayJoin(a) || !mayJoin(b)) {
@@ -241,7 +238,7 @@ final class ObjectRelations {
     return null;
   }
 
-  /** Whether two components of one object cover the same: they touch, and nothing parts them. */
+  /** Whether two components of one object are to be merged: they touch without evidence of two. */
   boolean areFused(Component a, Component b) {
     return gap[a.slot][b.slot] >= TOUCH_NAT && evidence[a.slot][b.slot] > -JOIN_NAT;
   }

@@ -4,11 +4,11 @@ import haltere.core.sink.Column;
 import haltere.filters.trail.TrailPoint;
 
 /**
- * An object at one time: where it is, how fast it moves, how large it is, and how sure that is. The
- * place is the middle of its extent.
+ * State of an object at one time: position, velocity and extent with standard deviations. The
+ * position is the middle of the extent.
  *
  * @param timeUs time on the clock of the events, microseconds
- * @param id identity, from 1; never given out twice by one filter
+ * @param id identity, from 1; never reused by one filter
  * @param xPx column, pixels from the left
  * @param yPx row, pixels from the bottom
  * @param vxPxS velocity along the columns, px/s
@@ -22,9 +22,9 @@ import haltere.filters.trail.TrailPoint;
  * @param minorPx shorter half axis, pixels
  * @param angleRad direction of the longer axis against the columns, radians modulo π
  * @param existence probability that it is there, 0 to 1
- * @param eventRateHz events a second of its present motion, each pixel at most once in 10 ms
+ * @param eventRateHz present event rate, each pixel at most once in 10 ms
  * @param ageS time since its first events, seconds
- * @param lowYPx row of its lowest edge, where half the usual events of a row are, pixels
+ * @param lowYPx row of its lower edge, where a row has half of its usual number of events, pixels
  */
 public record ObjectTrack(
     @Column("t_us") long timeUs,
@@ -46,7 +46,7 @@ public record ObjectTrack(
     @Column(decimals = 3) double ageS,
     @Column(decimals = 3) double lowYPx)
     implements TrailPoint {
-  /** The same with the identity that was decided since. */
+  /** The same with an identity. */
   ObjectTrack withId(int decided) {
     return new ObjectTrack(
         timeUs,

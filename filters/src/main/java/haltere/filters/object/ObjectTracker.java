@@ -182,7 +182,7 @@ final class ObjectTracker {
     for (int[] cells : births.find()) {
       begin(cells, nowUs);
     }
-    if (++ticks % RegionFinder.LOOK_TICKS == 0) {
+    if (++ticks % RegionFinder.CHECK_TICKS == 0) {
       splitComponents();
     }
     if (ticks % COMPARE_TICKS == 0) {

@@ -147,7 +147,7 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
     public Provider() {
       super(
           "object-tracker",
-          "Tracks what moves, of any shape and size, through stops, gaps and encounters; needs"
+          "Tracks moving objects of any shape through stops, gaps and encounters; needs"
               + " no noise filter before it.",
           ObjectTrackerSettings.class,
           ObjectTrackerFilter::new);

@@ -10,22 +10,22 @@ import haltere.core.settings.Unit;
 public record ObjectTrackerSettings(
     @Help(
             value =
-                "Usual size of an object; a larger value joins pieces over wider gaps. 0: the sizes"
-                    + " of the pieces themselves decide.",
+                "Usual size of an object; a larger value joins components over wider gaps. 0: the"
+                    + " sizes of the components decide.",
             label = "Object size")
         @Range(min = 0, max = 2000)
         @Unit("px")
         double scalePx,
     @Help(
             value =
-                "Time an object is watched before all its rows are reported; a shorter time is less"
-                    + " sure what is one object.",
+                "Observation time before an object is reported; a larger value separates and joins"
+                    + " objects more reliably.",
             label = "Confirmation time")
         @Range(min = 0.1, max = 2)
         @Unit("s")
         double confirmS,
     @Help(
-            value = "An object that makes no events keeps its identity for this long.",
+            value = "An object without events keeps its identity for this long.",
             label = "Coasting time")
         @Range(min = 0, max = 600)
         @Unit("s")

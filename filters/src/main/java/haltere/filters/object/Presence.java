@@ -2,13 +2,13 @@ package haltere.filters.object;
 
 /**
  * Whether a component moves, rests or is gone: a hidden Markov chain, filtered forward (Rabiner,
- * Proceedings of the IEEE 77, 1989, eq. 19–20), in the role of the existence of Mušicki, Evans and
- * Stankovic (IEEE TAC 39, 1994). Only a moving component makes events. Its rate is not known well,
- * for it varies with speed and direction: the likelihood is the mean over three dimmings of it.
+ * Proceedings of the IEEE 77, 1989, eq. 19–20), instead of the existence of Mušicki, Evans and
+ * Stankovic (IEEE TAC 39, 1994). Only a moving component makes events. Its rate varies with speed
+ * and direction: the likelihood is the mean over three attenuations.
  */
 final class Presence {
-  /** Dimmings of the rate: as expected, and down to a fifth of it. */
-  static final double[] DIMMINGS = {1, Math.sqrt(0.2), 0.2};
+  /** Attenuations of the rate, down to a fifth. */
+  static final double[] ATTENUATIONS = {1, Math.sqrt(0.2), 0.2};
 
   /** Rate at which a moving component stops, Hz: people and animals pause about every second. */
   static final double STOP_HZ = 1;
@@ -16,20 +16,20 @@ final class Presence {
   /** Rate at which a moving component vanishes inside the picture, Hz. */
   static final double VANISH_HZ = 0.1;
 
-  /** Rate at which one vanishes that is wholly outside of the picture for a time, Hz. */
+  /** Rate at which a component outside of the picture vanishes, Hz. */
   private static final double LEAVE_HZ = 1 / ClutterMap.BIRTH_S;
 
-  /** Rate at which a resting component is given up, Hz. */
+  /** Rate from resting to gone, Hz. */
   private static final double FORGET_HZ = 0.5;
 
-  /** Probability that what was just seen to be born moves: one of ten is a flicker. */
+  /** Probability that a birth is a moving object: one of ten is a flicker. */
   private static final double NEWBORN = 0.9;
 
   private double moving;
   private double resting;
   private double gone;
 
-  /** What was just seen to be born moves, or is a flicker. */
+  /** Sets the probabilities of a birth. */
   void begin() {
     set(NEWBORN, 0, 1 - NEWBORN);
   }
@@ -48,7 +48,7 @@ final class Presence {
     return moving;
   }
 
-  /** Probability to be moving in the next tick, if it does not vanish. */
+  /** Probability of moving in the next tick, if it does not vanish. */
   double movingNext() {
     return moving + (resting - moving) * STOP_HZ * ObjectTracker.TICK_S;
   }
@@ -64,9 +64,9 @@ final class Presence {
   /**
    * A tick of length {@link ObjectTracker#TICK_S}.
    *
-   * @param logs for each dimming, the log likelihood ratio of the tick's events
-   * @param expected events expected of the component in the tick
-   * @param inside share of its extent that is within the picture
+   * @param logs log likelihood ratio of the events of the tick, for each attenuation
+   * @param expected expected events of the component in the tick
+   * @param inside share of its extent within the picture
    */
   void update(double[] logs, double expected, double inside) {
     double dt = ObjectTracker.TICK_S;
@@ -77,15 +77,15 @@ final class Presence {
     double nextResting = moving * stop + resting * (1 - stop - forget);
     double nextGone = gone + moving * vanish + resting * forget;
     double best = Double.NEGATIVE_INFINITY;
-    for (int i = 0; i < DIMMINGS.length; i++) {
-      best = Math.max(best, logs[i] - DIMMINGS[i] * expected);
+    for (int i = 0; i < ATTENUATIONS.length; i++) {
+      best = Math.max(best, logs[i] - ATTENUATIONS[i] * expected);
     }
     double sum = 0;
-    for (int i = 0; i < DIMMINGS.length; i++) {
-      sum += Math.exp(logs[i] - DIMMINGS[i] * expected - best);
+    for (int i = 0; i < ATTENUATIONS.length; i++) {
+      sum += Math.exp(logs[i] - ATTENUATIONS[i] * expected - best);
     }
-    double log = best + Math.log(sum / DIMMINGS.length);
-    // scaled by the larger likelihood, so that nothing overflows
+    double log = best + Math.log(sum / ATTENUATIONS.length);
+    // scaled by the larger likelihood, against overflow
     double silent = Math.exp(Math.min(0, -log));
     nextMoving *= Math.exp(Math.min(0, log));
     nextResting *= silent;

@@ -7,18 +7,17 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Connected regions of a component's template, followed for as long as they last. Two that stay
- * apart are two components.
+ * Connected regions of the template of a component. Two that stay separate become two components.
  */
 final class RegionFinder {
-  /** Share of the extent's events below which a region is not followed. */
+  /** Least share of the events of the extent for a region. */
   private static final double MIN_SHARE = 0.1;
 
-  /** Looks after the first one for which regions stay apart before they are components. */
-  private static final int LOOKS = 2;
+  /** Checks after the first one in which regions stay separate until they are components. */
+  private static final int CHECKS = 2;
 
-  /** Ticks between two looks: half a shape's memory is three of them. */
-  static final int LOOK_TICKS = 5;
+  /** Ticks between two checks: a sixth of the memory of a shape. */
+  static final int CHECK_TICKS = 5;
 
   /** A connected region; pixels from the middle of the template. */
   static final class Region {
@@ -29,8 +28,8 @@ final class RegionFinder {
     private double halfY;
     private int label;
 
-    /** Looks since the first one. */
-    private int looks;
+    /** Checks since the first one. */
+    private int checks;
 
     private double distance(double atX, double atY) {
       return Math.hypot(
@@ -54,7 +53,7 @@ final class RegionFinder {
     }
   }
 
-  /** Looks at the template; returns a region that has stayed apart from the largest, or null. */
+  /** Checks a template; returns a region that has stayed separate from the largest, or null. */
   Region findApart(ShapeTemplate shape) {
     List<Region> found = find(shape);
     if (found.size() < 2) {
@@ -64,20 +63,20 @@ final class RegionFinder {
     for (Region now : found) {
       Region before = nearest(now);
       if (before != null) {
-        now.looks = before.looks + 1;
+        now.checks = before.checks + 1;
       }
     }
     regions = found;
     Region largest = Collections.max(found, Comparator.comparingDouble(region -> region.mass));
     for (Region region : found) {
-      if (region != largest && region.looks >= LOOKS && largest.looks >= LOOKS) {
+      if (region != largest && region.checks >= CHECKS && largest.checks >= CHECKS) {
         return region;
       }
     }
     return null;
   }
 
-  /** Which of the earlier regions goes on as this one, by their places; each at most once. */
+  /** The earlier region that this one continues, by position; each at most once. */
   private Region nearest(Region now) {
     Region best = null;
     double least = 2 * Math.max(now.halfX, now.halfY);
@@ -94,7 +93,7 @@ final class RegionFinder {
     return best;
   }
 
-  /** The connected regions that hold a share of the events each. */
+  /** Connected regions with at least a share of the events. */
   private List<Region> find(ShapeTemplate shape) {
     Arrays.fill(label, 0);
     List<Region> found = new ArrayList<>(2);
@@ -154,7 +153,7 @@ final class RegionFinder {
     region.halfY = 0.5 * (highY - lowY + 1) * cell;
   }
 
-  /** Moves the cells that are nearest to a region from one template to another. */
+  /** Moves the cells nearest to a region from one template to another. */
   void move(Region leaving, ShapeTemplate from, ShapeTemplate to) {
     from.settle();
     for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {

@@ -3,40 +3,36 @@ package haltere.filters.object;
 import java.util.Arrays;
 
 /**
- * Where on a component its events come from: a grid of cells that moves with it and holds the
- * decaying weight of its events. Smoothed and normalised it is the spatial density of the events (a
- * histogram estimate: Silverman, Density Estimation, 1986, §2.2); the gradient of its logarithm
- * tells a displacement.
- *
- * <p>The density is worked out anew by {@link #refresh}; weights decay without it.
- *
- * <p>Lengths are in pixels.
+ * Shape of a component: a grid of cells in its frame with the decaying weight of its events.
+ * Smoothed and normalised, it is the spatial density of the events (a histogram estimate:
+ * Silverman, Density Estimation, 1986, §2.2); the gradient of its logarithm gives displacements.
+ * {@link #refresh} computes the density; weights decay without it. Lengths are in pixels.
  */
 final class ShapeTemplate {
-  /** Cells of a side. */
+  /** Number of cells of a side. */
   static final int SIDE = 24;
 
   static final int CELLS = SIDE * SIDE;
 
-  /** Least side of a cell, pixels: sub-pixel detail is not seen. */
+  /** Smallest side of a cell, pixels. */
   static final double MIN_CELL_PX = 1.5;
 
-  /** Memory of the shape, seconds: limbs and turns change it within. */
+  /** Memory of the shape, seconds: limbs and rotations change it within. */
   static final double MEMORY_S = 0.3;
 
-  /** Share of the events that come from beside the shape seen so far: it grows or bends. */
+  /** Share of events outside of the present shape, by growth or deformation. */
   private static final double GROWTH = ObjectRelations.ERROR;
 
-  /** Share of the mean density below which a cell is a gap, and not of the extent. */
+  /** Share of the mean density below which a cell is a gap outside of the extent. */
   private static final double FAINT = 0.2;
 
-  /** Cells that the longer side spans at most: the rest is for growth. */
+  /** Largest span of the longer side, cells; the rest is for growth. */
   private static final double MAX_SPAN = 0.8 * SIDE;
 
-  /** Cells that it spans at least: two changes of size away. */
+  /** Smallest span, cells: two changes of size away. */
   private static final double MIN_SPAN = MAX_SPAN / 2;
 
-  /** Probability that an event is anywhere in the grid, so that no logarithm diverges. */
+  /** Least density, against divergence of the logarithm. */
   private static final float FLOOR = 1e-3f / CELLS;
 
   private static final double HALF = SIDE / 2.0;
@@ -68,7 +64,7 @@ final class ShapeTemplate {
   private final float[] wide = new float[CELLS];
   private final float[] work = new float[CELLS];
 
-  /** Copies that lie one or two cells before and after. */
+  /** Copies shifted by one or two cells in both directions. */
   private final float[][] shifted = new float[4][CELLS];
 
   private final float[] marginalX = new float[SIDE];
@@ -81,7 +77,7 @@ final class ShapeTemplate {
   private float fade = 1;
   private float perFade = 1;
 
-  /** Weight of the events in the extent, and the density from which a cell is of it. */
+  /** Weight of the events in the extent, and the least density of its cells. */
   double solidTotal;
 
   private float faint;
@@ -97,7 +93,7 @@ final class ShapeTemplate {
 
   double middleY;
 
-  /** Row of the lower edge, from the middle of the grid: half the usual events of a row. */
+  /** Row of the lower edge, from the middle of the grid. */
   double lowEdge;
 
   /** Half sides of the box. */
@@ -123,7 +119,7 @@ final class ShapeTemplate {
     perCell = 1 / cell;
   }
 
-  /** Scales all lengths, as of what comes nearer; the gradient follows with {@link #refresh}. */
+  /** Scales all lengths; the gradient follows with {@link #refresh}. */
   void grow(double factor) {
     setCell(cellPx * factor);
     middleX *= factor;
@@ -178,7 +174,7 @@ final class ShapeTemplate {
     return sum;
   }
 
-  /** Works out the density, its gradient, and the extent. */
+  /** Computes the density, its gradient, and the extent. */
   void refresh() {
     settle();
     blur(mass, work, 1);
@@ -200,7 +196,7 @@ final class ShapeTemplate {
     }
   }
 
-  /** A copy in which each cell is the one some cells on: loops over one index are vectorised. */
+  /** A copy shifted by some cells, so that loops are vectorised. */
   private float[] shifted(int copy, float[] from, int by) {
     float[] to = shifted[copy];
     System.arraycopy(from, Math.max(0, by), to, Math.max(0, -by), CELLS - Math.abs(by));
@@ -216,7 +212,7 @@ final class ShapeTemplate {
     }
   }
 
-  /** The mean over two cells on each side, up to which it may grow within its memory. */
+  /** Mean over two cells on each side, the growth within its memory. */
   private void widen(float[] from, float[] to, int apart) {
     float[] second = shifted(0, from, -2 * apart);
     float[] before = shifted(1, from, -apart);
@@ -227,7 +223,7 @@ final class ShapeTemplate {
     }
   }
 
-  /** Differences of the logarithm, bounded where the density is the floor. */
+  /** Differences of the logarithm, bounded at the least density. */
   private void differentiate(float[] to, int apart) {
     float perPx = (float) (1.5 / cellPx);
     float[] low = shifted(0, density, -apart);
@@ -237,7 +233,7 @@ final class ShapeTemplate {
     }
   }
 
-  /** Works out the means of the density and of the information; at once, as each sum is slow. */
+  /** Computes mean and information in one pass, since each sum is slow. */
   private void integrate() {
     float mean = 0;
     float xx = 0;
@@ -258,7 +254,7 @@ final class ShapeTemplate {
     infoYy = yy;
   }
 
-  /** Whether a cell is of the extent. */
+  /** Whether a cell is part of the extent. */
   boolean isCore(int cell) {
     return density[cell] > faint;
   }
@@ -314,7 +310,7 @@ final class ShapeTemplate {
     lowEdge = edge(marginalY) * cellPx;
   }
 
-  /** Where a marginal reaches a share of its sum, cells from the middle. */
+  /** Quantile of a marginal, cells from the middle. */
   private double quantile(float[] marginal, double share) {
     double wanted = share * solidTotal;
     double sum = 0;
@@ -329,8 +325,8 @@ final class ShapeTemplate {
   }
 
   /**
-   * Where a marginal first reaches half of its mean by weight, cells from the middle of the grid.
-   * An edge that is blurred symmetrically has half of it at its place.
+   * First cell with half of the weighted mean of a marginal, from the middle of the grid: the
+   * position of a symmetrically blurred edge.
    */
   private static double edge(float[] marginal) {
     double sum = 0;
@@ -353,7 +349,7 @@ final class ShapeTemplate {
     return cellPx * Math.sqrt(2);
   }
 
-  /** The cell size that fits its extent. */
+  /** Cell size for the present extent. */
   double wantedCell() {
     double span = size() * perCell;
     if (span > MAX_SPAN) {
@@ -362,7 +358,7 @@ final class ShapeTemplate {
     return Math.max(MIN_CELL_PX, span < MIN_SPAN ? cellPx / Math.sqrt(2) : cellPx);
   }
 
-  /** Resamples with cells of another size, and the middle of the grid elsewhere. */
+  /** Resamples with another cell size and another middle of the grid. */
   void resample(double cell, double shiftX, double shiftY) {
     settle();
     System.arraycopy(mass, 0, work, 0, CELLS);
@@ -371,7 +367,7 @@ final class ShapeTemplate {
     spread(work, from, -shiftX, -shiftY);
   }
 
-  /** Adds another template that stands elsewhere. */
+  /** Adds another template at an offset. */
   void absorb(ShapeTemplate other, double dx, double dy) {
     settle();
     other.settle();
@@ -386,7 +382,7 @@ final class ShapeTemplate {
     }
   }
 
-  /** Adds the weight of a square of a side. */
+  /** Adds the weight of a square. */
   void spread(double dx, double dy, double weight, double side) {
     int parts = side > cellPx ? 2 : 1;
     double step = side / parts;
@@ -399,7 +395,7 @@ final class ShapeTemplate {
     }
   }
 
-  /** Shares a weight among four cells, bilinearly. */
+  /** Distributes a weight to four cells, bilinearly. */
   private void addBetween(double column, double row, double weight) {
     int c = (int) Math.floor(column);
     int r = (int) Math.floor(row);

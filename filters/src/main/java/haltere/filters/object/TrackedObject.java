@@ -7,10 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 
-/**
- * An object: its components, its identity once that is decided, and its extent. It is the only
- * place where identity lives.
- */
+/** An object: components, identity (once decided) and extent. */
 final class TrackedObject {
   final List<Component> components = new ArrayList<>(1);
 
@@ -22,17 +19,17 @@ final class TrackedObject {
 
   long bornUs;
 
-  /** Since when all others are surely not this one. */
+  /** Time since which all others are separate from this one. */
   long apartUs;
 
   long activeUs;
 
-  /** When it was last seen to move, px/s. */
+  /** Speed in its last motion, px/s. */
   double speed;
 
   double events;
 
-  /** Whether it is only remembered. */
+  /** Whether it is lost, and only its identity is kept. */
   boolean isLost;
 
   private double lowX;
@@ -62,7 +59,7 @@ final class TrackedObject {
     return id > 0;
   }
 
-  /** Whether it is reported, or was watched for longer than rows are kept. */
+  /** Whether it is reported, or was observed for longer than rows are kept. */
   boolean isSettled() {
     return isDecided() || age() * ObjectTracker.TICK_S > ObjectTrackerFilter.UNDECIDED_S;
   }
@@ -83,7 +80,7 @@ final class TrackedObject {
     return sum;
   }
 
-  /** Ticks for which its first component was watched. */
+  /** Age of its first component, ticks. */
   int age() {
     return components.get(0).age();
   }
@@ -93,7 +90,7 @@ final class TrackedObject {
     return 1 - components.stream().mapToDouble(c -> c.presence.gone()).reduce(1, (a, b) -> a * b);
   }
 
-  /** Works out the box around those of its components. */
+  /** Computes the box around its components. */
   void measure() {
     lowX = Double.POSITIVE_INFINITY;
     highX = Double.NEGATIVE_INFINITY;
@@ -127,7 +124,7 @@ final class TrackedObject {
     return 2 * Math.max(halfX(), halfY());
   }
 
-  /** Row of the lowest edge of what moves, pixels. */
+  /** Row of the lower edge of moving components, pixels. */
   private double lowEdge() {
     double low = Double.POSITIVE_INFINITY;
     for (Component c : components) {
@@ -138,7 +135,7 @@ final class TrackedObject {
     return low == Double.POSITIVE_INFINITY ? lowY : low;
   }
 
-  /** Mean over its components by their events. */
+  /** Mean over its components, weighted by their events. */
   private double mean(ToDoubleFunction<GaussianState> of) {
     double sum = 0;
     double all = 0;
@@ -159,7 +156,7 @@ final class TrackedObject {
     return mean(state -> state.mean(3));
   }
 
-  /** Half the squared distance of its velocity and another's, in their variances. */
+  /** Half the normalised squared difference of its velocity and another. */
   double unlike(Component other) {
     double sum = 0;
     for (int i = 1; i < 4; i += 2) {
@@ -172,7 +169,7 @@ final class TrackedObject {
     return sum;
   }
 
-  /** Standard deviation of a coordinate some seconds on, its sides having a variance. */
+  /** Standard deviation of a predicted coordinate, with the variance of its sides. */
   private double sdOfPosition(int position, double s, double side) {
     double pp = mean(state -> state.covariance(position, position));
     double pv = mean(state -> state.covariance(position, position + 1));
@@ -180,7 +177,7 @@ final class TrackedObject {
     return Math.sqrt(pp + side + s * (2 * pv + s * vv));
   }
 
-  /** The ellipse within its box whose axes are correlated as its events are. */
+  /** The inscribed ellipse of its box with the correlation of its events. */
   private Ellipse ellipse() {
     double xx = 0;
     double xy = 0;
@@ -197,7 +194,7 @@ final class TrackedObject {
     return Ellipse.of(halfX() * halfX(), correlation * halfX() * halfY(), halfY() * halfY());
   }
 
-  /** Moves all of it without a registration. */
+  /** Shifts all components without a registration. */
   void shift(double dx, double dy) {
     for (Component component : components) {
       component.shift(dx, dy);

@@ -4,6 +4,11 @@ import haltere.filters.estimation.FilterStep;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.Vectors;
+import haltere.filters.orientation.internal.axis.AxisFilter;
+import haltere.filters.orientation.internal.axis.AxisLaunch;
+import haltere.filters.orientation.internal.axis.LineMeasurement;
+import haltere.filters.orientation.internal.axis.QuaternionFilter;
+import haltere.filters.orientation.internal.axis.SphereFilter;
 import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
@@ -12,8 +17,8 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * Position and orientation of one body from what any number of calibrated cameras see of it, at
- * each time from what was seen up to then.
+ * Position and orientation of one body from the observations of calibrated cameras. Each estimate
+ * uses the observations up to its time.
  *
  * <pre>{@code
  * BodyOrientationEstimator body =
@@ -71,11 +76,11 @@ public final class BodyOrientationEstimator {
   private int measured;
 
   /**
-   * An estimator that has seen nothing.
+   * An estimator in its initial state.
    *
-   * @param cameras the cameras that {@link LineObservation#camera} counts; those with a {@link
-   *     CameraModel#problem} are left out
-   * @param settings of all its parts
+   * @param cameras in the order of {@link LineObservation#camera}; those with a {@link
+   *     CameraModel#problem} are ignored
+   * @param settings of the estimator
    */
   public BodyOrientationEstimator(List<CameraModel> cameras, OrientationSettings settings) {
     this.settings = settings;
@@ -85,8 +90,8 @@ public final class BodyOrientationEstimator {
     position = new PositionFilter(List.copyOf(cameras), settings.position());
     axis =
         settings.form() == OrientationSettings.Form.QUATERNION
-            ? new QuaternionFilter(settings)
-            : new SphereFilter(settings);
+            ? new QuaternionFilter(settings.axisModel())
+            : new SphereFilter(settings.axisModel());
     search = new AxisLaunch(settings.gate().outlierShare());
     head = new HeadOrTail(settings.direction());
     lines = measurements(count);
@@ -102,9 +107,9 @@ public final class BodyOrientationEstimator {
   /**
    * Estimates the orientation at a time with its observations.
    *
-   * @param timeUs microseconds; one before the last is refused
+   * @param timeUs microseconds; a time before the last one is rejected
    * @param seen observations of this time, at most one of each camera
-   * @return the orientation at this time, or empty as long as it is not known
+   * @return the orientation at this time, or empty if it is unknown
    */
   public Optional<OrientationEstimate> update(long timeUs, List<LineObservation> seen) {
     if (hasTime && timeUs < lastUs) {
@@ -178,7 +183,7 @@ public final class BodyOrientationEstimator {
     return Optional.of(estimate(timeUs, dtS, taken, count - taken + skipped));
   }
 
-  /** Flight-direction coupling: a body points where it flies, but for a slip angle. */
+  /** Coupling of the axis to the direction of flight, with a random slip angle. */
   private void coupleToFlight(double dtS) {
     if (hasBefore) {
       flight.step(before, at, dtS);
@@ -196,7 +201,7 @@ public final class BodyOrientationEstimator {
     }
   }
 
-  /** Searches an axis in the recent lines, with the head by the last axis and the flight. */
+  /** Searches an axis in recent lines; its head follows from the last axis and the flight. */
   private boolean finds(long timeUs) {
     int count = intake.measure(intake.recent(timeUs), at, views, (problem, number) -> {});
     if (!search.find(views, count)) {
@@ -229,7 +234,7 @@ public final class BodyOrientationEstimator {
     }
   }
 
-  /** Counts used and rejected lines and learns their noise; returns how many were used. */
+  /** Counts used and rejected lines and estimates their noise; returns the number of used ones. */
   private int note(int count) {
     int taken = 0;
     for (int i = 0; i < count; i++) {
@@ -261,7 +266,7 @@ public final class BodyOrientationEstimator {
     }
     uSettled = !hadAxis || now.isSettled() ? u : uSettled;
     hadAxis = true;
-    // that the true axis is on this side and its head ahead, or neither
+    // axis and head are both right, or both wrong
     double headProbability =
         now.agreement() * head.probability() + (1 - now.agreement()) * (1 - head.probability());
     return OrientationEstimate.of(
@@ -277,7 +282,7 @@ public final class BodyOrientationEstimator {
         rejected);
   }
 
-  /** From now on keeps each step of the axis and hands out those of the position; allocates. */
+  /** Records each step of the axis and passes on those of the position; allocates. */
   void record(Consumer<? super FilterStep> positionSteps) {
     axis.record();
     position.record(positionSteps);
@@ -288,9 +293,9 @@ public final class BodyOrientationEstimator {
   }
 
   /**
-   * How often something happened.
+   * The count of a result.
    *
-   * @param what which
+   * @param what the result
    * @return at least 0
    */
   public long count(OrientationCount what) {
@@ -298,7 +303,7 @@ public final class BodyOrientationEstimator {
   }
 
   /**
-   * Standard deviation of a camera's angles, as set or as learnt so far.
+   * Standard deviation of the angles of a camera, as set or estimated.
    *
    * @param camera its index
    * @return radians
@@ -311,17 +316,17 @@ public final class BodyOrientationEstimator {
    * Angle between the observed and the expected line of a camera at the last time.
    *
    * @param camera its index
-   * @return radians in (−π/2, π/2), NaN if it saw nothing then
+   * @return radians in (−π/2, π/2), NaN without an observation
    */
   public double residualRad(int camera) {
     return measurement(camera).map(each -> each.residualRad).orElse(Double.NaN);
   }
 
   /**
-   * Whether the line that a camera saw at the last time was used.
+   * Whether the line of a camera at the last time was used.
    *
    * @param camera its index
-   * @return false as well if it saw none
+   * @return false also without an observation
    */
   public boolean used(int camera) {
     return measurement(camera).map(each -> each.used).orElse(false);
@@ -332,19 +337,18 @@ public final class BodyOrientationEstimator {
   }
 
   /**
-   * What a camera observed at the last time.
+   * The observation of a camera at the last time.
    *
    * @param camera its index
-   * @return empty if it observed nothing then
+   * @return empty if there was none
    */
   public Optional<LineObservation> observation(int camera) {
     return intake.usable().stream().filter(each -> each.camera() == camera).findAny();
   }
 
   /**
-   * {@return the mean of the normalised innovations squared of all lines that were used: near 1 if
-   * the filter is consistent (somewhat less, since lines far off are left out), NaN before the
-   * first}
+   * {@return the mean normalised innovation squared of all used lines: near 1 if the filter is
+   * consistent (slightly less because of the gate), NaN before the first line}
    */
   public double meanNis() {
     return nisCount == 0 ? Double.NaN : nisSum / nisCount;

@@ -4,16 +4,16 @@ import haltere.filters.orientation.camera.Vectors;
 import java.util.List;
 
 /**
- * Chooses which end is the head at each time of a whole track: the path through the signs s_t = ±1
- * of least cost (Viterbi 1967), with the cost of a step as in Straw et al. (2011)
+ * Resolves head and tail over a whole track: the path through the signs s_t = ±1 with the least
+ * cost (Viterbi 1967), with the cost of a step as in Straw et al. (2011)
  *
  * <pre>
  * w ∠(s_t u_t, v̂_t) + (1 − w) ∠(s_t u_t, s_{t−1} u_{t−1}) + (1 − w) ∠(s_t u_t, up)
  * </pre>
  *
- * <p>v̂ is the direction of travel, tipped up by up to 45°, since insects fly with their heads up.
- * An unknown term is left out. In Straw et al. w = min(0.9, 0.5 · speed in m/s), which is near 0
- * for slow bodies; the default is {@link #weightOf} a speed and its standard deviation.
+ * <p>v̂ is the direction of travel, tilted up by up to 45°, since insects fly with their heads up.
+ * Unknown terms are left out. In Straw et al. w = min(0.9, 0.5 · speed in m/s), which is near 0 for
+ * slow bodies; the default is {@link #weightOf} a speed and its standard deviation.
  */
 final class DirectionChoice {
   private static final double TIP_RAD = Math.toRadians(45);
@@ -39,7 +39,7 @@ final class DirectionChoice {
    * @param axes unit vectors, of either sign
    * @param velocities of the body, metres a second, of any length
    * @param weights w of each time
-   * @param linked whether each axis is the one before, moved
+   * @param linked whether each axis continues the previous one
    * @return whether each axis is to be reversed
    */
   static boolean[] flips(

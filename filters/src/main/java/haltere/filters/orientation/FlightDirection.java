@@ -3,7 +3,7 @@ package haltere.filters.orientation;
 import haltere.filters.orientation.camera.Vectors;
 import java.util.Arrays;
 
-/** Direction of a body's recent flight: the sum of its steps, older ones counting less. */
+/** Direction of the recent flight of a body: the sum of its steps with exponential memory. */
 final class FlightDirection {
   private static final double MEMORY_S = 0.05;
 
@@ -21,7 +21,7 @@ final class FlightDirection {
     }
   }
 
-  /** Puts the direction into an array of three; returns how far the body has flown, metres. */
+  /** Gets the direction, three numbers; returns the displacement, metres. */
   double direction(double[] out) {
     System.arraycopy(wayM, 0, out, 0, 3);
     Vectors.normalise(out);

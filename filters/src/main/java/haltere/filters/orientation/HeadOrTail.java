@@ -3,12 +3,10 @@ package haltere.filters.orientation;
 import org.apache.commons.statistics.distribution.ChiSquaredDistribution;
 
 /**
- * Decides which end of the axis is the head: that in whose direction the body has moved.
- *
- * <p>The displacement is the sum of steps along the axis, older ones counting less. Its noise is
- * that of its two ends, since errors of positions between them cancel; a velocity would be noisier.
- * The decision is changed only when the displacement is clearly backwards, so that a body which
- * slips in a turn keeps its head.
+ * Resolves head and tail by the displacement of the body along the axis: the sum of steps with
+ * exponential memory. Its noise is that of two positions, since errors between them cancel; a
+ * velocity would be noisier. The decision changes only if the displacement is clearly backwards, so
+ * that a body which slips in a turn keeps its head.
  */
 final class HeadOrTail {
   private final OrientationSettings.HeadTail settings;
@@ -21,7 +19,7 @@ final class HeadOrTail {
     this.settings = settings;
   }
 
-  /** Forgets the displacement, after the axis was lost and found; the decision stays. */
+  /** Clears the displacement after a re-initialisation of the axis; the decision stays. */
   void doubt() {
     wayM = 0;
     sigmas = 0;

@@ -2,14 +2,15 @@ package haltere.filters.orientation;
 
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
+import haltere.filters.orientation.internal.axis.LineMeasurement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ObjLongConsumer;
 
 /**
- * Decides which observations of one time can be used, makes measurements of them, and keeps what
- * each camera saw last.
+ * Selects the usable observations of a time, converts them to measurements, and keeps the last one
+ * of each camera.
  */
 final class LineIntake {
   private final List<CameraModel> cameras;
@@ -31,7 +32,7 @@ final class LineIntake {
     latestUs = new long[cameras.size()];
   }
 
-  /** Accepts the observations of a time, without those of unusable cameras and second ones. */
+  /** Accepts observations of a time, except repeated ones and those of unusable cameras. */
   void accept(long timeUs, List<LineObservation> seen, ObjLongConsumer<OrientationCount> counter) {
     usable.clear();
     for (LineObservation observation : seen) {
@@ -53,14 +54,14 @@ final class LineIntake {
     together |= usable.size() > 1;
   }
 
-  /** What can be used of the last time; valid until the next one. */
+  /** Usable observations of the last time; valid until the next one. */
   List<LineObservation> usable() {
     return usable;
   }
 
   /**
-   * The last views that are recent enough, of cameras that expose at different times; of those that
-   * expose together, what can be used of the last time.
+   * The last recent observation of each camera if cameras expose at different times, or the usable
+   * ones of the last time if they expose together.
    */
   List<LineObservation> recent(long timeUs) {
     if (together) {
@@ -76,8 +77,8 @@ final class LineIntake {
   }
 
   /**
-   * Makes measurements of the lines of a body at a position in metres, counts the other
-   * observations, and returns how many measurements.
+   * Converts the lines of a body at a position in metres; counts the other observations; returns
+   * the number of measurements.
    */
   int measure(
       List<LineObservation> seen,

@@ -1,8 +1,9 @@
 package haltere.filters.orientation;
 
+import haltere.filters.orientation.internal.axis.LineMeasurement;
 import java.util.Arrays;
 
-/** Variance of each camera's angles, learnt from its own detections. */
+/** Variance of the angles of each camera, estimated from its own detections. */
 final class LineNoise {
   /** Detections over which the variance of a camera is averaged. */
   private static final double MEMORY = 300;
@@ -26,7 +27,7 @@ final class LineNoise {
     Arrays.fill(weights, INITIAL_WEIGHT);
   }
 
-  /** Learns from a line's estimate of its own variance. */
+  /** Updates with the estimate of the variance by one line. */
   void learn(LineMeasurement each) {
     double now = each.ownRad2;
     if (settings.calibrate() && Double.isFinite(now)) {

@@ -12,9 +12,9 @@ import java.util.TreeMap;
 import java.util.function.BiConsumer;
 
 /**
- * Orientation while it happens: takes the lines that the filters {@code body-line} of several event
- * cameras publish, in whatever order the cameras' threads bring them, puts those of one time
- * together and hands them to a {@link BodyOrientationEstimator}.
+ * Online estimation of the orientation: receives the lines of the filters {@code body-line} of
+ * several event cameras, on any thread and in any order, groups them by time, and passes them to a
+ * {@link BodyOrientationEstimator}.
  *
  * <pre>{@code
  * LiveOrientation live = new LiveOrientation(cameras, OrientationSettings.defaults(), 20_000,
@@ -23,9 +23,9 @@ import java.util.function.BiConsumer;
  * right.lines().subscribe(line -> live.line(1, line));
  * }</pre>
  *
- * <p>The cameras' clocks must agree, as those of cameras that are wired together do. A time is
- * complete when each camera has gone on to it; a camera that says nothing is waited for no longer
- * than set. What comes later is counted and left out, so that times ascend.
+ * <p>The clocks of the cameras must be synchronised. A time is complete when each camera has
+ * reached it; a silent camera is awaited for the configured time only. Later lines are counted and
+ * dropped, so that times ascend.
  *
  * <p>Thread rule: safe for use by several threads; the listener is called on one of them at a time.
  */
@@ -42,13 +42,13 @@ public final class LiveOrientation {
   private long late;
 
   /**
-   * Nothing has been seen yet.
+   * An estimation in its initial state.
    *
    * @param cameras the calibrated cameras, in the order of the numbers given to {@link #line}
    * @param settings of the estimator
-   * @param waitUs how long a camera is waited for, microseconds of the events' clock, not negative
-   * @param listener takes each orientation and the estimator, for residuals and counts, which is
-   *     not to be kept
+   * @param waitUs longest wait for a camera, microseconds of the events' clock, not negative
+   * @param listener receives each orientation and the estimator, for residuals and counts; the
+   *     estimator must not be stored
    */
   public LiveOrientation(
       List<CameraModel> cameras,
@@ -66,7 +66,7 @@ public final class LiveOrientation {
     reset();
   }
 
-  /** Forgets everything: the clocks were set, or something else is seen. */
+  /** Returns to the initial state, for example after the clocks were set. */
   public synchronized void reset() {
     body = new BodyOrientationEstimator(cameras, settings);
     pending.clear();
@@ -76,10 +76,10 @@ public final class LiveOrientation {
   }
 
   /**
-   * Takes what a camera saw.
+   * Receives a line of a camera.
    *
    * @param camera its number, from 0
-   * @param line what was seen; those of one camera ascend in time
+   * @param line a line; those of one camera ascend in time
    */
   public synchronized void line(int camera, BodyLine line) {
     Objects.checkIndex(camera, reachedUs.length);
@@ -92,11 +92,11 @@ public final class LiveOrientation {
   }
 
   /**
-   * Says that a camera has gone on to a time, whether it saw the body or not; others then need not
-   * wait for it.
+   * Reports that a camera has reached a time, with or without a line, so that others need not wait
+   * for it.
    *
    * @param camera its number, from 0
-   * @param timeUs up to here all its lines have been given
+   * @param timeUs all its lines up to this time were received
    */
   public synchronized void reached(int camera, long timeUs) {
     reachedUs[camera] = Math.max(reachedUs[camera], timeUs);
@@ -108,7 +108,7 @@ public final class LiveOrientation {
     goOn(Math.max(slowest, newestUs - waitUs));
   }
 
-  /** Hands over what still waits for a camera; at the end of a stream. */
+  /** Processes waiting lines at the end of a stream. */
   public synchronized void finish() {
     goOn(Long.MAX_VALUE);
   }
@@ -121,7 +121,7 @@ public final class LiveOrientation {
     }
   }
 
-  /** Lines that came after their time had been handed over. */
+  /** Number of late lines, which were dropped. */
   synchronized long late() {
     return late;
   }

@@ -4,7 +4,7 @@ package haltere.filters.orientation;
 public enum OrientationCount {
   /** Observations used for the axis. */
   USED("used for the axis"),
-  /** Lines outside the gate, or likelier not the body's. */
+  /** Lines outside the gate, and probable outliers. */
   REJECTED("rejected by the gate"),
   /** Observations whose area is too small. */
   SMALL("too small"),
@@ -13,22 +13,19 @@ public enum OrientationCount {
   /** Observations without an angle; their position may have been used. */
   WITHOUT_ANGLE("without an angle"),
   /** Observations of an unusable camera, or outside the image of its lens. */
-  UNUSABLE_CAMERA("of a camera that cannot be used, or where its lens shows nothing"),
-  /** Lines that a camera cannot see: of a body at its centre, in its plane, or seen end-on. */
-  WITHOUT_LINE("of a body at the camera's centre, in its plane or seen end-on"),
+  UNUSABLE_CAMERA("of a camera that cannot be used, or outside the image of its lens"),
+  /** Lines of a body at the camera's centre, in its focal plane, or pointing at it. */
+  WITHOUT_LINE("of a body at the camera's centre, in its focal plane or pointing at it"),
   /** A second observation of one camera at one time. */
-  TWICE("second ones of a camera at one time"),
+  TWICE("further ones of a camera at the same time"),
   /** Observations earlier than one that was already used. */
-  TIME_BACK("earlier than the one before"),
-  /** Times without a position: fewer than two cameras, or all in one line. */
-  NO_POSITION(
-      "times without a position: fewer than two cameras, or all of them in line with the body"),
-  /** Times with a position but no axis: fewer than two accepted lines, or lines of one plane. */
-  NO_AXIS(
-      "times without an axis: fewer than two accepted lines, lines of one plane or lines that"
-          + " contradict"),
-  /** How often an axis was found anew after one was lost. */
-  RELAUNCHED("times that a lost axis was found anew");
+  TIME_BACK("earlier than the previous one"),
+  /** Times without a position: fewer than two cameras, or all collinear with the body. */
+  NO_POSITION("times without a position: fewer than two cameras, or collinear with the body"),
+  /** Times with a position but no axis: fewer than two accepted lines, or degenerate ones. */
+  NO_AXIS("times without an axis: fewer than two accepted lines, coplanar or contradictory lines"),
+  /** Re-initialisations of a lost axis. */
+  RELAUNCHED("re-initialisations of a lost axis");
 
   private final String words;
 
@@ -36,7 +33,7 @@ public enum OrientationCount {
     this.words = words;
   }
 
-  /** {@return what is counted, in words that follow a number} */
+  /** {@return a description that follows a number} */
   public String words() {
     return words;
   }

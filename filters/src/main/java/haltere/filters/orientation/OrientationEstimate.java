@@ -12,17 +12,16 @@ import haltere.filters.orientation.camera.Vectors;
  * @param ux axis, a unit vector from tail to head
  * @param uy axis
  * @param uz axis
- * @param sdAxisRad root of the mean squared angle between this axis and the true one, at most that
+ * @param sdAxisRad root mean square of the angle between this axis and the true one, at most that
  *     of a random direction (1.71)
- * @param sdRollRad standard deviation of the rotation about the axis, which no camera sees: that of
- *     any angle at all (1.81), or more
- * @param pRadS rate of roll; not seen either, so 0 unless a filter has a state for it
- * @param qRadS rate about the axis to the body's left if its back is up: positive when it pitches
- *     down
- * @param rRadS rate about the axis orthogonal to both: positive when it yaws to its left
+ * @param sdRollRad standard deviation of roll, which is not observable: that of a uniform angle
+ *     (1.81) or more
+ * @param pRadS roll rate; not observable, so 0 unless the filter has a state for it
+ * @param qRadS pitch rate of a body whose back is up, positive nose down
+ * @param rRadS yaw rate of a body whose back is up, positive to the left
  * @param headProbability probability that this end is the head, 0 to 1
- * @param used observations of this time that were used for the axis
- * @param rejected observations of this time that were not
+ * @param used number of observations of this time used for the axis
+ * @param rejected number of other observations of this time
  */
 public record OrientationEstimate(
     long timeUs,
@@ -92,7 +91,7 @@ public record OrientationEstimate(
         rejected);
   }
 
-  /** What a tip velocity means in the frame of a body whose back is up: q and r. */
+  /** Rates q and r of a tip velocity in the frame of a body whose back is up. */
   private static double[] rates(double[] axis, double[] tipVelocity) {
     double[] turning = new double[3];
     Vectors.cross(axis, tipVelocity, turning);

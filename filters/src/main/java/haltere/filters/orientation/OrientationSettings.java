@@ -5,19 +5,20 @@ import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
+import haltere.filters.orientation.internal.axis.AxisModel;
 
 /**
  * Settings of {@link BodyOrientationEstimator}.
  *
- * @param gate which observations are used
- * @param turning how the axis turns
- * @param line noise of observed angles
- * @param position how the body moves
- * @param direction how head and tail are resolved
+ * @param gate acceptance of observations
+ * @param turning process model of the axis
+ * @param line measurement noise of angles
+ * @param position process and measurement model of the position
+ * @param direction resolution of head and tail
  */
 public record OrientationSettings(
     @Help(
-            "The filter of the axis: on the sphere of directions, or on quaternions, as Straw et al. (2011).")
+            "Filter of the axis: error state on the unit sphere, or quaternion as in Straw et al. (2011).")
         Form form,
     ObservationGate gate,
     Turning turning,
@@ -25,11 +26,11 @@ public record OrientationSettings(
     BodyMotion position,
     HeadTail direction)
     implements AdjustableSettings<OrientationSettings> {
-  /** Which filter follows the axis. */
+  /** Filter of the axis. */
   public enum Form {
-    /** The error of the axis in its tangent plane; roll, which nobody sees, is left out. */
+    /** Error state of the axis in its tangent plane; roll is not observable and no state. */
     ERROR_STATE,
-    /** Body rates and a quaternion, seven numbers, as Straw et al. (2011). */
+    /** Seven states, body rates and a quaternion, as in Straw et al. (2011). */
     QUATERNION
   }
 
@@ -55,7 +56,7 @@ public record OrientationSettings(
   /**
    * The filter of Straw et al. (2011) with its defaults: quaternions, R = 10 rad², 0.1 added to
    * each variance at each update, a gate of 40° and no other. The sign of its last equation is
-   * mended, and the quaternion kept at length 1.
+   * corrected, and the quaternion is normalised.
    *
    * @return for comparison
    */
@@ -70,92 +71,86 @@ public record OrientationSettings(
             "line.calibrate=false");
   }
 
-  /** Which observations are used. */
+  /** The model of the axis; without outliers if the gate accepts all lines. */
+  AxisModel axisModel() {
+    return new AxisModel(
+        turning.calmRateRadS,
+        turning.saccadeRateRadS,
+        turning.decayS,
+        turning.saccadesPerS,
+        turning.saccadeS,
+        turning.updateNoise,
+        Math.toRadians(gate.angleDeg),
+        gate.angleDeg >= 90 ? 0 : gate.outlierShare);
+  }
+
+  /** Acceptance of observations. */
   public record ObservationGate(
       @Help(
-              "Largest angle between an observed line and the expected one; a larger value accepts"
-                  + " more. 0 rejects all, 90 and more accept all.")
+              "Largest residual of a line; a larger value accepts more lines. 0 rejects all, 90 and"
+                  + " more accept all.")
           @Range(min = 0, max = 180)
           @Unit("deg")
           double angleDeg,
-      @Help("A detection must be larger than this; one of unknown area is.")
+      @Help("Area above which a detection is accepted; unknown areas are accepted.")
           @Range(min = 0, max = 1e9)
           @Unit("px^2")
           double minAreaPx,
       @Help(
-              "A detection's long axis must be more than this times its short one; one of unknown"
-                  + " ratio is.")
+              "Ratio of long to short axis above which a detection is accepted; unknown ratios are"
+                  + " accepted.")
           @Range(min = 0, max = 1000)
           @Unit("1")
           double minEccentricity,
       @Help(
-              "Share of lines that are outliers; a larger value rejects more lines. 0 leaves the"
-                  + " decision to the angle.")
+              "Expected share of outliers; a larger value rejects more lines. 0: only the largest"
+                  + " residual decides.")
           @Range(min = 0, max = 0.5)
           @Unit("1")
-          double outlierShare) {
-    /** The outlier share, 0 where the angle accepts all. */
-    double effectiveOutlierShare() {
-      return angleDeg >= 90 ? 0 : outlierShare;
-    }
-  }
+          double outlierShare) {}
 
-  /** How the axis turns: at rates that decay and are driven by noise, calmly or in saccades. */
+  /** Process model of the axis: rates that decay, driven by noise of calm flight or saccades. */
   public record Turning(
-      @Help("Standard deviation of the rate of turning about one axis, in calm flight.")
+      @Help("Standard deviation of the angular rate about one axis in calm flight.")
           @Range(min = 0.001, max = 1000, logarithmic = true)
           @Unit("rad/s")
           double calmRateRadS,
       @Help(
-              "Standard deviation of the rate in a saccade; as large as the calm one for a body that"
-                  + " makes none.")
+              "Standard deviation of the angular rate in a saccade; equal to the calm one for a body"
+                  + " without saccades.")
           @Range(min = 0.001, max = 1000, logarithmic = true)
           @Unit("rad/s")
           double saccadeRateRadS,
-      @Help("Time constant with which rates decay.")
+      @Help("Time constant of the decay of angular rates.")
           @Range(min = 0.001, max = 1000, logarithmic = true)
           @Unit("s")
           double decayS,
-      @Help("How often a saccade begins.")
-          @Range(min = 0.001, max = 100, logarithmic = true)
-          @Unit("Hz")
+      @Help("Rate of saccades.") @Range(min = 0.001, max = 100, logarithmic = true) @Unit("Hz")
           double saccadesPerS,
-      @Help("How long a saccade lasts on average.")
+      @Help("Mean duration of a saccade.")
           @Range(min = 0.001, max = 100, logarithmic = true)
           @Unit("s")
           double saccadeS,
       @Help(
               "Quaternions only: variance added to each of the seven states at every update,"
-                  + " instead of the noise of the rates (Straw et al., 2011).")
+                  + " instead of noise of the rates (Straw et al., 2011).")
           @Range(min = 0, max = 1000)
           @Unit("1")
-          double updateNoise) {
-    /** Share of the time that is spent in saccades. */
-    double saccadeShare() {
-      return saccadesPerS * saccadeS / (1 + saccadesPerS * saccadeS);
-    }
+          double updateNoise) {}
 
-    /** Variance of a rate, over calm flight and saccades. */
-    double meanRateVariance() {
-      double share = saccadeShare();
-      return (1 - share) * calmRateRadS * calmRateRadS + share * saccadeRateRadS * saccadeRateRadS;
-    }
-  }
-
-  /** Noise of observed angles. */
+  /** Measurement noise of angles. */
   public record AngleNoise(
-      @Help("Initial standard deviation of an observed angle; a larger value trusts lines less.")
+      @Help("Initial standard deviation of an angle; a larger value smooths more.")
           @Range(min = 0.01, max = 1000, logarithmic = true)
           @Unit("deg")
           double angleSdDeg,
-      @Help("Whether the standard deviation of each camera is learnt from its own detections.")
+      @Help("Estimates the standard deviation of each camera from its own detections.")
           boolean calibrate) {}
 
   /**
-   * How the body moves, and when it is lost.
+   * Process and measurement model of the position, and its loss.
    *
-   * @param togetherS how far apart in time cameras may look and still be taken together at the
-   *     start
+   * @param togetherS largest difference in time of the views that initialise a body
    */
   public record BodyMotion(
       @Help("Standard deviation of a detection's position in the picture, in each coordinate.")
@@ -166,38 +161,38 @@ public record OrientationSettings(
           @Range(min = 1e-9, max = 1e9, logarithmic = true)
           @Unit("m^2/s^3")
           double accelerationDensity,
-      @Help("A position is used if it is within so many standard deviations of the expected one.")
+      @Help("Gate: a position is accepted within this many standard deviations of the prediction.")
           @Range(min = 1, max = 30)
           @Unit("sigma")
           double gateSigmas,
-      @Help("Views of two cameras that are no further apart in time may start a body.")
+      @Help("Largest difference in time of two views that initialise a body.")
           @Range(min = 0, max = 10)
           @Unit("s")
           double togetherS,
-      @Help("A body that was not seen for longer is re-initialised.")
+      @Help("A body without observations for longer than this is re-initialised.")
           @Range(min = 0.001, max = 1000, logarithmic = true)
           @Unit("s")
           double longestGapS) {}
 
-  /** How head and tail are resolved. */
+  /** Resolution of head and tail. */
   public record HeadTail(
-      @Help("Time constant with which the way that the body has flown along its axis is forgotten.")
+      @Help("Time constant of the memory of the displacement along the axis.")
           @Range(min = 0.01, max = 1000, logarithmic = true)
           @Unit("s")
           double memoryS,
       @Help(
-              "Head and tail are exchanged when the way flown backwards is so many times its standard"
-                  + " deviation.")
+              "Head and tail are exchanged if the backward displacement exceeds this many standard"
+                  + " deviations.")
           @Range(min = 0, max = 100)
           @Unit("sigma")
           double doubtSigmas,
-      @Help("The way flown forwards counts up to so many times its standard deviation.")
+      @Help("The forward displacement is limited to this many standard deviations.")
           @Range(min = 1, max = 1000)
           @Unit("sigma")
           double certaintySigmas,
       @Help(
-              "Standard deviation of the angle between axis and flight, for moments without an"
-                  + " axis from the cameras. 90 leaves the flight out.")
+              "Standard deviation of the angle between axis and flight, for times at which cameras"
+                  + " are ambiguous. 90 ignores the flight.")
           @Range(min = 5, max = 90)
           @Unit("deg")
           double slipSdDeg) {}

@@ -9,6 +9,9 @@ import haltere.filters.estimation.motion.AxisMotion;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.Vectors;
+import haltere.filters.orientation.internal.axis.AxisSmoother;
+import haltere.filters.orientation.internal.axis.AxisState;
+import haltere.filters.orientation.internal.axis.AxisStep;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -17,13 +20,13 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * A body's whole track: the estimates of {@link BodyOrientationEstimator}, kept, so that each time
- * can have the benefit of what came after it. Memory grows with the track, by about 3 kB a time.
+ * The whole track of a body: stores the estimates of {@link BodyOrientationEstimator} for
+ * smoothing. Memory grows with the track, by about 3 kB per time.
  *
  * <p>Thread rule: one thread at a time.
  */
 public final class OrientationTrack {
-  /** An online estimate, and where its steps are. */
+  /** An online estimate and the indexes of its steps. */
   private record Instant(OrientationEstimate online, int position, AxisStep axis) {}
 
   private final OrientationSettings settings;
@@ -56,11 +59,11 @@ public final class OrientationTrack {
   }
 
   /**
-   * Goes on to a time, as {@link BodyOrientationEstimator#update}.
+   * Adds a time, as {@link BodyOrientationEstimator#update}.
    *
    * @param timeUs microseconds
-   * @param seen what cameras saw then
-   * @return the orientation from what was seen up to then
+   * @param seen observations of this time
+   * @return the orientation from the observations up to this time
    */
   public Optional<OrientationEstimate> update(long timeUs, List<LineObservation> seen) {
     Optional<OrientationEstimate> now = estimator.update(timeUs, seen);
@@ -68,13 +71,13 @@ public final class OrientationTrack {
     return now;
   }
 
-  /** {@return the estimator that the track is made with, for its counts} */
+  /** {@return the estimator of the track, for its counts} */
   public BodyOrientationEstimator estimator() {
     return estimator;
   }
 
   /**
-   * The whole track, smoothed, with head and tail chosen over all of it.
+   * The whole track, smoothed, with head and tail resolved over all of it.
    *
    * @return an estimate for each one that {@link #update} has returned; its {@code headProbability}
    *     is NaN
@@ -136,7 +139,7 @@ public final class OrientationTrack {
     return Math.sqrt(sum / 3);
   }
 
-  /** The steps that led to the end, of which more is known there than there was on the way. */
+  /** The steps of the likeliest hypothesis at the end. */
   private List<AxisStep> path() {
     List<AxisStep> path = new ArrayList<>();
     AxisStep step = null;

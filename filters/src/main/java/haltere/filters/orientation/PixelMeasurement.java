@@ -5,7 +5,7 @@ import haltere.filters.estimation.MeasurementModel;
 import haltere.filters.orientation.camera.CameraModel;
 import org.ejml.data.DMatrixRMaj;
 
-/** Where a camera sees a body of which position and velocity are the state; without the lens. */
+/** Undistorted pixel of a body in a camera; the state is position and velocity. */
 final class PixelMeasurement implements MeasurementModel {
   private final Gate gate;
   private final double variance;
@@ -14,13 +14,13 @@ final class PixelMeasurement implements MeasurementModel {
   private final double[] jacobian = new double[6];
   private CameraModel camera;
 
-  /** A measurement that is yet to be turned to a camera. */
+  /** A measurement that needs {@link #turnTo} first. */
   PixelMeasurement(double pixelSd, double gateSigmas) {
     variance = pixelSd * pixelSd;
     gate = Gate.sigmas(gateSigmas);
   }
 
-  /** Turns to a camera; false if it does not see a position. */
+  /** Sets the camera and the position; false if it does not see the position. */
   boolean turnTo(CameraModel newCamera, double x, double y, double z) {
     camera = newCamera;
     point[0] = x;

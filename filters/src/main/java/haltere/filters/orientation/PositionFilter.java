@@ -11,11 +11,11 @@ import java.util.function.Consumer;
 import org.ejml.data.DMatrixRMaj;
 
 /**
- * Position and velocity of a body, driven by white acceleration, corrected by each camera's pixels;
- * started by triangulation. State order x, ẋ, y, ẏ, z, ż.
+ * Kalman filter of position and velocity with white acceleration; measurements are pixels of each
+ * camera; initialised by triangulation. State order x, ẋ, y, ẏ, z, ż.
  */
 final class PositionFilter {
-  /** Times in a row at which no camera was accepted, after which the body is searched again. */
+  /** Consecutive times without an accepted camera until re-initialisation. */
   private static final int LOST_AFTER = 5;
 
   private static final double START_SPEED_M_S = 1;
@@ -48,7 +48,7 @@ final class PositionFilter {
     recorder = newRecorder;
   }
 
-  /** Starts from pixels that were seen nearly together; false if they tell no position. */
+  /** Initialises from nearly simultaneous pixels; false if they determine no position. */
   boolean launch(List<LineObservation> seen) {
     if (!start.find(cameras, seen)) {
       return false;
@@ -74,7 +74,7 @@ final class PositionFilter {
     filter.predict(dtS);
   }
 
-  /** Takes in where cameras see the body. */
+  /** Updates with the pixels of the cameras. */
   void update(List<LineObservation> seen) {
     int accepted = 0;
     int pixels = 0;

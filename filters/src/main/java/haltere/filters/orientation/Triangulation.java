@@ -9,20 +9,20 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * A point in space from where cameras see it: the point nearest to all lines of sight, refined by
- * least squares in the pictures (Gauss and Newton; Hartley and Zisserman 2004, section 12.5), with
- * the covariance that follows. From three cameras on, one that contradicts the others is left out.
+ * Triangulation of a point: the point nearest to all lines of sight, refined by least squares in
+ * the pictures (Gauss-Newton; Hartley and Zisserman 2004, section 12.5), with its covariance. With
+ * three or more cameras, one that contradicts the others is left out.
  */
 final class Triangulation {
   private static final double MIN_LIMIT_PX = 5;
   private static final int ROUNDS = 5;
 
-  /** Standard deviation of a point over its distance, above which it is none. */
+  /** Largest standard deviation of a point over its distance. */
   private static final double MAX_RELATIVE_SD = 0.2;
 
-  /** A line of sight: where a camera sees the point, without the lens. */
+  /** A line of sight: a camera and its undistorted pixel. */
   private record Sight(CameraModel camera, double[] pixel) {
-    /** Distance in the picture to where a point is seen; infinite if it is not. */
+    /** Distance to the projection of a point; infinite if it is not visible. */
     double missPx(double[] point) {
       double[] seen = new double[2];
       return camera.projectIdeal(point, seen)
@@ -45,7 +45,7 @@ final class Triangulation {
     this.pixelSd = pixelSd;
   }
 
-  /** Finds the point; false where fewer than two cameras tell, or all look along one line. */
+  /** Triangulates; false with fewer than two usable cameras or collinear lines of sight. */
   boolean find(List<CameraModel> cameras, List<LineObservation> seen) {
     sights.clear();
     for (LineObservation observation : seen) {

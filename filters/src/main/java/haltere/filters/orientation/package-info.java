@@ -1,19 +1,18 @@
 /**
- * Three-dimensional orientation of a body that several calibrated cameras see as a line.
+ * Orientation in space of a body that several calibrated cameras see as a line.
  *
  * <ul>
- *   <li>{@link haltere.filters.orientation.BodyOrientationEstimator} is the whole of it for one
- *       body: position, axis, rates, head or tail, at each time from the observations up to then.
- *       {@link haltere.filters.orientation.OrientationTrack} keeps a track and goes back over it.
+ *   <li>{@link haltere.filters.orientation.BodyOrientationEstimator} estimates position, axis,
+ *       rates, head and tail of one body online. {@link
+ *       haltere.filters.orientation.OrientationTrack} smooths a whole track.
  *   <li>{@link haltere.filters.orientation.camera.CameraModel} is a camera: a matrix and a {@link
  *       haltere.filters.orientation.camera.Lens}; {@link
- *       haltere.filters.orientation.camera.LineObservation} is what it saw.
- *   <li>{@link haltere.filters.orientation.line.BodyLineTracker} finds such a line in events.
+ *       haltere.filters.orientation.camera.LineObservation} is its observation.
+ *   <li>{@link haltere.filters.orientation.line.BodyLineTracker} measures such a line from events.
  * </ul>
  *
  * <p>World units are metres, image units pixels in the camera's own coordinates (whatever its
- * matrix maps to), angles radians unless a name says otherwise. Nothing here knows of the chain
- * except what is called a filter.
+ * matrix maps to), angles radians unless a name says otherwise. Only filters depend on the chain.
  *
  * @since 0.1
  */

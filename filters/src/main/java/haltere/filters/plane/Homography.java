@@ -69,7 +69,7 @@ public final class Homography implements PlaneMapping {
     if (!solved
         || !CommonOps_DDRM.invert(forward, backward)
         || !points.stream().allMatch(point -> seesPlane(point.xPx(), point.yPx()))) {
-      throw new IllegalArgumentException("no camera sees the four points at these positions");
+      throw new IllegalArgumentException("the four pairs of points have no homography of a camera");
     }
   }
 

@@ -3,7 +3,7 @@ package haltere.filters.plane;
 /**
  * A map from pixels to a plane in the scene and back. Pixel columns x count to the right and rows y
  * upwards from the centre of the bottom left pixel; the axes and units of the plane are those of
- * the mapping, metres unless it says otherwise.
+ * the mapping, metres by default.
  *
  * <p>Thread rule: implementations are immutable and may be used from any thread.
  */

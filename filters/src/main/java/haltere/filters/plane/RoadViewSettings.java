@@ -7,9 +7,9 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * How a camera on a bridge sees the road below it; see {@link RoadMapping}.
+ * View of a road from a bridge; see {@link RoadMapping}.
  *
- * @param vanishingPoint where the road vanishes in the picture
+ * @param vanishingPoint of the road in the picture
  */
 public record RoadViewSettings(
     @Help("Height of the camera above the road.")
@@ -25,7 +25,7 @@ public record RoadViewSettings(
         @Unit("m")
         double farthestM,
     VanishingPoint vanishingPoint) {
-  /** Checks the ranges, and that the road goes away from the camera. */
+  /** Checks the ranges and that farthestM is greater than nearestM. */
   public RoadViewSettings {
     SettingsSchema.validate(
         RoadViewSettings.class, bridgeHeightM, nearestM, farthestM, vanishingPoint);

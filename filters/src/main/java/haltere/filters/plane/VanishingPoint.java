@@ -6,11 +6,10 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/** Where a road vanishes in the picture. */
+/** The vanishing point of a road in the picture. */
 public record VanishingPoint(
-    @Help("On, the vanishing point is the marked one; off, the middle of the top row.")
-        boolean marked,
-    @Help("Column of the marked vanishing point, which may lie beside the sensor.")
+    @Help("On: the marked vanishing point. Off: the middle of the top row.") boolean marked,
+    @Help("Column of the marked vanishing point, which may be outside of the sensor.")
         @Range(min = -32767, max = 32767)
         @Unit("px")
         double xPx,

@@ -16,7 +16,7 @@ public record LaneSettings(
         @Unit("m")
         double leftEdgeM,
     @Help("Width of a lane.") @Range(min = 0.5, max = 20) @Unit("m") double widthM) {
-  /** The lane of what is beside all lanes. */
+  /** Number for a position beside all lanes. */
   public static final int BESIDE = -1;
 
   /** Checks the ranges. */

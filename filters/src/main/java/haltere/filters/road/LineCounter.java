@@ -7,29 +7,29 @@ import java.util.Objects;
 import java.util.function.Consumer;
 
 /**
- * Counts tracks that cross lines of a road. A track is on one side of a line once it is clear of it
- * by two standard deviations, and is counted once it is on the other side. A track that appears
- * beyond a line was not seen to cross it and is not counted.
+ * Counts tracks that cross lines of a road. A track is on a side of a line beyond two standard
+ * deviations, and is counted when it reaches the other side. A track that starts beyond a line is
+ * not counted there.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  */
 public final class LineCounter implements Consumer<PlanePoint> {
-  /** Distance from a line from which on the side is known: 95 % of the errors are smaller. */
+  /** Distance beyond which the side of a line is known: 95 % of the errors are smaller. */
   private static final double CLEAR_SIGMAS = 2;
 
-  /** Tracks that are remembered, so that memory is bounded; the longest unseen is forgotten. */
+  /** Largest number of stored tracks; the least recent one is removed. */
   private static final int MAX_TRACKS = 1000;
 
   private final LaneSettings lanes;
   private final CountingLineSettings lines;
   private final Consumer<LineCrossing> crossings;
 
-  /** For each line, and on it for each lane and beside them: away, then towards. */
+  /** For each line, and there for each lane and beside them: away, then towards. */
   private final long[][] counts;
 
   private final Map<Integer, Passage> passages = recent();
 
-  /** The last position of a track and, for each line, its side and when it was at the line. */
+  /** The last position of a track and, for each line, its side and time at the line. */
   private static final class Passage {
     private PlanePoint last;
     private final int[] sides;
@@ -43,11 +43,11 @@ public final class LineCounter implements Consumer<PlanePoint> {
   }
 
   /**
-   * A counter that has seen nothing.
+   * A counter in its initial state.
    *
    * @param lanes lanes in which crossings are counted separately
    * @param lines the counting lines
-   * @param crossings is told of each crossing, once the track is clear of the line
+   * @param crossings receives each crossing, when the track is beyond the line
    */
   public LineCounter(
       LaneSettings lanes, CountingLineSettings lines, Consumer<LineCrossing> crossings) {
@@ -57,7 +57,7 @@ public final class LineCounter implements Consumer<PlanePoint> {
     counts = new long[lines.lines()][2 * (lanes.lanes() + 1)];
   }
 
-  /** A map by identities that forgets the longest unseen of too many. */
+  /** A map by identities with a bounded number of recent entries. */
   static <V> Map<Integer, V> recent() {
     return new LinkedHashMap<>(16, 0.75f, true) {
       private static final long serialVersionUID = 1;
@@ -70,7 +70,7 @@ public final class LineCounter implements Consumer<PlanePoint> {
   }
 
   /**
-   * Takes the position of a track; those of one track come in the order of their times.
+   * Processes the position of a track; those of one track ascend in time.
    *
    * @param point a position on the road
    */

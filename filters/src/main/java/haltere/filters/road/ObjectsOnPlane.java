@@ -8,10 +8,9 @@ import java.util.Optional;
 import java.util.function.Function;
 
 /**
- * Maps objects that are seen from above to their plane, such as an arena: an object is where the
- * middle of its extent is. Covariances are mapped to first order (J C Jᵀ). The place is empty where
- * the middle does not see the plane. Before a camera that looks along a road: {@link
- * VehiclesOnRoad}.
+ * Maps objects seen from above to their plane, such as an arena: the position is the middle of the
+ * extent. Covariances are mapped to the first order (J C Jᵀ). The result is empty where the middle
+ * does not see the plane. For a camera that looks along a road: {@link VehiclesOnRoad}.
  *
  * <p>Thread rule: immutable.
  *

@@ -8,10 +8,9 @@ import java.util.Objects;
 import org.ejml.data.DMatrixRMaj;
 
 /**
- * How vehicles move in the picture of a camera that looks along a road: at a nearly constant
- * velocity in metres. A point above the road is seen where the road is s times as far away, and
- * moves s times as fast there. So it keeps a constant velocity on the road that is seen at its
- * pixel, whatever its height, and the motion in the picture follows without knowing it.
+ * Motion of vehicles in the picture of a camera that looks along a road: a nearly constant velocity
+ * in metres. A point above the road is at the pixel of a road point that is s times as far away and
+ * s times as fast. Its velocity there is constant as well, so the prediction needs no height.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -41,7 +40,7 @@ public final class RoadMotion extends MotionModel {
    * Motions on a road.
    *
    * @param mapping pixels to the road
-   * @param prior what is usual on it
+   * @param prior of vehicles
    */
   public RoadMotion(PlaneMapping mapping, VehiclePrior prior) {
     this.mapping = Objects.requireNonNull(mapping, "mapping");
@@ -57,7 +56,7 @@ public final class RoadMotion extends MotionModel {
     }
   }
 
-  /** Takes in that a velocity on the road is 0 with a standard deviation. */
+  /** Updates with the prior that a velocity on the road is 0 with a standard deviation. */
   private void expectNone(GaussianState state, double byVx, double byVy, double sd) {
     row[1] = byVx;
     row[3] = byVy;
@@ -65,7 +64,7 @@ public final class RoadMotion extends MotionModel {
     state.correct(-byVx * state.mean(1) - byVy * state.mean(3), sd * sd);
   }
 
-  /** {@inheritDoc} Beyond the horizon it moves as what is free. */
+  /** {@inheritDoc} Beyond the horizon the motion is free. */
   @Override
   protected double predict(GaussianState state, double sizePx, double dtS) {
     double x = state.mean(0);
@@ -120,7 +119,7 @@ public final class RoadMotion extends MotionModel {
     return UNLIKE_SHARE;
   }
 
-  /** {@inheritDoc} What is wider than the widest vehicle is several of them. */
+  /** {@inheritDoc} A box wider than the widest vehicle is several vehicles. */
   @Override
   protected double oneLog(double lowXPx, double highXPx, double lowYPx) {
     double middle = 0.5 * (lowXPx + highXPx);

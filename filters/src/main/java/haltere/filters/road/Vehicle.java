@@ -10,13 +10,13 @@ import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * One vehicle on a road: where its end that is nearest to the camera stands, how fast it moves, and
- * how high above the road lies what is seen of it, in one normal belief.
+ * A vehicle on a road: an extended Kalman filter of the position of its nearer end, its velocity,
+ * and the heights of its visible parts above the road.
  *
- * <p>A camera at a height H sees a point at a height z and a distance d where the road is at s d,
- * with s = H/(H − z). The point seems to move at s v there. Two such points are measured, the lower
- * edge and the middle of the extent; how they move against one another tells their heights, as far
- * as the prior does not. {@code docs/objects.md} has the equations.
+ * <p>A camera at a height H sees a point at a height z and a distance d at the pixel of the road at
+ * s d, with s = H/(H − z), and a speed v as s v. Two points are measured, the lower edge and the
+ * middle of the extent; their relative motion determines their heights together with the prior.
+ * {@code docs/objects.md} has the equations.
  */
 final class Vehicle {
   // entries of the state, metres and m/s
@@ -37,21 +37,19 @@ final class Vehicle {
   static final int SIZE = 7;
   private static final int NONE = -1;
 
-  /** Memory of an extent in the picture, seconds: its errors last for as long. */
+  /** Memory of an extent in the picture and duration of its errors, seconds. */
   private static final double EXTENT_S = 0.3;
 
-  /**
-   * Rows above the lower border of the picture that may cut an edge off, pixels: a blurred edge.
-   */
+  /** Least distance of an edge from the lower border of the picture, pixels. */
   private static final double BORDER_PX = 1.5;
 
-  /** Time for which an acceleration lasts, seconds (Singer, IEEE TAES 6, 1970). */
+  /** Duration of an acceleration, seconds (Singer, IEEE TAES 6, 1970). */
   static final double LASTS_S = 1;
 
-  /** Normalised squared innovation from which a vehicle brakes: 95 % of χ² are below. */
+  /** Mean normalised innovation squared above which a vehicle brakes: 95 % quantile of χ². */
   private static final double BRAKES = Gate.probability(0.95).threshold(1);
 
-  /** Least height of the camera above what is seen, as a share of its height above the road. */
+  /** Least height of the camera above a visible point, as a share of its height. */
   private static final double MIN_CLEARANCE = 0.1;
 
   private final RoadMapping mapping;
@@ -65,13 +63,13 @@ final class Vehicle {
 
   private boolean isStarted;
 
-  /** Mean of the last normalised squared innovations. */
-  private double surprise = 1;
+  /** Recent mean normalised innovation squared. */
+  private double meanNis = 1;
 
   /**
    * A vehicle that has not been measured.
    *
-   * @param timeUs when it is seen first, microseconds
+   * @param timeUs time of its first row, microseconds
    */
   Vehicle(RoadMapping mapping, VehiclePrior prior, long timeUs) {
     this.mapping = mapping;
@@ -84,7 +82,7 @@ final class Vehicle {
     return state;
   }
 
-  /** Takes a row of its track; {@return where it is, empty until its extent is known} */
+  /** Processes a row of its track; {@return its position, empty until its extent is known} */
   Optional<PlanePoint> update(ObjectTrack track) {
     double seconds = (track.timeUs() - timeUs) * 1e-6;
     timeUs = track.timeUs();
@@ -123,14 +121,14 @@ final class Vehicle {
         square(prior.heightM() / 4),
         square(prior.lengthM() / 4));
     state.addNoise(Y, LOW, -byHeight * prior.lowEdgeM());
-    // The velocity in the picture is taken once: later ones repeat the positions.
+    // The velocity is used once: later ones have the errors of the positions.
     PlaneJacobian j = mapping.jacobian(track.xPx(), track.yPx());
     double variance = square(track.sdVyPxS() * j.yv());
     correct(VY, NONE, MIDDLE, j.y(track.vxPxS(), track.vyPxS()), variance);
   }
 
   private void predict(double dt) {
-    double acceleration = surprise > BRAKES ? prior.brakingMS2() : prior.accelerationMS2();
+    double acceleration = meanNis > BRAKES ? prior.brakingMS2() : prior.accelerationMS2();
     double q = 2 * square(acceleration) * LASTS_S;
     state.shear(X, VX, dt);
     state.shear(Y, VY, dt);
@@ -138,28 +136,28 @@ final class Vehicle {
     state.addAcceleration(Y, Y, q, dt);
   }
 
-  /** Errors of extents last for a time T: of n looks in a second, 1 / (2 T) are independent. */
+  /** Errors of extents last for a time T: of n rows in a second, 1 / (2 T) are independent. */
   private void measure(ObjectTrack track, double seconds) {
     if (!(seconds > 0)) {
       return;
     }
-    double looks = Math.max(1, 2 * EXTENT_S / seconds);
+    double rows = Math.max(1, 2 * EXTENT_S / seconds);
     double x = track.xPx();
     double y = track.yPx();
     double low = track.lowYPx();
-    double rowVariance = square(track.sdYPx()) * looks;
+    double rowVariance = square(track.sdYPx()) * rows;
     double yv = mapping.jacobian(x, low).yv();
     double nis = correct(Y, NONE, LOW, mapping.planeY(x, low), rowVariance * square(yv));
-    surprise += (nis * looks - surprise) / looks;
+    meanNis += (nis * rows - meanNis) / rows;
     PlaneJacobian j = mapping.jacobian(x, y);
     correct(Y, BEHIND, MIDDLE, mapping.planeY(x, y), rowVariance * square(j.yv()));
-    double columnVariance = square(track.sdXPx() * j.xu()) * looks;
+    double columnVariance = square(track.sdXPx() * j.xu()) * rows;
     correct(X, NONE, MIDDLE, mapping.planeX(x, y), columnVariance);
   }
 
   /**
-   * Corrects by where a point at a height is seen on the road, or how fast it is seen to move;
-   * {@return the normalised squared innovation}
+   * Updates with the apparent road position or speed of a point at a height; {@return the
+   * normalised innovation squared}
    */
   private double correct(int at, int behind, int height, double seen, double variance) {
     double s = scale(height);

@@ -6,14 +6,14 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * What is usual on a road before anything is seen. Defaults, with a source where one was found:
+ * Prior of vehicles on a road. Defaults, with their sources:
  *
  * <ul>
  *   <li>speed: a rural limit of 90 km/h;
  *   <li>acceleration (assumed): speeds change by 2 km/h within a second;
- *   <li>braking (assumed): 0.8 times gravity, more than the 0.7 that wheels which slide have;
+ *   <li>braking (assumed): 0.8 times gravity, more than the 0.7 of sliding wheels;
  *   <li>drift: a lane of 3.5 m in 5 to 6 s (Toledo and Zohar, Modeling Duration of Lane Changes,
- *       Transportation Research Record, 2007), a little less as most vehicles keep theirs;
+ *       Transportation Research Record, 2007), reduced since most vehicles stay in their lane;
  *   <li>width: 2.55 m (Directive 96/53/EC, Annex I), and mirrors (assumed);
  *   <li>length, height: between a passenger car, 5.8 × 1.3 m, and a lorry, 9.2 × 3.4 to 4.1 m
  *       (AASHTO, Geometric Design of Highways and Streets, 2004, Exhibit 2-1);
@@ -21,8 +21,8 @@ import haltere.core.settings.Unit;
  *       off-road vehicle (category M1G: Regulation (EU) 2018/858, Annex I, Part A).
  * </ul>
  *
- * @param lowEdgeM usual height above the road of the lowest edge that is seen of a vehicle, and its
- *     standard deviation
+ * @param lowEdgeM usual height above the road of the lowest visible edge, and its standard
+ *     deviation
  */
 public record VehiclePrior(
     @Help("Usual speed along the road; twice this speed is rare.")
@@ -37,7 +37,7 @@ public record VehiclePrior(
         @Range(min = 0.01, max = 50, logarithmic = true)
         @Unit("m/s²")
         double brakingMS2,
-    @Help("Usual velocity across the road, as of a change of lanes.")
+    @Help("Usual velocity across the road, such as in a change of lanes.")
         @Range(min = 0.01, max = 20, logarithmic = true)
         @Unit("m/s")
         double driftMS,

@@ -11,7 +11,7 @@ final class PolarityFilter implements ConfigurableFilter<PolaritySettings> {
   /**
    * A filter in its initial state.
    *
-   * @param settings what to do
+   * @param settings of the filter
    */
   public PolarityFilter(PolaritySettings settings) {
     polarity = new PolaritySelection(settings);

@@ -17,7 +17,7 @@ public final class PolaritySelection {
   /**
    * A filter.
    *
-   * @param settings what to do
+   * @param settings of the filter
    */
   public PolaritySelection(PolaritySettings settings) {
     apply(settings);

@@ -9,15 +9,15 @@ import haltere.core.settings.SettingsSchema;
  * @since 0.1
  */
 public record PolaritySettings(
-    @Help("Which events pass: all, those where it got brighter, or those where it got darker.")
+    @Help(value = "All events pass, only ON (brighter) or only OFF (darker).", label = "Polarity")
         Keep keep) {
   /** Which events pass. */
   public enum Keep {
     /** Events of both polarities. */
     BOTH,
-    /** ON events, where it got brighter. */
+    /** ON events: brighter. */
     ON,
-    /** OFF events, where it got darker. */
+    /** OFF events: darker. */
     OFF
   }
 

@@ -17,7 +17,7 @@ public final class Region {
   /**
    * A filter.
    *
-   * @param settings what to do
+   * @param settings of the filter
    */
   public Region(RegionSettings settings) {
     apply(settings);

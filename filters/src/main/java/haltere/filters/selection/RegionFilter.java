@@ -11,7 +11,7 @@ final class RegionFilter implements ConfigurableFilter<RegionSettings> {
   /**
    * A filter in its initial state.
    *
-   * @param settings what to do
+   * @param settings of the filter
    */
   public RegionFilter(RegionSettings settings) {
     region = new Region(settings);

@@ -19,15 +19,16 @@ public record RegionSettings(
         @Range(min = 0, max = RegionSettings.LARGEST_PX)
         @Unit("px")
         int bottomPx,
-    @Help("Columns of the rectangle; those beyond the sensor do not matter.")
+    @Help("Number of columns; columns outside of the sensor are ignored.")
         @Range(min = 0, max = RegionSettings.LARGEST_PX)
         @Unit("px")
         int widthPx,
-    @Help("Rows of the rectangle; those beyond the sensor do not matter.")
+    @Help("Number of rows; rows outside of the sensor are ignored.")
         @Range(min = 0, max = RegionSettings.LARGEST_PX)
         @Unit("px")
         int heightPx,
-    @Help("Whether events inside of the rectangle pass or those outside of it.") Keep keep) {
+    @Help(value = "Events inside or outside of the rectangle pass.", label = "Passing events")
+        Keep keep) {
   /** More than any sensor has. */
   static final int LARGEST_PX = 32_768;
 

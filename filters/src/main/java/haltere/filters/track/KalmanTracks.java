@@ -47,8 +47,8 @@ final class KalmanTracks {
   private Consumer<TrackUpdate> updates = update -> {};
 
   /**
-   * Tracks that have seen nothing. At each report time, while there is a track and once when there
-   * is none any more, atReport is called, which may ask for {@link #forEach}.
+   * Tracks in their initial state. At each report time, while there is a track and once when there
+   * are none left, atReport is called; it may call {@link #forEach}.
    */
   public KalmanTracks(
       SensorGeometry geometry, KalmanTracksSettings settings, LongConsumer atReport) {
@@ -58,7 +58,7 @@ final class KalmanTracks {
     apply(settings);
   }
 
-  /** What the clusters below tell. */
+  /** Receives updates of the clusters. */
   private final class Below implements ClusterListener {
     @Override
     public void updated(long timeUs) {
@@ -83,13 +83,13 @@ final class KalmanTracks {
     }
   }
 
-  /** Tells an observer of each update while it wants that; each told one allocates. */
+  /** Sets an observer of updates, while requested; an observed update allocates. */
   void observe(BooleanSupplier wanted, Consumer<TrackUpdate> observer) {
     wantsUpdates = wanted;
     updates = observer;
   }
 
-  /** Forgets all tracks and clusters. Their identities are not given out again. */
+  /** Removes all tracks and clusters. Their identities are not reused. */
   public void reset() {
     clusters.reset();
     tracks.clear();
@@ -111,7 +111,7 @@ final class KalmanTracks {
 
   /**
    * Takes new settings from the next packet on. Tracks and clusters go on, unless the road changes:
-   * then tracks start anew.
+   * then tracks restart.
    */
   public void apply(KalmanTracksSettings newSettings) {
     if (settings == null || !settings.road().equals(newSettings.road())) {

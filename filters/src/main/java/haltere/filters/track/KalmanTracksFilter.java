@@ -39,8 +39,8 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
   /**
    * A filter in its initial state.
    *
-   * @param geometry the sensor whose events it will see
-   * @param settings what to do
+   * @param geometry of the sensor
+   * @param settings of the filter
    */
   public KalmanTracksFilter(SensorGeometry geometry, KalmanTracksSettings settings) {
     tracks = new KalmanTracks(geometry, settings, this::report);
@@ -100,14 +100,14 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
     trails.clear();
   }
 
-  /** {@inheritDoc} Identities begin anew. */
+  /** {@inheritDoc} Identities restart. */
   @Override
   public void rewind() {
     reset();
     tracks.restartIdentities();
   }
 
-  /** Time goes on over a gap in the data, and tracks coast for as long as they do anyway. */
+  /** Time continues over a gap in the data, and tracks coast for as long as they do anyway. */
   @Override
   public boolean bridgesGaps() {
     return true;

@@ -12,10 +12,9 @@ import haltere.filters.plane.RoadViewSettings;
  * @param view how the camera sees the road
  */
 public record RoadTracksSettings(
-    @Help("The state of a track is on the road, in metres, instead of in the picture.")
-        boolean mapToRoad,
+    @Help("Tracks have states in metres on the road instead of in pixels.") boolean mapToRoad,
     RoadViewSettings view,
-    @Help("Process noise on the road; larger values follow changes of speed faster.")
+    @Help("Process noise on the road; a larger value follows changes of speed faster.")
         @Range(min = 0, max = 1e6, logarithmic = true)
         @Unit("m^2/s^3")
         double processVariance) {

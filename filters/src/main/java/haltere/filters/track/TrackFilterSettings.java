@@ -10,22 +10,22 @@ import haltere.core.settings.Unit;
  *
  * @param minProcessVariance process noise in the picture: as a density px²/s³; per update px² for
  *     positions and px²/s² for velocities
- * @param varianceMixingFactor share of the way to their ends that dynamic variances go at each
- *     update
+ * @param varianceMixingFactor share of the difference to the final value, per update
  */
 public record TrackFilterSettings(
-    @Help("Process noise as a density per second, or the same at every update.") Noise noise,
-    @Help("Process noise; larger values follow manoeuvres faster (px^2 per update in that form).")
+    @Help("Process noise: a spectral density, or a constant variance per update.") Noise noise,
+    @Help("Process noise; a larger value follows manoeuvres faster. Per update, the unit is px^2.")
         @Range(min = 0, max = 1e9, logarithmic = true)
         @Unit("px^2/s^3")
         double minProcessVariance,
-    @Help("Variance of a cluster's location; larger values smooth more.")
+    @Help("Variance of the location of a cluster; a larger value smooths more.")
         @Range(min = 1e-4, max = 1e6, logarithmic = true)
         @Unit("px^2")
         double maxMeasurementVariance,
     @Help("A young track has a smaller measurement variance and a larger process variance.")
         boolean dynamicVariances,
-    @Help("Dynamic variances go this share of the way to their ends at each update.")
+    @Help(
+            "Share of the difference to its final value by which a dynamic variance changes per update.")
         @Range(min = 1e-4, max = 1, logarithmic = true)
         @Unit("1")
         double varianceMixingFactor,

@@ -7,11 +7,11 @@ import haltere.core.settings.Unit;
 
 /** When tracks start, are updated and end. */
 public record TrackLifeSettings(
-    @Help("Interval at which tracks are updated from their clusters, at updates of the clusters.")
+    @Help("Least interval between updates of a track; updates coincide with those of its cluster.")
         @Range(min = 100, max = 1_000_000, logarithmic = true)
         @Unit("us")
         int trackIntervalUs,
-    @Help("A track starts, and is updated, when so many events have come in.")
+    @Help(value = "Events until a track starts or is updated.", label = "Events per update")
         @Range(min = 1, max = 100_000, logarithmic = true)
         @Unit("events")
         int eventsTillTrack,
@@ -30,7 +30,7 @@ public record TrackLifeSettings(
         @Range(min = 1, max = 30)
         @Unit("sigma")
         double gateSigmas) {
-  /** Whose events are counted until tracks are updated. */
+  /** The events that count towards an update. */
   public enum EventCount {
     /** Each track waits for the events of its own cluster. */
     EACH_CLUSTER,

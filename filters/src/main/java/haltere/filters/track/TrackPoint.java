@@ -4,10 +4,10 @@ import haltere.core.sink.Column;
 import haltere.filters.trail.TrailPoint;
 
 /**
- * Where a track is at one time, from events before that time only.
+ * State of a track at one time, from events before that time only.
  *
  * @param timeUs time on the clock of the events, microseconds
- * @param id identity of the track, from 1, never given out twice
+ * @param id identity of the track, from 1, never reused
  * @param xPx column, pixels
  * @param yPx row, pixels upwards
  * @param vxPxS velocity to the right, pixels a second
@@ -16,7 +16,7 @@ import haltere.filters.trail.TrailPoint;
  * @param sdYPx standard deviation of the row, pixels
  * @param sdVxPxS standard deviation of the velocity to the right, pixels a second
  * @param sdVyPxS standard deviation of the velocity upwards, pixels a second
- * @param events events that the track has taken since it began
+ * @param events events of the track since its start
  */
 public record TrackPoint(
     @Column("t_us") long timeUs,

@@ -3,7 +3,7 @@ package haltere.filters.trail;
 /**
  * An ellipse about a centre.
  *
- * @param majorPx half axis at the angle, pixels; the longer one unless said otherwise
+ * @param majorPx half axis at the angle, pixels; the longer one by default
  * @param minorPx half axis across it, pixels
  * @param angleRad direction of the first half axis, counterclockwise from +x, radians
  */

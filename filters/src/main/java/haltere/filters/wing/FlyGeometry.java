@@ -3,7 +3,7 @@ package haltere.filters.wing;
 import haltere.core.sink.Column;
 
 /**
- * Where the fly is. Pixels: x to the right, y up, the origin at the centre of the bottom left one.
+ * Geometry of the fly. Pixels: x to the right, y up, origin at the centre of the bottom left one.
  *
  * @param centreX body centre, the middle between the hinges
  * @param centreY body centre
@@ -13,8 +13,8 @@ import haltere.core.sink.Column;
  * @param leftHingeY hinge of the left wing
  * @param rightHingeX hinge of the right wing
  * @param rightHingeY hinge of the right wing
- * @param headTailConfidence how sure it is where the head is, 0 (not at all) to 1
- * @param initialisedAtUs when the fly was found, microseconds
+ * @param headTailConfidence confidence of head and tail, 0 to 1
+ * @param initialisedAtUs time at which the fly was found, microseconds
  */
 public record FlyGeometry(
     @Column(decimals = 4) double centreX,

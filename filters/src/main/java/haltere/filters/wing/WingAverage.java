@@ -1,7 +1,7 @@
 package haltere.filters.wing;
 
 /**
- * What the running average makes of a wing, where it runs beside the Kalman filter.
+ * Estimate of a running average beside the Kalman filter.
  *
  * @param estimate by the running average
  */

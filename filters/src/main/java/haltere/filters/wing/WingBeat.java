@@ -6,14 +6,14 @@ import haltere.core.sink.Column;
  * One beat of a wing, from one passage through the centre towards the tail to the next.
  *
  * @param side which wing
- * @param beat number of the beat of this wing, from 1, since tracking began
+ * @param beat number of the beat of this wing since tracking began, from 1
  * @param timeUs time of the end of the beat, microseconds
  * @param periodUs length of the beat, microseconds
  * @param frequencyHz beat frequency, hertz
  * @param amplitudeRad half of peak to peak
- * @param minRad least stroke angle
+ * @param minRad smallest stroke angle
  * @param maxRad largest stroke angle
- * @param phaseLagRad how far this wing is behind the other, in (-pi, pi]; NaN if the other is not
+ * @param phaseLagRad phase by which this wing lags the other, in (-pi, pi]; NaN if the other is not
  *     tracked
  */
 public record WingBeat(

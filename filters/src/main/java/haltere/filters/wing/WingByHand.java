@@ -4,10 +4,10 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * What a person did to a Kalman filter of a wing while it ran.
+ * A manual change of a running Kalman filter of a wing.
  *
- * @param part the wing, or the edge where there is a filter for each edge
- * @param edit the number that was changed; empty where the filter was begun anew
+ * @param part the wing, or the edge with a filter for each edge
+ * @param edit the changed number; empty for a restart
  */
 public record WingByHand(WingPart part, Optional<WingFilterEdit> edit) implements WingResult {
   public WingByHand {

@@ -3,7 +3,7 @@ package haltere.filters.wing;
 import haltere.core.sink.Column;
 
 /**
- * The Kalman filter less the running average, where both run.
+ * Kalman filter minus running average, where both run.
  *
  * @param timeUs time on the clock of the events, microseconds
  * @param edge which wing

@@ -1,14 +1,14 @@
 package haltere.filters.wing;
 
 /**
- * A number of a Kalman filter that a person changes while it runs.
+ * A manual change of a number of a running Kalman filter.
  *
- * @param part the wing, or the edge where there is a filter for each edge
+ * @param part the wing, or the edge with a filter for each edge
  * @param table what is changed
  * @param row from 0
- * @param column from 0; taken by the covariance alone
- * @param value the new number, in the units of {@link WingFilterState}; NaN gives noise back to the
- *     settings or to the estimator that adapts it; 0 for the noise of measurements adapts it
+ * @param column from 0; used for the covariance only
+ * @param value the new number, in the units of {@link WingFilterState}; NaN returns noise to the
+ *     settings or to the estimator that adapts it; 0 for the measurement noise adapts it
  */
 public record WingFilterEdit(WingPart part, Table table, int row, int column, double value) {
   /** What can be changed. */
@@ -30,9 +30,7 @@ public record WingFilterEdit(WingPart part, Table table, int row, int column, do
     }
   }
 
-  /**
-   * {@return whether the number is no longer that of a person: true for noise that is given back}
-   */
+  /** {@return whether noise returns from manual to automatic} */
   public boolean givesBack() {
     return Double.isNaN(value);
   }
@@ -41,7 +39,7 @@ public record WingFilterEdit(WingPart part, Table table, int row, int column, do
    * The number as a variance.
    *
    * @return the value, at least 0
-   * @throws IllegalArgumentException with a line for a person if the value is negative
+   * @throws IllegalArgumentException if the value is negative
    */
   public double notNegative() {
     if (value < 0) {

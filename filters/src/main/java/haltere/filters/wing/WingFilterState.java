@@ -4,22 +4,22 @@ import haltere.filters.estimation.ConstMatrix;
 import java.util.List;
 
 /**
- * The numbers of a Kalman filter as they are now, to be looked at and changed ({@link
- * haltere.filters.wing.tracker.WingTracker#edit WingTracker.edit}).
+ * Present numbers of a Kalman filter; {@link haltere.filters.wing.tracker.WingTracker#edit
+ * WingTracker.edit} changes them.
  *
- * @param part the wing, or the edge where there is a filter for each edge
+ * @param part the wing, or the edge with a filter for each edge
  * @param names of the entries of the state
  * @param units of the entries of the state
  * @param x the state
  * @param p the covariance
- * @param q process noise of each entry that is used now: a density in squared units a second, or
- *     what an update adds with {@link WingModel#ORIGINAL}
+ * @param q present process noise of each entry: a density in squared units a second, or the
+ *     variance per update with {@link WingModel#ORIGINAL}
  * @param qUnits of the process noise
- * @param qSources where each number of the process noise comes from
- * @param r variance of a measurement that is used now, squared radians
- * @param rSource where the variance of a measurement comes from
- * @param nis mean normalised innovation squared of late; NaN if unknown
- * @param events taken in so far
+ * @param qSources source of each number of the process noise
+ * @param r present variance of a measurement, squared radians
+ * @param rSource source of the variance of a measurement
+ * @param nis recent mean normalised innovation squared; NaN if unknown
+ * @param events number of used events
  */
 public record WingFilterState(
     WingPart part,
@@ -34,13 +34,13 @@ public record WingFilterState(
     Source rSource,
     double nis,
     long events) {
-  /** Where a number of the noise comes from. */
+  /** Source of a number of the noise. */
   public enum Source {
-    /** It follows from the settings. */
+    /** The settings. */
     SETTINGS,
-    /** The estimator adapts it to the events. */
+    /** Estimated from the events. */
     ESTIMATOR,
-    /** A person has set it. */
+    /** Set manually. */
     BY_HAND
   }
 
@@ -52,11 +52,11 @@ public record WingFilterState(
   }
 
   /**
-   * The number of a table.
+   * A number of a table.
    *
-   * @param table which table
+   * @param table the table
    * @param row from 0
-   * @param column from 0; taken by the covariance alone
+   * @param column from 0; used for the covariance only
    * @return the number
    */
   public double value(WingFilterEdit.Table table, int row, int column) {
@@ -69,7 +69,7 @@ public record WingFilterState(
   }
 
   /**
-   * Where a number of the noise comes from.
+   * Source of a number of the noise.
    *
    * @param table of the noise
    * @param row from 0

@@ -1,20 +1,20 @@
 package haltere.filters.wing;
 
 /**
- * Takes the results of a {@link haltere.filters.wing.tracker.WingTracker WingTracker} as they come,
- * on the thread that tracks.
+ * Receives the results of a {@link haltere.filters.wing.tracker.WingTracker WingTracker} on the
+ * thread of the tracker.
  */
 @FunctionalInterface
 public interface WingListener {
   /**
-   * Takes a result.
+   * Receives a result.
    *
    * @param result of one of the kinds of {@link WingResult}
    */
   void take(WingResult result);
 
   /**
-   * Whether results of a kind are wanted at each tick, or at each event: {@link WingEstimate} (with
+   * Whether results of a kind are requested at each tick or event: {@link WingEstimate} (with
    * pairs, averages and differences), {@link WingSnapshot}, {@link WingMeasurement} or {@link
    * WingVariances}. Asked at each tick and at each packet.
    *

@@ -3,16 +3,16 @@ package haltere.filters.wing;
 import haltere.core.sink.Column;
 
 /**
- * An event that a method has taken in, and what was expected of it.
+ * An event used by a method, and its expectation.
  *
  * @param timeUs time of the event on the clock of the events, microseconds
- * @param edge which edge it belongs to
- * @param measuredRad stroke angle of the event's pixel
- * @param expectedRad what was expected of it, before latency is taken out
- * @param centreRad centre of the stroke as known then
- * @param amplitudeRad half of peak to peak as known then
- * @param phaseRad phase as known then, in [0, 2 pi)
- * @param frequencyHz beat frequency as known then, hertz
+ * @param edge its edge
+ * @param measuredRad stroke angle of its pixel
+ * @param expectedRad expected stroke angle, before the latency is removed
+ * @param centreRad centre of the stroke at this time
+ * @param amplitudeRad half of peak to peak at this time
+ * @param phaseRad phase at this time, in [0, 2 pi)
+ * @param frequencyHz beat frequency at this time, hertz
  */
 public record WingMeasurement(
     @Column("t_us") long timeUs,

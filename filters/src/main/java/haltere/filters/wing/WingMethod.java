@@ -1,11 +1,11 @@
 package haltere.filters.wing;
 
-/** How wings are tracked. */
+/** Method of tracking. */
 public enum WingMethod {
   /** The extended Kalman filter. */
   EKF,
   /** The weighted running average. */
   WRA,
-  /** The extended Kalman filter, and the running average beside it for comparison. */
+  /** Both, for comparison. */
   BOTH
 }

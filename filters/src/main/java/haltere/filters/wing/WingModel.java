@@ -1,14 +1,14 @@
 package haltere.filters.wing;
 
-/** What the extended Kalman filter takes for its object. */
+/** What a Kalman filter models. */
 public enum WingModel {
   /** A filter for each wing, over both its edges. */
   WINGS,
   /** A filter for each of the four edges, a plain sinusoid. */
   EDGES,
   /**
-   * The tracker of Cardinale (2006): its search, angles about the body's centre, a filter for each
-   * edge, process noise at each update whatever the time since the last one.
+   * The tracker of Cardinale (2006): its search, angles about the centre of the body, a filter for
+   * each edge, process noise at each update independent of the time step.
    */
   ORIGINAL
 }

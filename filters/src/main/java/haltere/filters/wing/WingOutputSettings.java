@@ -4,18 +4,18 @@ import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.Unit;
 
-/** What the tracker publishes, and which edges it takes. */
+/** Rate of estimates, and the edges whose events are used. */
 public record WingOutputSettings(
     @Help("Estimates are published at this rate of recording time.")
         @Range(min = 1, max = 100_000, logarithmic = true)
         @Unit("Hz")
         double rateHz,
-    @Help("Whether events of the left leading edge are taken.") boolean leftLeading,
-    @Help("Whether events of the left trailing edge are taken.") boolean leftTrailing,
-    @Help("Whether events of the right leading edge are taken.") boolean rightLeading,
-    @Help("Whether events of the right trailing edge are taken.") boolean rightTrailing) {
+    @Help("Uses events of the left leading edge.") boolean leftLeading,
+    @Help("Uses events of the left trailing edge.") boolean leftTrailing,
+    @Help("Uses events of the right leading edge.") boolean rightLeading,
+    @Help("Uses events of the right trailing edge.") boolean rightTrailing) {
   /**
-   * Whether events of an edge are taken.
+   * Whether events of an edge are used.
    *
    * @param edge one of the four edges, not a wing
    * @return true if so

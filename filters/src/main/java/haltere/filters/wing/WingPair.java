@@ -3,14 +3,14 @@ package haltere.filters.wing;
 import haltere.core.sink.Column;
 
 /**
- * Both wings against each other at a time: what steers.
+ * Sums and differences of both wings at a time.
  *
  * @param timeUs time on the clock of the events, microseconds
- * @param leftMinusRightRad stroke angle of the left wing less that of the right
+ * @param leftMinusRightRad stroke angle of the left wing minus that of the right
  * @param leftPlusRightRad sum of both stroke angles
  * @param amplitudeLeftMinusRightRad difference of the amplitudes
  * @param amplitudeLeftPlusRightRad sum of the amplitudes
- * @param phaseLagRad how far the left wing is behind the right, in (-pi, pi]
+ * @param phaseLagRad phase by which the left wing lags the right, in (-pi, pi]
  * @param sdLeftMinusRightRad standard deviation of the difference of the angles, and of their sum
  */
 public record WingPair(

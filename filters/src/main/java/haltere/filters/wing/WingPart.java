@@ -1,8 +1,8 @@
 package haltere.filters.wing;
 
 /**
- * An edge of a wing, or a wing as a whole. The leading edge is the one in front in the direction of
- * motion: it takes light from the pixels (OFF events). The trailing edge gives it back (ON events).
+ * An edge of a wing, or a whole wing. The leading edge is the front one in the direction of motion
+ * and makes pixels darker (OFF events); the trailing edge makes them brighter (ON events).
  */
 public enum WingPart {
   /** Leading edge of the left wing. */

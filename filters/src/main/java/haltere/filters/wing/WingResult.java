@@ -1,6 +1,6 @@
 package haltere.filters.wing;
 
-/** What a {@link haltere.filters.wing.tracker.WingTracker WingTracker} tells, as it comes. */
+/** A result of a {@link haltere.filters.wing.tracker.WingTracker WingTracker}. */
 public sealed interface WingResult
     permits FlyGeometry,
         WingAverage,

@@ -3,15 +3,15 @@ package haltere.filters.wing;
 import haltere.filters.estimation.ConstMatrix;
 
 /**
- * Everything about the fly at one time, to be drawn.
+ * State of the fly at one time, to be drawn.
  *
  * @param timeUs time on the clock of the events, microseconds
- * @param phase what the tracker does
- * @param geometry where the fly is
+ * @param phase of the tracker
+ * @param geometry of the fly
  * @param regionPx radius of the region of interest about each hinge
  * @param strokesRad stroke angles of the four edges, in the order of {@link WingPart}, a row each,
- *     over the beat that follows, at even steps of the phase, the first one now; NaN for an edge
- *     that is not tracked
+ *     over the next beat, at even steps of the phase from this time on; NaN for an edge that is not
+ *     tracked
  * @param frequenciesHz beat frequencies of the left and the right wing; NaN if unknown
  * @param sdRad standard deviations of the angles of the left and the right wing; NaN if unknown
  */

@@ -10,12 +10,12 @@ import java.util.stream.Stream;
 /**
  * Settings of {@link haltere.filters.wing.tracker.WingTracker WingTracker}.
  *
- * @param search how the fly is found
- * @param position what a person says about where it is
- * @param filter the extended Kalman filter
- * @param noise its noise
- * @param average the running average
- * @param output what is published
+ * @param search search of the fly
+ * @param position manual position of the fly
+ * @param filter extended Kalman filter
+ * @param noise noise of that filter
+ * @param average running average
+ * @param output rate and edges
  */
 public record WingTrackerSettings(
     WingSearchSettings search,
@@ -44,8 +44,8 @@ public record WingTrackerSettings(
   /**
    * The wing tracker of Cardinale (2006) with its defaults: {@link WingModel#ORIGINAL}, started at
    * 240 Hz after 2000 events, R = 1000, no gate, hysteresis of 10 degrees, body and heading updated
-   * at each beat. Two slips are mended: the fourth entry of its Jacobian (0, not a t cos xi) and
-   * the innovation of a state that is one step old.
+   * at each beat. Two corrections: the fourth entry of its Jacobian is 0 (not a t cos xi), and the
+   * innovation is that of the prediction.
    *
    * @return valid settings
    */

@@ -3,17 +3,17 @@ package haltere.filters.wing;
 import haltere.core.sink.Column;
 
 /**
- * A step of the search for the fly, or a change of what is tracked.
+ * A step of the search for the fly, or a change of the tracked wings.
  *
  * @param timeUs time on the clock of the events, microseconds
- * @param phase what the tracker does from now on, or has just done
- * @param events events that it was done with
- * @param frequencyHz beat frequency as known then, hertz; NaN if not yet
- * @param centreX body centre as known then, pixels; NaN if not yet
- * @param centreY body centre as known then, pixels; NaN if not yet
- * @param headingRad heading as known then; NaN if not yet
- * @param sizePx size as known then, pixels; NaN if not yet
- * @param confidence of head and tail as known then, 0 to 1; NaN if not yet
+ * @param phase the new phase of the tracker, or the step just done
+ * @param events number of events of the step
+ * @param frequencyHz beat frequency at this time, hertz; NaN if unknown
+ * @param centreX body centre at this time, pixels; NaN if unknown
+ * @param centreY body centre at this time, pixels; NaN if unknown
+ * @param headingRad heading at this time; NaN if unknown
+ * @param sizePx size at this time, pixels; NaN if unknown
+ * @param confidence of head and tail at this time, 0 to 1; NaN if unknown
  */
 public record WingTrackerState(
     @Column("t_us") long timeUs,
@@ -28,14 +28,14 @@ public record WingTrackerState(
     implements WingResult {
 
   /**
-   * A step with what is known of the fly then.
+   * A step with the present knowledge of the fly.
    *
    * @param timeUs time on the clock of the events, microseconds
    * @param phase the step
-   * @param events events that it was done with
-   * @param frequencyHz beat frequency, hertz; NaN if not yet known
-   * @param fly where it is; null if not yet known
-   * @param confidence of head and tail, 0 to 1; NaN if not yet known
+   * @param events number of events of the step
+   * @param frequencyHz beat frequency, hertz; NaN if unknown
+   * @param fly its geometry; null if unknown
+   * @param confidence of head and tail, 0 to 1; NaN if unknown
    * @return the step
    */
   public static WingTrackerState of(
@@ -58,7 +58,7 @@ public record WingTrackerState(
         confidence);
   }
 
-  /** What the tracker does. */
+  /** A phase of the tracker. */
   public enum Phase {
     /** Has divided the events into two wings: body, heading up to head and tail, size. */
     TWO_MEANS,
@@ -66,20 +66,20 @@ public record WingTrackerState(
     BEAT,
     /** Has found the hinges and the strokes. */
     HINGES,
-    /** Has told head from tail. */
+    /** Has resolved head and tail. */
     HEAD_AND_TAIL,
-    /** Gathers events. */
+    /** Collects events. */
     COLLECTING,
     /** Tracks both wings. */
     TRACKING,
     /**
-     * Follows the events, but not at the frequency of their beat. Nothing but the original's
-     * filters goes on then; all others search anew.
+     * Tracks at another frequency than that of the beat. Only the filters of Cardinale (2006)
+     * continue then; all others search again.
      */
     UNLOCKED,
     /** Tracks one wing; there is no second one. */
     ONE_WING,
-    /** Has lost the wings and gathers events again. */
+    /** Has lost the wings and collects events again. */
     LOST
   }
 }

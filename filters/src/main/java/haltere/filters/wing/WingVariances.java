@@ -4,11 +4,11 @@ import haltere.core.sink.Column;
 import haltere.filters.estimation.ConstMatrix;
 
 /**
- * How sure a Kalman filter is of its state at a time, and what it thinks of its measurements: the
- * covariance of centre, amplitude, phase and angular frequency.
+ * Covariance of a Kalman filter at a time, of centre, amplitude, phase and angular frequency, and
+ * variance of its measurements.
  *
  * @param timeUs time on the clock of the events, microseconds
- * @param edge the wing, or the edge where there is a filter for each edge
+ * @param edge the wing, or the edge with a filter for each edge
  * @param centreRad2 variance of the centre, squared radians
  * @param amplitudeRad2 variance of the amplitude, squared radians
  * @param phaseRad2 variance of the phase, squared radians
@@ -22,7 +22,7 @@ import haltere.filters.estimation.ConstMatrix;
  *     a second
  * @param phaseFrequencyRad2PerS covariance of phase and angular frequency, squared radians a second
  * @param measurementRad2 variance of a measurement, squared radians
- * @param nis mean normalised innovation squared of late, 1 if the filter knows how good it is
+ * @param nis recent mean normalised innovation squared, 1 if the filter is consistent
  */
 public record WingVariances(
     @Column("t_us") long timeUs,
@@ -41,7 +41,7 @@ public record WingVariances(
     @Column(decimals = 4) double nis)
     implements WingResult {
   /**
-   * Picks what is told of the numbers of a filter.
+   * Selects the variances from the numbers of a filter.
    *
    * @param timeUs time on the clock of the events, microseconds
    * @param f the filter, whose state begins with centre, amplitude, phase and angular frequency

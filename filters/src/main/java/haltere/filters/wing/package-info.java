@@ -1,6 +1,6 @@
 /**
- * The wings of a tethered fly: the settings of their tracker and what it says. The tracker itself
- * is in {@code wing.tracker}; nothing here knows it.
+ * The wings of a tethered fly: settings and results of their tracker, which is in {@code
+ * wing.tracker}.
  *
  * @since 0.1
  */

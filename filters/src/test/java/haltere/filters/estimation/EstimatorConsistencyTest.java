@@ -153,7 +153,7 @@ class EstimatorConsistencyTest {
   }
 
   @Test
-  void aFilterThatTrustsItsMeasurementsTooMuchIsFoundOut() {
+  void aFilterWithTooSmallMeasurementNoiseIsInconsistent() {
     World world = worlds().get(0);
     Verdict verdict = judge(world, LinearMeasurement.ofEntries(2, 0.5, 0));
     assertFalse(Consistency.meanBand(2, RUNS, 0.95).contains(verdict.nees));

@@ -46,16 +46,16 @@ class ClutterMapTest {
     for (int i = 0; i < 500; i++) {
       tick(0.01, -1, 0);
     }
-    int surprised = 0;
+    int excessive = 0;
     for (int cell = 0; cell < clutter.cells(); cell++) {
-      surprised += clutter.surprise(cell) > 6 ? 1 : 0;
-      assertEquals(clutter.surprise(cell) >= 2, clutter.isSurprising(cell, 2));
+      excessive += clutter.logRatio(cell) > 6 ? 1 : 0;
+      assertEquals(clutter.logRatio(cell) >= 2, clutter.isExcess(cell, 2));
     }
-    assertTrue(surprised <= 1, surprised + " cells");
+    assertTrue(excessive <= 1, excessive + " cells");
     for (int i = 0; i < 30; i++) {
       clutter.add(0, i % 16, 0, 1);
     }
-    assertTrue(clutter.surprise(0) > 12, clutter.surprise(0) + " nat");
+    assertTrue(clutter.logRatio(0) > 12, clutter.logRatio(0) + " nat");
   }
 
   @Test
@@ -70,7 +70,7 @@ class ClutterMapTest {
     clutter.begin(1);
     assertTrue(clutter.rate(7, 3) > 5 * before);
     for (int cell = 0; cell < clutter.cells(); cell++) {
-      assertTrue(clutter.surprise(cell) < 12, clutter.surprise(cell) + " nat");
+      assertTrue(clutter.logRatio(cell) < 12, clutter.logRatio(cell) + " nat");
     }
   }
 

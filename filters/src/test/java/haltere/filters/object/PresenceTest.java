@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.Test;
 
 class PresenceTest {
-  private static final double[] SILENCE = new double[Presence.DIMMINGS.length];
+  private static final double[] SILENCE = new double[Presence.ATTENUATIONS.length];
 
   private final Presence presence = new Presence();
 
@@ -16,9 +16,9 @@ class PresenceTest {
   }
 
   private static double[] events(double count, double ratio) {
-    double[] logs = new double[Presence.DIMMINGS.length];
+    double[] logs = new double[Presence.ATTENUATIONS.length];
     for (int i = 0; i < logs.length; i++) {
-      logs[i] = count * Math.log1p(ratio * Presence.DIMMINGS[i]);
+      logs[i] = count * Math.log1p(ratio * Presence.ATTENUATIONS[i]);
     }
     return logs;
   }

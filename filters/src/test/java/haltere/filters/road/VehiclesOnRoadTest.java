@@ -67,7 +67,7 @@ class VehiclesOnRoadTest {
   }
 
   @Test
-  void whereTheBorderOfThePictureCutsItOffAVehicleGoesOnAsBefore() {
+  void whereTheBorderOfThePictureCutsItOffAVehicleContinuesAsBefore() {
     SeenVehicle vehicle = usual(3, 20, -15);
     SeenVehicle.Errors errors = new SeenVehicle.Errors(6, 0.1);
     PlanePoint before = follow(vehicle, 0.8, errors);

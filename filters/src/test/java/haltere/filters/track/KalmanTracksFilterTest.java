@@ -112,7 +112,7 @@ class KalmanTracksFilterTest extends EventFilterContract {
     assertEquals(List.of(), last.trails());
     TrailSnapshot before = snapshots.get(snapshots.size() - 2);
     assertEquals(Role.WARNING, before.trails().get(0).mark().role());
-    // The cluster is visible until 0.5 s or so, and the track goes on for half a second.
+    // The cluster is visible until 0.5 s or so, and the track continues for half a second.
     assertEquals(1_000_000, last.timeUs(), 100_000);
   }
 }

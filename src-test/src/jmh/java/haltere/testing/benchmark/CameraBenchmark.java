@@ -67,7 +67,7 @@ public class CameraBenchmark implements StreamHandler {
         new CameraOptions(TRANSFERS, BYTES, TRANSFERS, WhenFull.DROP_NEWEST, false, false);
     camera = provider.open(provider.list().get(0), options);
     camera.next(this);
-    // The clock was reset, as the driver asked; from then on it only goes on.
+    // The clock was reset, as the driver asked; from then on it only continues.
     ByteBuffer first = bus.transfers.get(0).buffer;
     first.putInt(0, Integer.reverseBytes(0x4000_0000));
     bus.transfers.get(0).listener.ended(TransferEnd.COMPLETED, Integer.BYTES);

@@ -3,7 +3,7 @@ package haltere.testing.evaluation;
 import java.util.List;
 
 /**
- * What there truly is, and what the tracker says there is, at one time.
+ * True and tracked objects at one time.
  *
  * @param timeUs time, microseconds
  * @param truth in the order of their identities, each once

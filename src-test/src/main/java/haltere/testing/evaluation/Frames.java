@@ -73,8 +73,8 @@ public final class Frames {
   }
 
   /**
-   * Several scenes as one, one after the other, with the identities of each kept apart: what a
-   * metric says of the whole weighs every scene by what is in it.
+   * Several scenes joined one after the other, with separate identities: a metric of the whole
+   * weights each scene by its content.
    *
    * @param scenes at least none
    * @return their frames; times and identities are new ones

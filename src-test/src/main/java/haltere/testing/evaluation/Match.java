@@ -1,10 +1,10 @@
 package haltere.testing.evaluation;
 
 /**
- * A point of truth and the point of a track that stands for it.
+ * A true point and the matched point of a track.
  *
- * @param truth where the object is
- * @param track where the track says it is
- * @param switched whether the object had another track the last time it had one
+ * @param truth true position
+ * @param track position of the track
+ * @param switched whether the object had another track at its last match
  */
 public record Match(ObjectPoint truth, ObjectPoint track, boolean switched) {}

@@ -65,7 +65,7 @@ public record TrackingScene(
     }
     List<ObjectPoint> truth = new ArrayList<>();
     List<ObjectPoint> halfSeen = new ArrayList<>();
-    // Not when the events end: what is at a time is told once an event after it has come.
+    // not at the end of the events: the state of a time is reported after a later event
     int ticks = (int) (DURATION_S * 1e6 / TICK_US) - 1;
     long[] timesUs = IntStream.rangeClosed(1, ticks).mapToLong(i -> (long) i * TICK_US).toArray();
     for (long timeUs : timesUs) {

@@ -7,7 +7,7 @@ import java.util.stream.LongStream;
 
 /** The sets of scenes that object trackers are judged on, by name. */
 public final class SceneSets {
-  /** First seed of scenes that nobody tunes on. Seeds below it are free for tuning. */
+  /** First seed of held-out scenes. Seeds below it are for tuning. */
   public static final long FIRST_HELD_OUT_SEED = 1_000_000;
 
   /** Names of all sets. */

@@ -1,7 +1,7 @@
 package haltere.testing.objects;
 
 /**
- * Where a tracker says that an object is at one time. What it does not state is NaN.
+ * State of an object at one time by a tracker. Values that it does not state are NaN.
  *
  * @param timeUs on the clock of the events, microseconds
  * @param id identity of the track

@@ -107,7 +107,7 @@ public final class Dvs128Firmware implements Firmware {
     }
     switch (request.request()) {
       case 0xb3 -> streaming = true;
-      case 0xb4 -> streaming = false; // what is queued stays queued, and time goes on
+      case 0xb4 -> streaming = false; // what is queued stays queued, and time continues
       case 0xb8 -> {
         if (refusingBiases || request.data().length != BIAS_BYTES) {
           return null;
@@ -162,7 +162,7 @@ public final class Dvs128Firmware implements Firmware {
   }
 
   /**
-   * Lets nobody claim it, as if another program had it.
+   * Denies claims, as if another program had the device.
    *
    * @param nowBusy whether it does
    */

@@ -121,7 +121,7 @@ public final class EmulatedDevice {
   }
 
   /**
-   * Lets nobody open it, as the system does for a user without the right.
+   * Denies access, as the system does for a user without permission.
    *
    * @param nowForbidden whether it does
    */
@@ -133,16 +133,16 @@ public final class EmulatedDevice {
   /**
    * Bounds the device's own queue of packets.
    *
-   * @param packets so many at the most; more are dropped
+   * @param packets so many at most; more are dropped
    */
   public void limitQueue(int packets) {
     maxQueuedPackets = packets;
   }
 
   /**
-   * Tells somebody of all data that went to the host.
+   * Sets a listener of all data sent to the host.
    *
-   * @param newDelivery told, on the thread that sends
+   * @param newDelivery called on the sending thread
    */
   public void onDelivery(Delivery newDelivery) {
     delivery = newDelivery;

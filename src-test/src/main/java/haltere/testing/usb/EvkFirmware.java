@@ -5,7 +5,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
 /**
- * As much of a Prophesee EVK4 as public facts tell: commands over bulk, and a stream that is on or
+ * A Prophesee EVK4 as far as publicly documented: commands over bulk, and a stream that is on or
  * off.
  *
  * <p>Thread rule: all methods may be called from any thread.
@@ -53,9 +53,9 @@ public final class EvkFirmware implements Firmware {
   }
 
   /**
-   * Whether it was told to stream.
+   * Whether it is streaming.
    *
-   * @return true until it is told to stop
+   * @return true between the commands to start and stop
    */
   public boolean isStreaming() {
     return streaming;

@@ -1,7 +1,7 @@
 package haltere.testing.usb;
 
 /**
- * What a device's firmware does.
+ * The firmware of an emulated device.
  *
  * <p>Thread rule: called by the thread of whoever uses the device.
  */
@@ -29,16 +29,16 @@ public interface Firmware {
   String string(int index);
 
   /**
-   * Obeys a request that no standard knows.
+   * Handles a non-standard request.
    *
-   * @param request what is asked for
+   * @param request the request
    * @return the answer of a request to the host, anything but null of one to the device; null
    *     stalls it
    */
   byte[] control(ControlRequest request);
 
   /**
-   * Obeys a call of the driver to the system that the device hears of: claim, release, reset.
+   * Handles a system call of the driver that concerns the device: claim, release, reset.
    *
    * @param call number of the usbfs ioctl
    * @return 0, or minus an error number
@@ -48,15 +48,15 @@ public interface Firmware {
   }
 
   /**
-   * Takes data of a bulk endpoint to the device.
+   * Receives data of a bulk endpoint.
    *
    * @param endpoint its address
-   * @param data what came
+   * @param data the data
    */
   default void written(int endpoint, byte[] data) {}
 
   /**
-   * Is told where it is plugged in.
+   * Called when it is plugged in.
    *
    * @param device sends its packets
    */

@@ -283,7 +283,7 @@ public final class AngleBound {
           }
         };
     while (!ended[0] && scene.next(handler)) {
-      // goes on until the end
+      // continues until the end
     }
     Map<Integer, long[]> times = new TreeMap<>();
     lists.forEach(

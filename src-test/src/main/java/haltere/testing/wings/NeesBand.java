@@ -5,14 +5,14 @@ import java.util.List;
 /**
  * The band that holds the NEES of one scene in 95 % of cases if the standard deviations are right.
  *
- * <p>Errors of a scene follow each other, and some are of both wings: a scene is worth far fewer
- * independent errors than it has ticks, so that chi squared with a degree of freedom for each tick
- * is too narrow. How errors go together cannot be seen in one scene: a heading that is off by
- * little all the time looks there like no error at all, where the next fly's is off by much. It is
- * seen over many scenes of a kind. For Gaussian errors the variance of the mean square is twice the
- * mean squared covariance over all pairs of ticks, and that is the mean squared product of the
- * errors of two different scenes (over ticks), without bias. So many independent errors as would
- * give that variance are the degrees of freedom of chi squared (Satterthwaite 1946).
+ * <p>Errors of a scene are correlated over time and between both wings: a scene has far fewer
+ * independent errors than ticks, so that chi squared with a degree of freedom for each tick is too
+ * narrow. How errors go together cannot be seen in one scene: a heading that is off by little all
+ * the time looks there like no error at all, where the next fly's is off by much. It is seen over
+ * many scenes of a kind. For Gaussian errors the variance of the mean square is twice the mean
+ * squared covariance over all pairs of ticks, and that is the mean squared product of the errors of
+ * two different scenes (over ticks), without bias. So many independent errors as would give that
+ * variance are the degrees of freedom of chi squared (Satterthwaite 1946).
  *
  * <p>Only how errors go together counts, not how large they are: the band is about 1, and a scene
  * that is off by more than its standard deviations counts for no more than one that is not, so that

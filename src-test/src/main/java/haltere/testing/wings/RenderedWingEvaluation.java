@@ -16,8 +16,8 @@ import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 
 /**
- * Tracks many rendered flies and tells how far the angles are off, how far the tracker says they
- * are, and which errors repeat from beat to beat: {@code ./gradlew :src-test:evaluateRenderedWings
+ * Tracks many rendered flies and prints the errors of the angles, their stated deviations, and the
+ * errors that repeat from beat to beat: {@code ./gradlew :src-test:evaluateRenderedWings
  * -Pscenes=100 -PfirstSeed=1}.
  */
 public final class RenderedWingEvaluation {

@@ -1,6 +1,6 @@
 package haltere.testing.wings;
 
-/** Root of the mean square of what was added. */
+/** Root mean square of the added values. */
 final class RootMeanSquare {
   private double squares;
   private long count;

@@ -19,8 +19,8 @@ import haltere.filters.wing.tracker.WingTracker;
 import java.util.Arrays;
 
 /**
- * Tracks a simulated fly and holds what the tracker says against the truth. What comes sooner than
- * 0.3 s after the fly was found does not count.
+ * Tracks a simulated fly and compares the results with the truth, from 0.3 s after the fly was
+ * found.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -120,7 +120,7 @@ public final class WingScores implements WingListener {
           }
         };
     while (!ended[0] && scene.next(handler)) {
-      // goes on until the end
+      // continues until the end
     }
     for (WingScores scores : all) {
       scores.scene = null;
@@ -269,7 +269,7 @@ public final class WingScores implements WingListener {
   }
 
   /**
-   * Where the fly was said to be last.
+   * The last estimated geometry of the fly.
    *
    * @return null if it was never found
    */

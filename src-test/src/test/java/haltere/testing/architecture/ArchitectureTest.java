@@ -92,7 +92,7 @@ class ArchitectureTest {
                 "haltere.core.json.internal",
                 "haltere.core.format.internal.aedat4",
                 "haltere.core.format.internal.bag",
-                "haltere.core.format.internal.packed")
+                "haltere.core.format.internal.compression")
             .should()
             .onlyDependOnClassesThat(resideInAnyPackage("java..", "haltere.core.."))
             .because("a library is a promise to every embedder"));
@@ -117,7 +117,7 @@ class ArchitectureTest {
         classes()
             .that()
             .resideInAnyPackage(
-                "haltere.core.format.internal.aedat4", "haltere.core.format.internal.packed")
+                "haltere.core.format.internal.aedat4", "haltere.core.format.internal.compression")
             .should()
             .onlyDependOnClassesThat(
                 resideInAnyPackage(
@@ -257,8 +257,12 @@ class ArchitectureTest {
         "a motion is one without an example");
     knowsNoneOf(
         "haltere.filters.orientation.camera",
-        Set.of("haltere.filters.orientation"),
+        Set.of("haltere.filters.orientation", "haltere.filters.orientation.internal.axis"),
         "a camera is one without a filter");
+    knowsNoneOf(
+        "haltere.filters.orientation.internal.axis",
+        Set.of("haltere.filters.orientation", "haltere.filters.orientation.line"),
+        "a filter of an axis knows no settings of an estimator");
     knowsNoneOf(
         "haltere.filters.wing",
         Set.of(

@@ -27,8 +27,8 @@ class CorrespondencesTest {
   }
 
   @Test
-  void aStrayPointIsMissedAndFalse() {
-    check(1, 1, 0, 1 - 2.0 / 4, new Correspondences(Rows.strayTrack(), 5));
+  void anOutlierIsMissedAndFalse() {
+    check(1, 1, 0, 1 - 2.0 / 4, new Correspondences(Rows.outlierTrack(), 5));
   }
 
   @Test

@@ -61,7 +61,7 @@ class FramesTest {
                 Rows.brokenTrack(),
                 Rows.swappedTracks(),
                 Frames.of(List.of(), List.of()),
-                Rows.strayTrack()));
+                Rows.outlierTrack()));
     assertEquals(4, joined.truthCount());
     assertEquals(5, joined.trackCount());
     assertEquals(18, joined.list().size());

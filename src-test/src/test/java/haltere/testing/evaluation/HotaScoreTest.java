@@ -45,9 +45,9 @@ class HotaScoreTest {
   }
 
   @Test
-  void aStrayPointIsMissedAndFalseInDetectionAndInAssociation() {
+  void anOutlierIsMissedAndFalseInDetectionAndInAssociation() {
     // TP = 3, FN = 1, FP = 1: DetA = 3/5. TPA = 3, FNA = 1, FPA = 1: A = 3/5. HOTA = 3/5.
-    check(0.6, 0.6, 0.6, Rows.strayTrack());
+    check(0.6, 0.6, 0.6, Rows.outlierTrack());
   }
 
   @Test

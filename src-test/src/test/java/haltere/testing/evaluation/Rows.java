@@ -37,7 +37,7 @@ final class Rows {
   }
 
   /** One object of four frames; its track goes astray in the last one. */
-  static Frames strayTrack() {
+  static Frames outlierTrack() {
     return frames(new Rows().add(1, 0, 3, 0), new Rows().add(7, 0, 2, 0).add(7, 3, 3, 900));
   }
 

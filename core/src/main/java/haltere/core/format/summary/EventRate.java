@@ -60,7 +60,7 @@ public final class EventRate implements StreamHandler {
 
   /**
    * Events in stretches of time since the first event, which grow with the stream; a clock that
-   * restarts goes on.
+   * restarts continues.
    *
    * @return these bins as they are, not a copy
    */

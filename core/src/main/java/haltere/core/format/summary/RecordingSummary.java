@@ -62,7 +62,7 @@ public record RecordingSummary(
   /** Silence of a whole sensor that counts as a gap: any sensor's noise is denser than that. */
   public static final long SILENCE_US = 1_000_000;
 
-  /** So many gaps and segments are listed at the most; the warnings tell of more. */
+  /** So many gaps and segments are listed at most; the warnings tell of more. */
   public static final int MAX_LISTED = 10_000;
 
   private static final long PEAK_US = 10_000;

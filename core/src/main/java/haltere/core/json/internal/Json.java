@@ -101,7 +101,7 @@ public final class Json {
     }
   }
 
-  /** Without what Jackson tells programmers. */
+  /** Without details of Jackson for programmers. */
   private static String words(String message) {
     return message.replaceAll(": enable `.*| \\(start marker at .*|, from `[^`]*`", "");
   }

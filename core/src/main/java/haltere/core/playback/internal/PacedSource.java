@@ -13,9 +13,9 @@ import java.io.InterruptedIOException;
 import java.util.Objects;
 
 /**
- * Gives the stream of another source as a camera would: events come when their time has come, in
- * packets of no more than some milliseconds, from the first event on. Whoever is slow gets them
- * later; nothing is lost.
+ * Paces the stream of another source like a camera: events come at their time, in packets of at
+ * most some milliseconds, from the first event on. A slow consumer receives them later; nothing is
+ * lost.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -30,10 +30,10 @@ public final class PacedSource implements EventSource {
   private boolean anchored;
 
   /**
-   * A source that is paced.
+   * A paced source.
    *
-   * @param source gives the stream; closed with this
-   * @param clock says when a time is due, at its speed
+   * @param source of the stream; closed with this
+   * @param clock with the speed
    */
   public PacedSource(EventSource source, PlaybackClock clock) {
     this.source = Objects.requireNonNull(source, "source");
@@ -80,7 +80,7 @@ public final class PacedSource implements EventSource {
     }
   }
 
-  /** Keeps a packet until it is due; the rest has no time of its own and goes on at once. */
+  /** Keeps a packet until it is due; the rest has no time of its own and continues at once. */
   private final class Forwarder implements StreamHandler {
     private final StreamHandler handler;
 

@@ -5,7 +5,7 @@ import java.net.Socket;
 import java.util.function.Consumer;
 
 /**
- * What is said on the TCP connections of an output.
+ * Protocol of the TCP connections of an output.
  *
  * <p>Thread rule: any thread.
  */
@@ -21,15 +21,13 @@ interface LineProtocol {
 
   /** The other end of a connection. */
   interface Peer {
-    /**
-     * Sends and awaits what precedes the first line; refuses, by an exception, who is no receiver.
-     */
+    /** Exchanges the data before the first line; throws for a peer that is no receiver. */
     void greet() throws IOException;
 
     /**
-     * Takes what the peer says from now on, until it leaves; nothing if it does not speak.
+     * Processes the data of the peer until it disconnects.
      *
-     * @param answers sends what the peer asked for, in turn with the lines and if there is room
+     * @param answers sends answers, in turn with the lines and if there is room
      */
     default void listen(Consumer<byte[]> answers) throws IOException {}
 

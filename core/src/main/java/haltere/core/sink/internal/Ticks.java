@@ -40,9 +40,8 @@ public record Ticks(double step, List<Double> values) {
   }
 
   /**
-   * Ticks of a range that tell its scale: at most so many where these are two or more; otherwise
-   * the coarsest that are two or more, which are at most five; none where the range is empty or not
-   * finite.
+   * Ticks of a range: at most a number if these are two or more; otherwise the coarsest with two or
+   * more, which are at most five; none if the range is empty or not finite.
    */
   public static Ticks atLeastTwo(double from, double to, int most) {
     Ticks ticks = of(from, to, Math.max(2, most));
@@ -53,8 +52,8 @@ public record Ticks(double step, List<Double> values) {
   }
 
   /**
-   * One of the values in words, with as many digits as tell it from its neighbours, such as 0.25,
-   * 40 or 2.5e6.
+   * A value as text, with enough digits to distinguish it from its neighbours, such as 0.25, 40 or
+   * 2.5e6.
    */
   public String label(double value) {
     double size = Math.max(Math.abs(value), step);

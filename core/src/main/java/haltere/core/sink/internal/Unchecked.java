@@ -9,7 +9,7 @@ import java.nio.charset.StandardCharsets;
  * Reads and writes from within methods that cannot throw an {@link IOException}: it is thrown as an
  * {@link UncheckedIOException}.
  *
- * <p>Thread rule: that of what is read or written.
+ * <p>Thread rule: that of the reader or writer.
  */
 public final class Unchecked {
   /**

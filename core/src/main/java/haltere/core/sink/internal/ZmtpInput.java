@@ -12,8 +12,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 
 /**
- * What a peer says in ZMTP. A frame that claims more than {@value #MAX_FRAME_BYTES} bytes is
- * refused before memory is taken for it.
+ * Input of a ZMTP peer. A frame that states more than {@value #MAX_FRAME_BYTES} bytes is refused
+ * before memory is allocated for it.
  *
  * <p>Thread rule: one thread.
  */

@@ -11,9 +11,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 
 /**
- * A subscriber of ZeroMQ. It may say no more than who it is and what it wants: a greeting that
- * takes too long, a long frame or more than {@value #MAX_SUBSCRIPTIONS} subscriptions end the
- * connection.
+ * A subscriber of ZeroMQ. It may send a greeting and subscriptions only: a slow greeting, a long
+ * frame or more than {@value #MAX_SUBSCRIPTIONS} subscriptions end the connection.
  *
  * <p>Thread rule: one thread greets, and then one listens; the rest may be called from any.
  */

@@ -88,7 +88,7 @@ class LineOutputsTest {
   }
 
   @Test
-  void aReceiverThatIsTooSlowLosesCountedLinesAndIsTold() throws IOException {
+  void aReceiverThatIsTooSlowLosesCountedLinesAndIsNotified() throws IOException {
     TcpLines output = new TcpLines(LineAddress.parse("tcp://127.0.0.1:0"), new PlainProtocol(), 16);
     try (Socket socket = connect(output);
         BufferedReader reader = reader(socket)) {

@@ -5,8 +5,8 @@ import haltere.core.event.SensorGeometry;
 import java.util.Arrays;
 
 /**
- * Runs of events of one polarity on a pixel, as a passing edge makes several of them: the first one
- * tells when it came.
+ * Runs of events of one polarity on a pixel, as a passing edge makes them: the first one has the
+ * time of the edge.
  */
 public final class PolarityRuns {
   /** A run ends after this time, whatever comes. */

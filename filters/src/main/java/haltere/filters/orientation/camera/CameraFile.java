@@ -85,14 +85,14 @@ public record CameraFile(List<CameraModel> cameras, double minEccentricity) {
 
   private static CameraModel camera(Object value, String name) throws JsonProblem {
     if (!(value instanceof Map<?, ?> object)) {
-      throw new JsonProblem(name + " is not an object with id and matrix");
+      throw new JsonProblem(name + " is not an object with \"id\" and \"matrix\"");
     }
     Object id = object.get("id");
     if (!(id instanceof String || id instanceof Long)) {
       throw new JsonProblem(name + " has no \"id\"");
     }
     if (!(object.get("matrix") instanceof List<?> rows) || rows.size() != 3) {
-      throw new JsonProblem(name + ": \"matrix\" is a list of 3 lists of 4 numbers");
+      throw new JsonProblem(name + ": \"matrix\" must be a list of 3 lists of 4 numbers");
     }
     double[] matrix = new double[12];
     for (int i = 0; i < 3; i++) {
@@ -116,7 +116,7 @@ public record CameraFile(List<CameraModel> cameras, double minEccentricity) {
     if (value instanceof Number number && number.doubleValue() >= 0 && number.doubleValue() < 1e6) {
       return number.intValue();
     }
-    throw new JsonProblem(name + ": \"" + key + "\" is a number of pixels, not " + value);
+    throw new JsonProblem(name + ": \"" + key + "\" must be a number of pixels, not " + value);
   }
 
   private static double[] numbers(Object value, String name, int count) throws JsonProblem {
@@ -125,6 +125,6 @@ public record CameraFile(List<CameraModel> cameras, double minEccentricity) {
         && list.stream().allMatch(Number.class::isInstance)) {
       return list.stream().mapToDouble(each -> ((Number) each).doubleValue()).toArray();
     }
-    throw new JsonProblem(name + " is a list of " + count + " numbers, not " + value);
+    throw new JsonProblem(name + " must be a list of " + count + " numbers, not " + value);
   }
 }

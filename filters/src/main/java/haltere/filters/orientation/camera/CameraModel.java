@@ -102,7 +102,7 @@ public final class CameraModel {
   private static double[] normalised(double[] matrix) {
     if (matrix.length != 12) {
       throw new IllegalArgumentException(
-          "a camera's matrix has 12 numbers (3 rows of 4), not " + matrix.length);
+          "a camera matrix has 12 numbers (3 rows of 4), not " + matrix.length);
     }
     double[] own = matrix.clone();
     double scale = Vectors.length(left(own, 2));
@@ -123,9 +123,7 @@ public final class CameraModel {
     Vectors.cross(m0, m1, across);
     double volume = Math.abs(Vectors.dot(across, m2));
     double size = Vectors.length(m0) * Vectors.length(m1) * Vectors.length(m2);
-    return volume > 1e-9 * size
-        ? null
-        : "its matrix has not the rank 3 in its left part, so it sees no lines in space";
+    return volume > 1e-9 * size ? null : "the left part of its matrix has a rank of less than 3";
   }
 
   /** A row of the left part. */

@@ -58,7 +58,7 @@ final class CameraXml {
       }
     } catch (XMLStreamException broken) {
       int line = broken.getLocation() == null ? 0 : broken.getLocation().getLineNumber();
-      throw new JsonProblem(name + ": line " + line + ": this is not XML that ends as it begins");
+      throw new JsonProblem(name + ": line " + line + ": this is not well-formed XML");
     }
     return CameraFile.checked(cameras, name, minEccentricity[0]);
   }
@@ -74,7 +74,8 @@ final class CameraXml {
       String[] rows = matrixText.split(";");
       String[] words = rows[Math.min(i / 4, rows.length - 1)].strip().split("\\s+");
       if (rows.length != 3 || words.length != 4) {
-        throw new JsonProblem(name + ": calibration_matrix is 3 rows of 4 numbers, by semicolons");
+        throw new JsonProblem(
+            name + ": calibration_matrix needs 3 rows of 4 numbers with semicolons");
       }
       matrix[i] = number(words[i % 4], name + ": calibration_matrix");
     }
@@ -91,7 +92,7 @@ final class CameraXml {
     }
     double fx = own[0];
     if (!(fx > 0 && own[1] > 0) || !Double.isFinite(own[2] + own[3])) {
-      throw new JsonProblem(name + ": fc1, fc2, cc1 and cc2 must be there, the first two positive");
+      throw new JsonProblem(name + ": fc1, fc2, cc1 and cc2 are required, fc1 and fc2 positive");
     }
     Lens lens =
         new Lens(
@@ -113,7 +114,7 @@ final class CameraXml {
     double value = field(camera, key, expected, name);
     if (Math.abs(value - expected) > 1e-6 * (1 + Math.abs(expected))) {
       throw new JsonProblem(
-          name + ": " + key + " is another than without p; rectified pictures are not read");
+          name + ": " + key + " differs from its value without p; rectified pictures are not read");
     }
   }
 

@@ -135,7 +135,7 @@ final class FlydraDetections {
     return name.replace('-', '_');
   }
 
-  /** Which body each detection is of. */
+  /** Assigns detections to bodies. */
   private void readAssociation() throws IOException {
     if (tables.has("data_association")) {
       isAssociated = true;
@@ -164,7 +164,7 @@ final class FlydraDetections {
     }
   }
 
-  /** Takes in the pairs of camera and point that an estimate was made of. */
+  /** Assigns the pairs of camera and point of an estimate to its body. */
   private void associate(String object, long frame, double index, List<long[]> points) {
     if (index >= 0 && index < points.size()) {
       long[] pairs = points.get((int) index);
@@ -180,7 +180,7 @@ final class FlydraDetections {
       throw new RecordingProblem(file, "the table " + DETECTIONS + " has no column y or intercept");
     }
     if (!isAssociated && !there.isEmpty() && !there.contains("obj_id")) {
-      listener.remark("no table says which detection is of which body; all are taken for one");
+      listener.remark("no table assigns detections to bodies; all are taken for one");
     }
     tables.read(DETECTIONS, COLUMNS, REQUIRED, this::detection);
   }

@@ -15,7 +15,7 @@ public record LineObservation(
     int camera, double xPx, double yPx, double angleRad, double areaPx, double eccentricity) {
   public LineObservation {
     if (camera < 0) {
-      throw new IllegalArgumentException("a camera's index is from 0 on: " + camera);
+      throw new IllegalArgumentException("a camera index must not be negative: " + camera);
     }
   }
 

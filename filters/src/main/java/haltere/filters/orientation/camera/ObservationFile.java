@@ -31,7 +31,7 @@ public final class ObservationFile {
     /**
      * A row that was left out.
      *
-     * @param where line or row of the file, for a person
+     * @param where line or row of the file, for users
      * @param why what is wrong with it
      */
     void bad(String where, String why);
@@ -39,7 +39,7 @@ public final class ObservationFile {
     /**
      * A statement about the whole file.
      *
-     * @param words for a person
+     * @param words for users
      */
     default void remark(String words) {}
   }
@@ -105,7 +105,7 @@ public final class ObservationFile {
   /**
    * Reads all observations.
    *
-   * @param listener takes them, in order of time
+   * @param listener receives them, in order of time
    * @throws RecordingProblem if it is no such file, or damaged; the message names it
    * @throws IOException if it cannot be read
    */

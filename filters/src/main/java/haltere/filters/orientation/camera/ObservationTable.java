@@ -62,7 +62,7 @@ final class ObservationTable {
     }
   }
 
-  /** Takes a row; returns what is wrong with it, or nothing. */
+  /** Reads a row; returns its problem, or an empty text. */
   private String row(CsvTable row) {
     if (row.size() != row.header().size()) {
       return "it has " + row.size() + " fields, not " + row.header().size();

@@ -50,7 +50,7 @@ final class BodyLineFilter extends PublishingFilter<BodyLineSettings> {
     public Provider() {
       super(
           "body-line",
-          "Follows one elongated body and says where its line is, for orientation in space.",
+          "Tracks the line of one elongated body, for its orientation in space.",
           BodyLineSettings.class,
           BodyLineFilter::new);
     }

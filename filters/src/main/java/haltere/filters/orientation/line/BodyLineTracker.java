@@ -179,7 +179,7 @@ public final class BodyLineTracker {
     covYy[polarity] += g * ((1 - g) * offY * offY - covYy[polarity]);
   }
 
-  /** Moves the frame to the middle of both polarities, works out the ellipse, and reports. */
+  /** Moves the frame to the middle of both polarities, computes the ellipse, and reports. */
   private void follow(long atUs) {
     if (sinceReport < settings.leastEvents() || seen[0] < 4 || seen[1] < 4) {
       return;

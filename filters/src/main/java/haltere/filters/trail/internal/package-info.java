@@ -1,2 +1,2 @@
-/** Trails of objects in the picture: what was seen of each, and how it is drawn. */
+/** Trails of objects in the picture: their states and drawing. */
 package haltere.filters.trail.internal;

@@ -6,9 +6,8 @@ import haltere.filters.wing.WingPositionSettings;
 import haltere.filters.wing.WingTrackerSettings;
 
 /**
- * Moves the body after each beat of both wings, as the running average does it (Cardinale 2006): to
- * the middle between the mean positions of both wings' events, with the heading across the line
- * between them. The original's region of interest has their distance for its radius.
+ * Updates the body after each beat of both wings as in Cardinale (2006): it moves to the middle
+ * between the mean positions of both wings' events, with the heading across the line between them.
  */
 final class BodyFollower {
   private static final int BOTH = 3;
@@ -22,7 +21,7 @@ final class BodyFollower {
   private final double[] meanY = new double[2];
   private final int[] count = new int[2];
 
-  /** Wings whose beat has ended since the body was moved, as bits. */
+  /** Wings whose beat has ended since the last move, as bits. */
   private int ended;
 
   BodyFollower(FlyPlace place, WingTrackerSettings settings) {
@@ -35,7 +34,7 @@ final class BodyFollower {
     follows = changed.average().bodyUpdate() || changed.average().headingUpdate();
   }
 
-  /** Begins anew. */
+  /** Restarts. */
   void launch() {
     ended = 0;
     for (int side = 0; side < 2; side++) {
@@ -49,9 +48,7 @@ final class BodyFollower {
     count[side] = 0;
   }
 
-  /**
-   * Takes an event of a wing, after the running average has; returns whether the body was moved.
-   */
+  /** Processes an event after the running average; returns whether the body was moved. */
   boolean event(int side, int x, int y) {
     if (!follows) {
       return false;

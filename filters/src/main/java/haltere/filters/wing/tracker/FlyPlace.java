@@ -8,8 +8,8 @@ import haltere.filters.wing.internal.search.FoundFly;
 import haltere.filters.wing.internal.stroke.StrokeFrame;
 
 /**
- * Where the tracked fly is on the sensor: a frame for each wing, and the body's line, which divides
- * left from right: through the middle of the hinges, along the heading.
+ * Position of the tracked fly: a frame for each wing, and the body line between left and right,
+ * through the middle of the hinges along the heading.
  */
 final class FlyPlace {
   private static final double MIN_REGION_PX = 3;
@@ -24,7 +24,7 @@ final class FlyPlace {
   private double sizePx;
   private double regionPx;
 
-  /** Takes over what was found, with what a person says of it. */
+  /** Sets a found fly with the manual offsets. */
   void begin(FoundFly fly, WingPositionSettings place, long timeUs) {
     FlyGeometry found = fly.geometry();
     boolean flip = place.flipHeading();
@@ -58,7 +58,7 @@ final class FlyPlace {
     frames[1].place(now.leftHingeX(), now.leftHingeY(), heading, innerPx, regionPx);
   }
 
-  /** Moves by what a person says differently; returns by how much the heading turns, radians. */
+  /** Applies changed manual offsets; returns the rotation of the heading, radians. */
   double move(WingPositionSettings before, WingPositionSettings after) {
     double turn = Angles.wrapPi(after.headingOffsetRad() - before.headingOffsetRad());
     regionPx = Math.max(MIN_REGION_PX, regionPx + after.regionOffsetPx() - before.regionOffsetPx());
@@ -87,7 +87,7 @@ final class FlyPlace {
     frames[1].setHeading(frames[1].headingRad() + by);
   }
 
-  /** Takes a size of the fly for the radius of the region of interest. */
+  /** Sets the region of interest by a size of the fly. */
   void resize(double size, WingPositionSettings said) {
     sizePx = size;
     regionPx = Math.max(MIN_REGION_PX, size + said.regionOffsetPx());
@@ -97,7 +97,7 @@ final class FlyPlace {
     }
   }
 
-  /** Takes the body's line from the frames as they are now. */
+  /** Computes the body line from the present frames. */
   void settle() {
     double heading = frames[0].headingRad();
     axisCos = Math.cos(heading);
@@ -106,7 +106,7 @@ final class FlyPlace {
     axisY = (frames[0].hingeY() + frames[1].hingeY()) / 2;
   }
 
-  /** Side on which a pixel lies, 0 left, 1 right. */
+  /** Side of a pixel, 0 left, 1 right. */
   int side(int x, int y) {
     return (y - axisY) * axisCos - (x - axisX) * axisSin > 0 ? 0 : 1;
   }

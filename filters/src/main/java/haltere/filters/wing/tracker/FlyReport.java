@@ -18,30 +18,30 @@ import haltere.filters.wing.WingVariances;
 import haltere.filters.wing.internal.stroke.SideEstimator;
 import org.ejml.data.DMatrixRMaj;
 
-/** Tells a listener what the estimators of both wings say. */
+/** Reports the estimates of both wings to a listener. */
 final class FlyReport {
-  /** Straight lines between so many angles of a beat are within 0.2 degrees of its sine. */
+  /**
+   * Angles of a beat in a drawing; straight lines between them are within 0.2 degrees of a sine.
+   */
   private static final int BEAT_STEPS = 48;
 
   private final WingListener listener;
   private final WingEstimators wings;
   private final long[] beatCount = new long[2];
 
-  /** A report to a listener of the estimators of both wings, read anew each time. */
+  /** Reports to a listener. */
   FlyReport(WingListener listener, WingEstimators wings) {
     this.listener = listener;
     this.wings = wings;
   }
 
-  /** Counts beats anew. */
+  /** Restarts the count of beats. */
   void begin() {
     beatCount[0] = 0;
     beatCount[1] = 0;
   }
 
-  /**
-   * Tells everything but snapshots; both, where the running average runs beside the Kalman filter.
-   */
+  /** Reports estimates; of both methods if the running average runs beside the Kalman filter. */
   void tick(long timeUs, boolean both) {
     WingEstimate[] now = new WingEstimate[2];
     for (int side = 0; side < 2; side++) {
@@ -69,7 +69,7 @@ final class FlyReport {
     }
   }
 
-  /** Tells of an event, unless it was refused: nothing was expected of it then. */
+  /** Reports an event, unless it was rejected. */
   void event(long timeUs, int side, boolean on, double measuredRad, double expectedRad) {
     if (Double.isNaN(expectedRad)) {
       return;
@@ -112,7 +112,7 @@ final class FlyReport {
             Math.hypot(left.sdAngleRad(), right.sdAngleRad())));
   }
 
-  /** Tells everything at once, to be drawn. */
+  /** Reports a snapshot to be drawn. */
   void snapshot(long timeUs, Phase phase, FlyGeometry geometry, double regionPx) {
     DMatrixRMaj strokes = new DMatrixRMaj(4, BEAT_STEPS);
     double[] frequency = {Double.NaN, Double.NaN};
@@ -143,7 +143,7 @@ final class FlyReport {
             ConstMatrix.column(sd)));
   }
 
-  /** Tells of a beat that has ended; the first one has no beginning and is left out. */
+  /** Reports a beat that has ended; the first one has no start and is left out. */
   void beat(WingPart side, double timeUs, double periodUs, double leastRad, double mostRad) {
     int own = side.sideNumber();
     if (!(periodUs > 0) || !wings.locked) {

@@ -3,10 +3,7 @@ package haltere.filters.wing.tracker;
 import haltere.filters.wing.internal.stroke.StrokeFrame;
 import java.util.Arrays;
 
-/**
- * Side and stroke angle of each pixel while the fly is taken to stay where it is: worked out when
- * the pixel's first event comes, looked up from then on.
- */
+/** Cached side and stroke angle of each pixel, for a fly that does not move. */
 final class PixelAngles {
   private static final float UNKNOWN = 0;
 
@@ -22,7 +19,7 @@ final class PixelAngles {
     codes = new float[width * height];
   }
 
-  /** Begins anew: the fly is somewhere else. */
+  /** Clears the cache: the fly has moved. */
   void clear() {
     Arrays.fill(codes, UNKNOWN);
   }
@@ -46,7 +43,7 @@ final class PixelAngles {
     return code;
   }
 
-  /** Side of a code, 0 left, 1 right; of no meaning for NaN. */
+  /** Side of a code, 0 left, 1 right; undefined for NaN. */
   static int side(float code) {
     return Float.floatToRawIntBits(code) >>> 31;
   }

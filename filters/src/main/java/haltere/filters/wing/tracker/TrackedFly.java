@@ -22,11 +22,11 @@ import java.util.Optional;
 /**
  * The fly that is tracked: its geometry, and for each wing a frame and the estimators.
  *
- * <p>A running average beside a filter that follows the hinges has a place of its own: it says what
- * it would say alone. In all other cases both methods share one.
+ * <p>A running average beside a filter that follows the hinges has its own position, so its results
+ * are those it would have alone. In all other cases both methods share one position.
  */
 final class TrackedFly {
-  /** Share of an asymmetry that the heading takes up in one check. */
+  /** Share of an asymmetry by which the heading is corrected in one check. */
   private static final double HEADING_SHARE = 0.5;
 
   private final WingListener listener;
@@ -36,7 +36,7 @@ final class TrackedFly {
   private final SensorGeometry sensor;
   private final WingEstimators wings;
 
-  /** Whether a Kalman filter and whether a running average are at work. */
+  /** Whether a Kalman filter and whether a running average are used. */
   private boolean filters;
 
   private boolean averages;
@@ -47,13 +47,13 @@ final class TrackedFly {
   /** Whether events wait until both wings meet. */
   private boolean sorts;
 
-  /** Events that wait for a wing. */
+  /** Waiting events of each wing. */
   final SortedEvents sorted = new SortedEvents(2, this::take);
 
-  /** Of the running average. */
+  /** Position of the running average. */
   private FlyPlace averagePlace = place;
 
-  /** As it was found last. */
+  /** The last result of the search. */
   private FoundFly fly;
 
   private long foundAtUs;
@@ -81,7 +81,7 @@ final class TrackedFly {
     wings.build(settings, follower);
   }
 
-  /** What estimates the strokes. */
+  /** Estimators of the strokes. */
   WingEstimators wings() {
     return wings;
   }
@@ -114,7 +114,7 @@ final class TrackedFly {
     takeSymmetry();
   }
 
-  /** The estimators have begun anew where the fly is now. */
+  /** Called after the estimators have restarted. */
   private void launched() {
     wings.trackedChanged();
     follower.launch();
@@ -127,12 +127,12 @@ final class TrackedFly {
     symmetry = wings.tracked[0] && wings.tracked[1] ? asymmetry() : 0;
   }
 
-  /** Half of what the centres of both wings differ by. */
+  /** Half of the difference of the centres. */
   private double asymmetry() {
     return (wings.main[0].seed().centre() - wings.main[1].seed().centre()) / 2;
   }
 
-  /** Begins with a packet. */
+  /** Starts a packet. */
   void beginPacket() {
     measures = listener.wants(WingMeasurement.class);
     // a wing with a filter for each edge tells of its beats as its events come
@@ -184,7 +184,7 @@ final class TrackedFly {
     }
   }
 
-  /** Regular work every few milliseconds. */
+  /** Periodic work, every few milliseconds. */
   void check(long timeUs) {
     boolean[] lost = new boolean[2];
     for (int side = 0; side < 2; side++) {
@@ -227,14 +227,14 @@ final class TrackedFly {
     publishSnapshot(timeUs, phase);
   }
 
-  /** Tells whoever draws, also that there is nothing to be drawn any more. */
+  /** Publishes a snapshot, also an empty one. */
   void publishSnapshot(long timeUs, Phase phase) {
     if (listener.wants(WingSnapshot.class)) {
       wings.report.snapshot(timeUs, phase, geometry(), place.regionPx());
     }
   }
 
-  /** Takes new settings and tracks on. */
+  /** Applies new settings without a restart. */
   void apply(WingTrackerSettings changed) {
     WingTrackerSettings before = settings;
     settings = changed;

@@ -20,8 +20,8 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * Makes the parts of a tracker that the settings ask for. The one class that knows the tracker of
- * Cardinale (2006), {@code wing.original}.
+ * Creates the parts of a tracker by its settings. The only class that knows the tracker of
+ * Cardinale (2006), {@code wing.internal.original}.
  */
 final class TrackerParts {
   private TrackerParts() {}
@@ -30,13 +30,13 @@ final class TrackerParts {
     return settings.filter().model() == WingModel.ORIGINAL;
   }
 
-  /** Whether the body moves with the running average's beats in the frames of the main method. */
+  /** Whether the running average moves the body in the frames of the main method. */
   static boolean sharesFrames(WingTrackerSettings settings) {
     return settings.filter().method() == WingMethod.WRA
         || settings.filter().model() != WingModel.WINGS;
   }
 
-  /** Whether a running average is at work. */
+  /** Whether a running average is used. */
   static boolean averages(WingTrackerSettings settings) {
     boolean updates = settings.average().bodyUpdate() || settings.average().headingUpdate();
     return settings.filter().method() != WingMethod.EKF || updates && sharesFrames(settings);

@@ -19,8 +19,8 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * What estimates the strokes of both wings, as the settings want it: an estimator and a running
- * average for each wing, whether the wing is tracked, and which of its edges are taken.
+ * Estimators of both wings by the settings: an estimator and a running average for each wing,
+ * whether the wing is tracked, and which of its edges are used.
  */
 final class WingEstimators {
 
@@ -28,10 +28,10 @@ final class WingEstimators {
   final EdgesEstimator[] beside = new EdgesEstimator[2];
   final boolean[] tracked = new boolean[2];
 
-  /** Edges of wings that are tracked, of which events are taken. */
+  /** Used edges of tracked wings. */
   final boolean[] takesNow = new boolean[4];
 
-  /** Whether the estimates are at the frequency of the beat; no beats are told else. */
+  /** Whether the estimates are at the frequency of the beat; otherwise no beats are reported. */
   boolean locked = true;
 
   final FlyReport report;
@@ -44,7 +44,7 @@ final class WingEstimators {
     report = new FlyReport(listener, this);
   }
 
-  /** Makes the estimators anew. */
+  /** Creates the estimators. */
   void build(WingTrackerSettings wanted, BodyFollower body) {
     settings = wanted;
     follower = body;
@@ -77,7 +77,7 @@ final class WingEstimators {
     return tracked[0] || tracked[1];
   }
 
-  /** Wings that are tracked. */
+  /** Number of tracked wings. */
   int count() {
     return (tracked[0] ? 1 : 0) + (tracked[1] ? 1 : 0);
   }
@@ -88,12 +88,12 @@ final class WingEstimators {
     takeEdges();
   }
 
-  /** Mean NIS of the filters of the wings that are tracked; NaN if there is none. */
+  /** Mean NIS of the filters of tracked wings; NaN if there is none. */
   double meanNis() {
     return filters().stream().mapToDouble(WingFilterState::nis).average().orElse(Double.NaN);
   }
 
-  /** Mean frequency of the wings that are tracked, hertz; NaN if there is none. */
+  /** Mean frequency of tracked wings, hertz; NaN if there is none. */
   double frequencyHz() {
     return IntStream.range(0, 2)
         .filter(side -> tracked[side])
@@ -102,12 +102,12 @@ final class WingEstimators {
         .orElse(Double.NaN);
   }
 
-  /** Frequency of a wing's estimator, hertz; NaN while the wing is not tracked. */
+  /** Frequency of a wing, hertz; NaN while it is not tracked. */
   double frequencyHz(int side) {
     return tracked[side] ? main[side].estimate(SideEstimator.WING).frequencyHz() : Double.NaN;
   }
 
-  /** Edges of wings that are tracked are taken, and two of them are driven together. */
+  /** Updates the used edges and couples two tracked wings. */
   void trackedChanged() {
     takeEdges();
     if (main[0] instanceof WingEstimator left && main[1] instanceof WingEstimator right) {
@@ -138,7 +138,7 @@ final class WingEstimators {
     }
   }
 
-  /** The Kalman filters of the wings that are tracked. */
+  /** The Kalman filters of tracked wings. */
   List<WingFilterState> filters() {
     List<WingFilterState> filters = new ArrayList<>();
     for (int side = 0; side < 2; side++) {
@@ -154,7 +154,7 @@ final class WingEstimators {
     main[sideOf(edit.part())].edit(edit);
   }
 
-  /** Begins a wing anew where it is now, as sure as when it was found, with the settings' noise. */
+  /** Restarts a wing at its present state with the initial covariance and the set noise. */
   void restart(WingPart part) {
     int side = sideOf(part);
     StrokeSeed seed = main[side].seed();
@@ -171,10 +171,7 @@ final class WingEstimators {
     return side;
   }
 
-  /**
-   * Takes new settings over. Returns whether they need other estimators; those that are there take
-   * them over else.
-   */
+  /** Applies new settings to the estimators; returns whether they need other ones instead. */
   boolean apply(WingTrackerSettings changed) {
     boolean others = !isSameEstimator(settings.filter(), changed.filter());
     settings = changed;
@@ -194,7 +191,7 @@ final class WingEstimators {
         && one.harmonics() == other.harmonics();
   }
 
-  /** What a new estimator of each wing that is tracked begins with. */
+  /** Initial strokes for new estimators of tracked wings. */
   StrokeSeed[] seeds() {
     StrokeSeed[] seeds = new StrokeSeed[2];
     for (int side = 0; side < 2; side++) {

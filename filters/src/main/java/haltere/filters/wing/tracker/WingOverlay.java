@@ -10,8 +10,8 @@ import haltere.filters.wing.WingTrackerState;
 import java.util.Locale;
 
 /**
- * Draws the body with its heading, the hinges, the region of interest, the four edges and how sure
- * they are.
+ * Draws the body with its heading, the hinges, the region of interest, and the four edges with
+ * their standard deviations.
  */
 final class WingOverlay implements Overlay<WingSnapshot> {
   private static final double BODY_SHARE = 0.45;
@@ -25,7 +25,7 @@ final class WingOverlay implements Overlay<WingSnapshot> {
     drawAt(snapshot, snapshot.timeUs(), canvas);
   }
 
-  /** {@inheritDoc} The wings beat on. */
+  /** {@inheritDoc} The wings continue their beat. */
   @Override
   public void drawAt(WingSnapshot snapshot, long timeUs, OverlayCanvas canvas) {
     double aheadS = Overlay.aheadS(snapshot.timeUs(), timeUs);

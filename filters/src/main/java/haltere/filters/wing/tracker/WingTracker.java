@@ -28,22 +28,21 @@ import java.util.Set;
 
 /**
  * Tracks the wings of a tethered fly: gathers events, finds the fly in them ({@link FlySearch}),
- * tracks the wings with the method of the settings, and searches again when it has lost them.
+ * tracks the wings with the method of the settings, and searches again after a loss.
  *
- * <p>What it says depends on the events alone, not on how they come in packets. Thread rule: one
- * thread at a time.
+ * <p>Results do not depend on the packets in which events come. Thread rule: one thread at a time.
  */
 public final class WingTracker {
   private static final int CHECK_US = 10_000;
 
-  /** Both wings meet at multiples of this, whatever the rate of the estimates. */
+  /** Interval at which both wings are synchronised, whatever the rate of the estimates. */
   private static final int MEET_US = 1000;
 
-  /** What becomes of a search; the other phases are its steps. */
+  /** Outcomes of a search; the other phases are its steps. */
   private static final Set<Phase> CONDITIONS =
       EnumSet.of(Phase.COLLECTING, Phase.TRACKING, Phase.UNLOCKED, Phase.ONE_WING, Phase.LOST);
 
-  /** Of what is due next, while no fly is tracked: each event may end the wait. */
+  /** Next due time while no fly is tracked: every event. */
   private static final long AT_ONCE = Long.MIN_VALUE;
 
   private final WingListener listener;
@@ -53,7 +52,7 @@ public final class WingTracker {
   private final TrackedFly fly;
   private final FrequencyWatch watch = new FrequencyWatch();
 
-  /** Steps of the last search, and what became of it. */
+  /** Steps and outcome of the last search. */
   private final Map<Phase, WingTrackerState> steps = new EnumMap<>(Phase.class);
 
   private final ReportClock ticks = new ReportClock();
@@ -66,11 +65,11 @@ public final class WingTracker {
   private long publishedUs;
 
   /**
-   * A tracker that has seen nothing.
+   * A tracker in its initial state.
    *
-   * @param geometry the sensor whose events it will see
-   * @param settings what to do
-   * @param listener takes the results
+   * @param geometry of the sensor
+   * @param settings of the tracker
+   * @param listener receives the results
    */
   public WingTracker(SensorGeometry geometry, WingTrackerSettings settings, WingListener listener) {
     this.settings = settings;
@@ -87,7 +86,7 @@ public final class WingTracker {
     fly.sorted.share(work);
   }
 
-  /** Forgets everything that events have said; what a person has said stays. */
+  /** Returns to the initial state; settings, with manual positions, stay. */
   public void reset() {
     recent.clear();
     runs.clear();
@@ -104,7 +103,7 @@ public final class WingTracker {
   }
 
   /**
-   * Takes new settings; what is tracked is tracked on.
+   * Applies new settings; tracking continues.
    *
    * @param changed valid settings
    */
@@ -123,42 +122,42 @@ public final class WingTracker {
     }
   }
 
-  /** {@return the present phase: what the tracker does} */
+  /** {@return the present phase of the tracker} */
   public Phase phase() {
     return phase;
   }
 
   /**
-   * {@return how the fly was searched for last, step by step, the last one the condition since;
-   * empty before the first event}
+   * {@return the steps of the last search and, as the last one, its outcome; empty before the first
+   * event}
    */
   public List<WingTrackerState> searchSteps() {
     return List.copyOf(steps.values());
   }
 
   /**
-   * {@return the mean normalised innovation squared of the Kalman filters of late: 1 if they know
-   * how good their measurements are, NaN while no wing is tracked by a filter that tells}
+   * {@return the recent mean normalised innovation squared of the Kalman filters: 1 if they are
+   * consistent, NaN while no wing is tracked by a filter that has one}
    */
   public double meanNis() {
     return fly.wings().meanNis();
   }
 
   /**
-   * {@return the Kalman filters as they are now: one for each wing that is tracked, or for each
-   * edge of it; none with the running average}
+   * {@return the present Kalman filters: one for each tracked wing, or for each of its edges; none
+   * with the running average}
    */
   public List<WingFilterState> filters() {
     return fly.wings().filters();
   }
 
   /**
-   * Changes a number of a filter while it runs. Noise that is changed stays until the filter is
-   * {@link #restart restarted}, the settings of the noise change, or head and tail are exchanged.
+   * Changes a number of a filter while it runs. Changed noise remains until the filter is {@link
+   * #restart restarted}, the settings of the noise change, or head and tail are exchanged.
    *
-   * @param edit which number
-   * @throws IllegalArgumentException with a line for a person if it cannot be that number, or there
-   *     is no such filter now
+   * @param edit the change
+   * @throws IllegalArgumentException with a message for users if the value is not possible, or
+   *     there is no such filter now
    */
   public void edit(WingFilterEdit edit) {
     fly.wings().edit(edit);
@@ -166,40 +165,37 @@ public final class WingTracker {
   }
 
   /**
-   * Begins a filter anew: where it is now, as unsure as when the wing was found, with the noise of
-   * the settings. Where each edge has a filter that is done for both edges of the wing.
+   * Restarts a filter at its present state with the initial covariance and the noise of the
+   * settings. With a filter for each edge, this restarts both edges of the wing.
    *
    * @param part the wing, or one of its edges
-   * @throws IllegalArgumentException with a line for a person if there is no such filter now
+   * @throws IllegalArgumentException with a message for users if there is no such filter now
    */
   public void restart(WingPart part) {
     fly.wings().restart(part);
     listener.take(new WingByHand(part, Optional.empty()));
   }
 
-  /** {@return where the fly is; empty while none is tracked} */
+  /** {@return the geometry of the fly; empty while none is tracked} */
   public Optional<FlyGeometry> geometry() {
     return fly.wings().isTracked() ? Optional.of(fly.geometry()) : Optional.empty();
   }
 
   /**
-   * {@return where the fly is for a running average that has a body of its own, beside a filter
-   * that follows the hinges; empty while no fly is tracked or both methods share the body}
+   * {@return the geometry of the fly for a running average with its own body, beside a filter that
+   * follows the hinges; empty while no fly is tracked or both methods share the body}
    */
   public Optional<FlyGeometry> averageGeometry() {
     return fly.wings().isTracked() ? fly.averageGeometry() : Optional.empty();
   }
 
-  /**
-   * {@return the radius of the region of interest about each hinge, pixels; of no meaning while no
-   * fly is tracked}
-   */
+  /** {@return the radius of the region of interest about each hinge, pixels, of a tracked fly} */
   public double regionPx() {
     return fly.regionPx();
   }
 
   /**
-   * Settings that place the body where a person says, as an offset from where it was found.
+   * Settings with a manual position of the body, as an offset from the found one.
    *
    * @param x column
    * @param y row
@@ -216,7 +212,7 @@ public final class WingTracker {
   }
 
   /**
-   * Settings that turn the heading to where a person says, as an offset from what was found.
+   * Settings with a manual heading, as an offset from the found one.
    *
    * @param headingRad from tail to head
    * @return the present settings with another offset; the same while no fly is tracked
@@ -237,7 +233,7 @@ public final class WingTracker {
   }
 
   /**
-   * Settings with a region of interest as a person says.
+   * Settings with a manual region of interest.
    *
    * @param radiusPx about each hinge
    * @return the present settings with another offset; the same while no fly is tracked
@@ -252,7 +248,7 @@ public final class WingTracker {
   }
 
   /**
-   * Tracks through a packet; leaves it as it is.
+   * Processes a packet, which is not changed.
    *
    * @param packet in order of time
    */
@@ -276,7 +272,7 @@ public final class WingTracker {
     fly.sorted.take();
   }
 
-  /** Does what is due at a time; false if its event is not to be tracked. */
+  /** Does the work due at a time; false if its event is not tracked. */
   private boolean work(long timeUs) {
     if (!fly.wings().isTracked()) {
       lookForFly(timeUs);
@@ -349,7 +345,7 @@ public final class WingTracker {
     listener.take(state);
   }
 
-  /** Checks and estimates that are due; checks do not wait for estimates, whose rate may be low. */
+  /** Makes due checks and estimates; checks do not wait for estimates, whose rate may be low. */
   private void passTicks(long timeUs) {
     while (dueUs <= timeUs) {
       long now = dueUs;
@@ -374,7 +370,7 @@ public final class WingTracker {
     return Math.min(ticks.nextUs(), (Math.floorDiv(timeUs, MEET_US) + 1) * MEET_US);
   }
 
-  /** Regular work: the heading follows, a lost wing is noticed, and searched for. */
+  /** Periodic work: heading, detection of a lost wing, and its search. */
   private void check(long timeUs) {
     nextCheckUs = timeUs + CHECK_US;
     fly.check(timeUs);

@@ -149,7 +149,7 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
     public Provider() {
       super(
           "wing-tracker",
-          "Follows the wings of a tethered fly within each beat.",
+          "Tracks the wings of a tethered fly within each beat.",
           WingTrackerSettings.class,
           WingTrackerFilter::new);
     }

@@ -199,7 +199,7 @@ class WingBadInputTest {
   }
 
   @Test
-  void aClockThatRestartsInFlightIsNoticedAndTheFlyFoundAgain() {
+  void aClockThatRestartsInFlightIsDetectedAndTheFlyFoundAgain() {
     EventPacket fly = Flies.events(0.1, STEADY, "run.startUs=9000000000");
     EventPacket again = Flies.events(0.1, STEADY, "run.startUs=0");
     WingTrackerFilter filter = new WingTrackerFilter(Said.SENSOR, WingTrackerSettings.defaults());

@@ -122,7 +122,7 @@ class WingTrackerTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"filter.model=WINGS", "filter.model=EDGES", "filter.method=WRA"})
-  void aStartFrequencyFarFromTheTruthIsFoundOutAndTheBeatSearchedAnew(String method) {
+  void aStartFrequencyFarFromTheTruthIsFoundOutAndTheBeatSearchedAgain(String method) {
     EventPacket fly =
         Flies.events(0.4, STEADY, "stroke.beat.frequencyHz=203", "fly.wing.visibleShare=0.15");
     for (int startHz : new int[] {120, 300, 406}) {
@@ -265,7 +265,7 @@ class WingTrackerTest {
   }
 
   @Test
-  void aFlyThatStopsIsNoticedWhateverTheRateOfTheEstimates() {
+  void aFlyThatStopsIsDetectedWhateverTheRateOfTheEstimates() {
     EventPacket fly = Flies.events(0.15, STEADY, "fly.wing.visibleShare=0.15");
     EventPacket packet = new EventPacket(0);
     packet.append(fly, 0, fly.size());

@@ -11,9 +11,9 @@ import java.util.List;
  * How many address words of an AEDAT-2.0 file each layout explains, from the first record to the
  * last.
  *
- * <p>A lost byte shifts all records behind it. So where no layout explains two blocks of records,
- * they are looked at again at the shift at which they are a DVS128's and times ascend; words of a
- * DAVIS have too few bits that are always zero to be recognised at a shift.
+ * <p>A lost byte shifts all records behind it. If no layout explains two blocks of records, they
+ * are read again at the shift at which they are a DVS128's and times ascend; words of a DAVIS have
+ * too few bits that are always zero to be recognised at a shift.
  *
  * <p>Thread rule: one thread.
  */
@@ -23,7 +23,7 @@ final class AddressEvidence {
   private static final int BLOCK_BYTES = BLOCK_RECORDS * RECORD_BYTES;
   private static final int PIECE_BYTES = 4096 * BLOCK_BYTES;
 
-  /** Share of the words that a layout has to explain to be believed. */
+  /** Least share of the words that an accepted layout explains. */
   private static final double MIN_EXPLAINED = 0.6;
 
   /** Share of the words of a block that one layout explains where it is not damaged. */
@@ -154,7 +154,7 @@ final class AddressEvidence {
     return block.isDvs128() || block.isDavis() && ascends(from, end(from));
   }
 
-  /** The last block of a file may be short; records before it tell of its times as well. */
+  /** The last block of a file may be short; records before it are used for its times as well. */
   private boolean ascends(int from, int to) {
     int missing = Math.min(from, BLOCK_BYTES - (to - from)) / RECORD_BYTES;
     int first = from - missing * RECORD_BYTES;

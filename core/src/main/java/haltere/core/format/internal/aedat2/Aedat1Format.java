@@ -5,25 +5,22 @@ import haltere.core.format.FileHead;
 import haltere.core.format.ProbeResult;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFile;
-import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
-import haltere.core.format.RecordingWriter;
 import haltere.core.format.Support;
-import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.decoding.ReadOnlyFormat;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 
 /**
- * AEDAT-1.0, the oldest recordings of jAER, of DVS128 and Tmpdiff128: read only. A file without any
- * header is taken for one if its bytes, as records, make a clock that ascends.
+ * AEDAT-1.0, the oldest recordings of jAER, of DVS128 and Tmpdiff128: read only. A file without a
+ * header is one if its bytes, as records, have ascending times.
  */
-public final class Aedat1Format implements RecordingFormat {
+public final class Aedat1Format implements ReadOnlyFormat {
   private static final int CLOCK_RECORDS = 1000;
 
   /** For the service loader. */
@@ -42,11 +39,6 @@ public final class Aedat1Format implements RecordingFormat {
   @Override
   public Set<String> extensions() {
     return new LinkedHashSet<>(List.of("dat", "aedat"));
-  }
-
-  @Override
-  public boolean writable() {
-    return false;
   }
 
   static AedatHeader headerOf(FileHead head) {
@@ -95,10 +87,5 @@ public final class Aedat1Format implements RecordingFormat {
     AedatSensor sensor = new AedatSensor(AedatSensor.Layout.DVS128, geometry, remarks);
     return AedatReader.open(
         name(), bytes, header, sensor, remarks, RecordDecoder.AEDAT1_BYTES, options);
-  }
-
-  @Override
-  public Optional<RecordingWriter> create(Path file, WriteOptions options) {
-    return Optional.empty();
   }
 }

@@ -4,12 +4,12 @@ import haltere.core.format.FileHead;
 import haltere.core.format.ProbeResult;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFile;
-import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Support;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.decoding.StreamedFormat;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -19,7 +19,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /** AEDAT-2.0, what jAER recorded from 2008 until AEDAT-4: read and written. */
-public final class Aedat2Format implements RecordingFormat {
+public final class Aedat2Format implements StreamedFormat {
   /** For the service loader. */
   public Aedat2Format() {}
 
@@ -49,16 +49,6 @@ public final class Aedat2Format implements RecordingFormat {
         header.version().isPresent()
             ? "its header says AEDAT-" + header.versionText()
             : "it has no line #!AER-DAT2.0");
-  }
-
-  @Override
-  public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    return RecordingFile.reading(file, bytes -> openStream(bytes, options));
-  }
-
-  @Override
-  public boolean isStreamed() {
-    return true;
   }
 
   @Override

@@ -24,9 +24,8 @@ import java.util.TreeMap;
  * Writes AEDAT-2.0: the DVS128's layout for sensors of 128x128 pixels, the DAVIS's for all others.
  *
  * <p>The header is plain ASCII with CRLF, because jAER finds the first record by counting
- * characters, and has its end line, because only that tells a first record whose first byte is that
- * of a number sign from one more line. Times beyond 32 bits are kept by a header line of our own
- * that says what to add to them; jAER passes over it.
+ * characters. Its end line separates it from a first record whose first byte is a number sign. For
+ * times beyond 32 bits, a header line of our own has the offset; jAER ignores it.
  */
 final class Aedat2Writer implements RecordingWriter {
   private static final List<String> OWN_KEYS =

@@ -41,7 +41,7 @@ final class AedatSampleCursor implements SampleCursor {
      */
     SensorSample take(int word, long timeUs, long offset);
 
-    /** Forgets what is not whole. */
+    /** Drops incomplete samples. */
     void reset();
   }
 

@@ -12,12 +12,12 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Decides which camera an AEDAT file comes from: by the header, else by what the user says, else by
- * the addresses of its records.
+ * The camera of an AEDAT file: by the header, else by the options of the user, else by the
+ * addresses of its records.
  *
  * @param layout how to read the address words
  * @param geometry the sensor
- * @param remarks what was assumed, a line each
+ * @param remarks assumptions, a line each
  */
 record AedatSensor(Layout layout, SensorGeometry geometry, List<String> remarks) {
   /** The two meanings of an address word. */
@@ -60,8 +60,8 @@ record AedatSensor(Layout layout, SensorGeometry geometry, List<String> remarks)
    * Decides.
    *
    * @param header of the file
-   * @param options what the user says
-   * @param file its bytes, read to the end where the header does not say enough
+   * @param options of the user
+   * @param file its bytes, read to the end if the header is not sufficient
    * @return the decision with its reasons
    * @throws RecordingProblem if the camera is no retina, or no layout explains the addresses, and
    *     the user names neither format nor sensor

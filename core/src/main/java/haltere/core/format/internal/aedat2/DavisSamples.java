@@ -9,13 +9,13 @@ import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 
 /**
- * Makes samples of the words of a DAVIS camera: edges on its input; an inertial sample of seven
- * words (acceleration along x, y and z, temperature, rotation about x, y and z); a frame of two
- * words for each pixel, what it held after it was reset and what it held in the end.
+ * Assembles samples from the words of a DAVIS camera: edges on its input; an inertial sample of
+ * seven words (acceleration along x, y and z, temperature, rotation about x, y and z); a frame of
+ * two words for each pixel, its reset and its signal value.
  *
- * <p>A pixel of a frame is what is left of the first if the second is taken from it, in 16 bits of
- * which the upper ten are used. Unlike that of events, x of a frame's words is not mirrored. The
- * exposure lasts from the first pixel's reset to its second reading.
+ * <p>A pixel of a frame is the first minus the second, in 16 bits of which the upper ten are used.
+ * Unlike that of events, x of a frame's words is not mirrored. The exposure lasts from the reset to
+ * the signal value of the first pixel.
  */
 final class DavisSamples implements AedatSampleCursor.SampleAssembly {
   private static final int INERTIAL = 3;

@@ -3,10 +3,7 @@ package haltere.core.format.internal.aedat2;
 import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 
-/**
- * The DVS128 marks edges on its input only; which way they go it does not tell, and its light
- * emitting diode makes some too.
- */
+/** Triggers of the DVS128: edges of its input without a direction; its LED makes some as well. */
 final class Dvs128Samples implements AedatSampleCursor.SampleAssembly {
   @Override
   public SensorSample take(int word, long timeUs, long offset) {

@@ -5,12 +5,12 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What the largest 16-bit number of a DAVIS camera's inertial sensor means. jAER notes its settings
- * in the header; without them those are taken with which it starts.
+ * Full scale of the inertial sensor of a DAVIS camera, from the settings of jAER in the header, or
+ * its defaults.
  *
  * @param accelerationG acceleration of 32,768 steps, in standard gravities
  * @param rotationDegS rate of rotation of 32,768 steps, in degrees per second
- * @param stated whether the header says both
+ * @param stated whether the header states both
  */
 record InertialRange(int accelerationG, int rotationDegS, boolean stated) {
   private static final Pattern ACCELERATION = Pattern.compile("\"ImuAccelScaleG(2|4|8|16)\"");

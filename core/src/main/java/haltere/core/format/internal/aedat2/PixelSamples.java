@@ -52,7 +52,7 @@ final class PixelSamples {
     int pixel = y * width + x;
     if (signal) {
       if (resets[pixel] == NONE || signals[pixel] != NONE) {
-        // The recording begins within a frame: said once, not for each pixel.
+        // the recording starts within a frame: reported once, not for each pixel
         return resetCount > 0 || signalCount++ > 0;
       }
       signals[pixel] = (short) value;

@@ -38,8 +38,8 @@ final class RecordDecoder implements StreamDecoder {
    *
    * @param addresses meaning of the address words
    * @param recordBytes {@link #AEDAT2_BYTES} or {@link #AEDAT1_BYTES}
-   * @param firstTurnUs what to add to the file's times, 0 where its header does not say
-   * @param violations where to count what is wrong
+   * @param firstTurnUs offset of the file's times, 0 if its header does not state it
+   * @param violations counts violations
    */
   public RecordDecoder(
       AddressDecoder addresses, int recordBytes, long firstTurnUs, ViolationCounts violations) {

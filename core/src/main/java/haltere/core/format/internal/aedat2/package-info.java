@@ -21,7 +21,7 @@
  *
  * <p><b>What a time means.</b> Microseconds of the camera's clock, read as a signed 32-bit number,
  * so a recording may begin below zero, and continued here as 64 bits. A jump back by more than
- * 2<sup>31</sup> is a wrap of the clock and time goes on; any other jump back is a restart, a new
+ * 2<sup>31</sup> is a wrap of the clock and time continues; any other jump back is a restart, a new
  * segment ({@link haltere.core.format.internal.clock.WrappingClock} has the exact rule). A clock
  * that goes through all 2<sup>32</sup> values, like one of a camera that counts without sign, needs
  * no rule of its own: -1 is followed by 0. Times in the file of events that are not read (frames,

@@ -15,8 +15,8 @@ import java.nio.ByteBuffer;
 /**
  * Decodes the packets of an AEDAT-3 file. Each has a header of 28 bytes (kind, source, bytes of an
  * event, offset and overflow of its time, capacity, number of events, number of valid ones) and
- * events of one kind; those of polarity have 8 bytes, address and time. Where a header cannot be
- * true, the next one of polarity events is looked for.
+ * events of one kind; those of polarity have 8 bytes, address and time. After an impossible header,
+ * the next one of polarity events is searched.
  *
  * <p>Thread rule: one thread.
  */
@@ -44,7 +44,7 @@ final class Aedat3Decoder implements StreamDecoder {
    * @param geometry the sensor; events outside are left out
    * @param oldLayout whether addresses are those of version 3.0
    * @param fileBytes size of the file
-   * @param violations where to count what is wrong
+   * @param violations counts violations
    */
   public Aedat3Decoder(
       SensorGeometry geometry, boolean oldLayout, long fileBytes, ViolationCounts violations) {

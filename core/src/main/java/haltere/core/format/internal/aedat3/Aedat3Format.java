@@ -6,16 +6,14 @@ import haltere.core.format.FileHead;
 import haltere.core.format.ProbeResult;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFile;
-import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
-import haltere.core.format.RecordingWriter;
 import haltere.core.format.Support;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.decoding.EventCursor;
 import haltere.core.format.internal.decoding.FileCursor;
+import haltere.core.format.internal.decoding.ReadOnlyFormat;
 import haltere.core.format.internal.decoding.SensorGuess;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
@@ -28,7 +26,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /** AEDAT-3.0 and AEDAT-3.1, what cAER recorded: read only. */
-public final class Aedat3Format implements RecordingFormat {
+public final class Aedat3Format implements ReadOnlyFormat {
   private static final int ANY_SIDE = 1 << 15;
 
   /** For the service loader. */
@@ -47,11 +45,6 @@ public final class Aedat3Format implements RecordingFormat {
   @Override
   public Set<String> extensions() {
     return new LinkedHashSet<>(List.of("aedat3", "aedat"));
-  }
-
-  @Override
-  public boolean writable() {
-    return false;
   }
 
   @Override
@@ -125,10 +118,5 @@ public final class Aedat3Format implements RecordingFormat {
       RecordingFile file, Aedat3Header header, SensorGeometry geometry, ViolationCounts counts) {
     Aedat3Decoder decoder = new Aedat3Decoder(geometry, header.isOldLayout(), file.size(), counts);
     return new FileCursor(file, header.dataOffset(), ByteOrder.LITTLE_ENDIAN, decoder, counts);
-  }
-
-  @Override
-  public Optional<RecordingWriter> create(Path file, WriteOptions options) {
-    return Optional.empty();
   }
 }

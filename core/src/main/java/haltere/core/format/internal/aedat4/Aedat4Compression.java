@@ -2,13 +2,13 @@ package haltere.core.format.internal.aedat4;
 
 import java.util.Locale;
 
-/** How the packets of an AEDAT-4 file are packed. */
+/** How the packets of an AEDAT-4 file are compressed. */
 public enum Aedat4Compression {
   /** As they are: fastest, 16 bytes an event. */
   NONE,
   /** LZ4 frames, what most programs write: about half the size. */
   LZ4,
-  /** LZ4 frames by a slow packer that makes them a quarter smaller; read as fast as others. */
+  /** LZ4 frames by a slow compressor that makes them a quarter smaller; read as fast as others. */
   LZ4_HIGH,
   /** Zstandard frames: about a third of the size, at half of the speed of LZ4. */
   ZSTD,

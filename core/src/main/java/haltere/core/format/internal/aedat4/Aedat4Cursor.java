@@ -10,10 +10,10 @@ import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.clock.AscendingTimes;
 import haltere.core.format.internal.clock.EventTimes;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.FileWindow;
+import haltere.core.format.internal.compression.LittleEndian;
 import haltere.core.format.internal.decoding.EventCursor;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.FileWindow;
-import haltere.core.format.internal.packed.LittleEndian;
 import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -30,7 +30,7 @@ import java.util.Set;
 final class Aedat4Cursor implements EventCursor {
   static final int EVENT_BYTES = 16;
 
-  /** Numbers that say where a cursor is. */
+  /** Numbers of the state of a cursor. */
   static final int STATE_LONGS = 3;
 
   /** So many packets in order before a thread is started that helps. */
@@ -52,7 +52,7 @@ final class Aedat4Cursor implements EventCursor {
   private final RecordingFile file;
   private final int eventStream;
   private final ViolationCounts violations;
-  private final Unpacker unpacker;
+  private final Decompressor decompressor;
   private final PacketWalk walk;
 
   private DecodeAhead ahead;
@@ -80,19 +80,19 @@ final class Aedat4Cursor implements EventCursor {
     this.file = file;
     this.eventStream = eventStream;
     this.violations = violations;
-    unpacker = new Unpacker(file);
-    walk = layout.walk(unpacker.window(), violations);
+    decompressor = new Decompressor(file);
+    walk = layout.walk(decompressor.window(), violations);
   }
 
   /**
-   * Where the packets of a file lie.
+   * Layout of the packets of a file.
    *
    * @param known numbers of its streams
    * @param start where packets start
    * @param end where they end
-   * @param cutOff whether the file should go on there
-   * @param metadata what the file says beside
-   * @param compression how its packets are said to be packed
+   * @param cutOff whether the file is truncated there
+   * @param metadata of the file
+   * @param compression stated compression of the packets
    */
   record Layout(
       Set<Integer> known,
@@ -147,14 +147,16 @@ final class Aedat4Cursor implements EventCursor {
     if (takeFromAhead()) {
       count = slot.events().size();
     } else {
-      unpacker.open(walk.payload(), walk.size());
-      count = unpacker.events();
+      decompressor.open(walk.payload(), walk.size());
+      count = decompressor.events();
     }
     index = 0;
     inPacket = true;
   }
 
-  /** Takes the packet if it is unpacked already; starts a thread for that where it is worth it. */
+  /**
+   * Takes the packet if it is decompressed already; starts a thread for that where it is worth it.
+   */
   private boolean takeFromAhead() throws IOException {
     if (ahead == null && !startAhead()) {
       return false;
@@ -186,9 +188,9 @@ final class Aedat4Cursor implements EventCursor {
   }
 
   private boolean isPacked() throws IOException {
-    int at = walk.size() < 4 ? -1 : unpacker.window().require(walk.payload(), 4);
+    int at = walk.size() < 4 ? -1 : decompressor.window().require(walk.payload(), 4);
     return at >= 0
-        && LittleEndian.getInt(unpacker.window().bytes(), at) != walk.size() - 4
+        && LittleEndian.getInt(decompressor.window().bytes(), at) != walk.size() - 4
         && Runtime.getRuntime().availableProcessors() > 1;
   }
 
@@ -199,7 +201,7 @@ final class Aedat4Cursor implements EventCursor {
     if (ahead != null) {
       ahead.close();
       ahead = null;
-      walk.lookThrough(unpacker.window());
+      walk.lookThrough(decompressor.window());
     }
   }
 
@@ -210,7 +212,7 @@ final class Aedat4Cursor implements EventCursor {
     violations.reached(walk.position());
   }
 
-  /** Where an event of the packet lies, or would lie if it were not packed. */
+  /** Where an event of the packet lies, or would lie if it were not compressed. */
   private long offset(long event) {
     return walk.payload() + (count == 0 ? 0 : (long) ((double) walk.size() * event / count));
   }
@@ -222,9 +224,9 @@ final class Aedat4Cursor implements EventCursor {
       return true;
     }
     while (index < count && out.size() < maxEvents) {
-      int there = (unpacker.to() - unpacker.from()) / EVENT_BYTES;
+      int there = (decompressor.to() - decompressor.from()) / EVENT_BYTES;
       if (there == 0) {
-        if (!unpacker.more()) {
+        if (!decompressor.more()) {
           throw new DamagedPacketException("fewer events than it says");
         }
         continue;
@@ -232,7 +234,7 @@ final class Aedat4Cursor implements EventCursor {
       long left = Math.min(Math.min(there, count - index), maxEvents - out.size());
       int run = (int) Math.min(left, RUN);
       int done = decodeRun(run, out) ? run : decodeSingly(run, out);
-      unpacker.use(done * EVENT_BYTES);
+      decompressor.use(done * EVENT_BYTES);
       index += done;
       violations.reached(offset(index));
       if (done < run) {
@@ -266,7 +268,7 @@ final class Aedat4Cursor implements EventCursor {
   /** Decodes events as long as nothing is odd about them; if something is, none. */
   private boolean decodeRun(int run, EventPacket out) {
     if (times.lastUs() == StreamNotification.NO_TIME_US
-        || !events.decode(unpacker.data(), unpacker.from(), run, times.lastUs(), out)) {
+        || !events.decode(decompressor.data(), decompressor.from(), run, times.lastUs(), out)) {
       return false;
     }
     times.advance(out.lastTimeUs());
@@ -277,9 +279,9 @@ final class Aedat4Cursor implements EventCursor {
   private int decodeSingly(int events, EventPacket out) {
     boolean top = geometry.origin() == Origin.TOP;
     for (int i = 0; i < events; i++) {
-      int at = unpacker.from() + i * EVENT_BYTES;
-      long time = LittleEndian.getLong(unpacker.data(), at);
-      long word = LittleEndian.getLong(unpacker.data(), at + 8);
+      int at = decompressor.from() + i * EVENT_BYTES;
+      long time = LittleEndian.getLong(decompressor.data(), at);
+      long word = LittleEndian.getLong(decompressor.data(), at + 8);
       int x = (short) word;
       int y = (short) (word >>> 16);
       if (!geometry.contains(x, y)) {
@@ -373,7 +375,7 @@ final class Aedat4Cursor implements EventCursor {
     long skipped = state[at + 1];
     if (skipped > 0 && nextPacket()) {
       try {
-        unpacker.skip(Math.min(skipped, count) * EVENT_BYTES);
+        decompressor.skip(Math.min(skipped, count) * EVENT_BYTES);
         index = Math.min(skipped, count);
       } catch (DamagedPacketException e) {
         damaged();
@@ -386,7 +388,7 @@ final class Aedat4Cursor implements EventCursor {
     try {
       stopAhead();
     } finally {
-      unpacker.close();
+      decompressor.close();
     }
   }
 }

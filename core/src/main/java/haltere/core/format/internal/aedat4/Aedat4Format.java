@@ -15,8 +15,8 @@ import haltere.core.format.Support;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.decoding.SensorGuess;
-import haltere.core.format.internal.packed.DamagedPacketException;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -69,10 +69,10 @@ public final class Aedat4Format implements RecordingFormat {
   }
 
   /**
-   * Opens a recording that has several streams of events.
+   * Opens a recording with several streams of events.
    *
    * @param file a file of this format
-   * @param options what the user says about it
+   * @param options of the user
    * @param stream number of the stream whose events are read; empty for the first that has any
    * @return a reader at its start
    * @throws IOException a {@link RecordingProblem} where the file is not what it should be, or has
@@ -84,7 +84,7 @@ public final class Aedat4Format implements RecordingFormat {
   }
 
   /**
-   * The streams that a file says it holds, those that this program does not read among them.
+   * The streams that a file states, including those that are not read.
    *
    * @param file a file of this format
    * @return in order of their numbers
@@ -211,14 +211,15 @@ public final class Aedat4Format implements RecordingFormat {
 
     /** By the content of the first packets. */
     private OptionalInt firstWithEvents() throws IOException {
-      Unpacker unpacker = new Unpacker(file);
+      Decompressor decompressor = new Decompressor(file);
       try {
-        PacketWalk walk = layout.walk(unpacker.window(), new ViolationCounts());
+        PacketWalk walk = layout.walk(decompressor.window(), new ViolationCounts());
         for (int i = 0; i < LOOK_PACKETS && walk.find(); i++) {
           try {
-            unpacker.open(walk.payload(), walk.size());
-            unpacker.gather(16);
-            String type = FlatTable.identifier(unpacker.data(), unpacker.from(), unpacker.to());
+            decompressor.open(walk.payload(), walk.size());
+            decompressor.gather(16);
+            String type =
+                FlatTable.identifier(decompressor.data(), decompressor.from(), decompressor.to());
             if (type.equals(Aedat4Stream.EVENTS)) {
               return OptionalInt.of(walk.stream());
             }
@@ -229,7 +230,7 @@ public final class Aedat4Format implements RecordingFormat {
         }
         return OptionalInt.empty();
       } finally {
-        unpacker.close();
+        decompressor.close();
       }
     }
 

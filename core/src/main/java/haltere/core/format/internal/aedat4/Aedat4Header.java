@@ -2,8 +2,8 @@ package haltere.core.format.internal.aedat4;
 
 import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -12,11 +12,11 @@ import java.util.Optional;
 /**
  * The header of an AEDAT-4 file.
  *
- * @param compression how its packets are said to be packed
- * @param tablePosition where the table of packets is said to be; below 0 while the file is open
+ * @param compression stated compression of the packets
+ * @param tablePosition stated position of the table of packets; below 0 while the file is open
  * @param dataOffset where the packets start
  * @param described whether the description of the streams could be read
- * @param streams what the file says it holds
+ * @param streams stated by the file
  */
 record Aedat4Header(
     Optional<Aedat4Compression> compression,

@@ -4,8 +4,8 @@ import haltere.core.event.SensorSample;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
+import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.decoding.SampleCursor;
-import haltere.core.format.internal.packed.DamagedPacketException;
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.Queue;
@@ -13,7 +13,7 @@ import java.util.Set;
 
 /**
  * Goes from packet to packet of an AEDAT-4 file and reads those of frames, inertial samples and
- * triggers. Packets of events are passed over without being unpacked.
+ * triggers. Packets of events are passed over without being decompressed.
  *
  * <p>Thread rule: one thread.
  */
@@ -24,7 +24,7 @@ final class Aedat4SampleCursor implements SampleCursor {
   private final Set<Integer> passed;
   private final SamplePayload payload;
   private final ViolationCounts violations;
-  private final Unpacker unpacker;
+  private final Decompressor decompressor;
   private final PacketWalk walk;
   private final Queue<SensorSample> found = new ArrayDeque<>();
   private SensorSample sample;
@@ -47,8 +47,8 @@ final class Aedat4SampleCursor implements SampleCursor {
     this.passed = passed;
     this.payload = payload;
     this.violations = violations;
-    unpacker = new Unpacker(file);
-    walk = layout.walk(unpacker.window(), new ViolationCounts());
+    decompressor = new Decompressor(file);
+    walk = layout.walk(decompressor.window(), new ViolationCounts());
   }
 
   @Override
@@ -74,14 +74,14 @@ final class Aedat4SampleCursor implements SampleCursor {
   }
 
   private void readPacket() throws IOException, DamagedPacketException {
-    unpacker.open(walk.payload(), walk.size());
-    unpacker.gather(TYPE_BYTES);
-    String type = FlatTable.identifier(unpacker.data(), unpacker.from(), unpacker.to());
+    decompressor.open(walk.payload(), walk.size());
+    decompressor.gather(TYPE_BYTES);
+    String type = FlatTable.identifier(decompressor.data(), decompressor.from(), decompressor.to());
     if (!SamplePayload.isKnown(type)) {
       return;
     }
-    unpacker.gather(MAX_PAYLOAD);
-    payload.read(type, unpacker.data(), unpacker.from(), unpacker.to(), found);
+    decompressor.gather(MAX_PAYLOAD);
+    payload.read(type, decompressor.data(), decompressor.from(), decompressor.to(), found);
   }
 
   @Override
@@ -102,6 +102,6 @@ final class Aedat4SampleCursor implements SampleCursor {
 
   @Override
   public void close() {
-    unpacker.close();
+    decompressor.close();
   }
 }

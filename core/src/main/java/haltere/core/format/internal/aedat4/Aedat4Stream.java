@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A stream that an AEDAT-4 file says it holds.
+ * A stream that an AEDAT-4 file states.
  *
  * @param id number by which its packets name it
  * @param type four letters: {@code EVTS}, {@code FRME}, {@code IMUS}, {@code TRIG} and others
@@ -12,7 +12,7 @@ import java.util.Optional;
  * @param height of the sensor, 0 if it is not stated
  * @param module the program's part that made it, such as {@code capture} or {@code jAER}
  * @param source the camera
- * @param metadata what this program's recordings say of the camera and the chain, by key
+ * @param metadata of the camera and the chain in recordings of this program, by key
  */
 public record Aedat4Stream(
     int id,
@@ -38,7 +38,7 @@ public record Aedat4Stream(
     return type.equals(EVENTS);
   }
 
-  /** JAER counts rows from the bottom and says that it was jAER. */
+  /** jAER counts rows from the bottom and names itself. */
   boolean countsRowsFromBottom() {
     return module.isPresent() && module.get().equalsIgnoreCase("jAER");
   }

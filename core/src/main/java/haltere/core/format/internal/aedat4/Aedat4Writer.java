@@ -6,8 +6,8 @@ import haltere.core.event.SensorSample;
 import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.compression.LittleEndian;
 import haltere.core.format.internal.decoding.WriterLosses;
-import haltere.core.format.internal.packed.LittleEndian;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -37,10 +37,10 @@ public final class Aedat4Writer implements RecordingWriter {
   private final Commit commit;
   private final boolean inPlace;
   private final Aedat4Compression compression;
-  private final PacketPacker packer;
+  private final PacketCompressor compressor;
   private final DataTable table = new DataTable();
   private final EventPayload payload;
-  private final byte[] packed;
+  private final byte[] compressed;
   private final BlockOutput output;
   private final byte[] packetHeader = new byte[PacketWalk.HEADER_BYTES];
   private long packetsEnd;
@@ -67,9 +67,9 @@ public final class Aedat4Writer implements RecordingWriter {
     this.inPlace = inPlace;
     this.compression = compression;
     geometry = options.geometry();
-    packer = new PacketPacker(compression);
+    compressor = new PacketCompressor(compression);
     payload = new EventPayload(geometry);
-    packed = new byte[packer.bound(payload.bytes().length)];
+    compressed = new byte[compressor.bound(payload.bytes().length)];
     output = new BlockOutput(path, channel);
     packetsEnd = output.position();
     samples = new SamplePackets(geometry.height(), options.samples(), this::writeSamples);
@@ -80,7 +80,7 @@ public final class Aedat4Writer implements RecordingWriter {
    *
    * @param path where it will be
    * @param options about the events; of the metadata, {@code source} names the camera
-   * @param compression how packets are packed
+   * @param compression how packets are compressed
    * @return a writer
    * @throws IOException if the file cannot be written
    */
@@ -104,7 +104,7 @@ public final class Aedat4Writer implements RecordingWriter {
    *
    * @param path where it is
    * @param options about the events; of the metadata, {@code source} names the camera
-   * @param compression how packets are packed
+   * @param compression how packets are compressed
    * @return a writer
    * @throws IOException if the file cannot be written
    */
@@ -161,7 +161,7 @@ public final class Aedat4Writer implements RecordingWriter {
 
   private void writeSamples(int stream, byte[] sample, int elements, long firstUs, long lastUs)
       throws IOException {
-    byte[] bytes = packer.pack(sample);
+    byte[] bytes = compressor.pack(sample);
     long start = output.position() + PacketWalk.HEADER_BYTES;
     table.add(stream, start, bytes.length, elements, firstUs, lastUs);
     writePacket(stream, bytes, bytes.length);
@@ -186,12 +186,12 @@ public final class Aedat4Writer implements RecordingWriter {
     int size = payload.complete();
     boolean asItIs = compression == Aedat4Compression.NONE;
     if (!asItIs) {
-      size = packer.pack(payload.bytes(), size, packed, 0);
+      size = compressor.pack(payload.bytes(), size, compressed, 0);
     }
     long start = output.position() + PacketWalk.HEADER_BYTES;
     table.add(0, start, size, payload.events(), payload.firstUs(), payload.lastUs());
     payload.clear();
-    writePacket(0, asItIs ? payload.bytes() : packed, size);
+    writePacket(0, asItIs ? payload.bytes() : compressed, size);
   }
 
   private void writePacket(int stream, byte[] bytes, int size) throws IOException {
@@ -224,8 +224,8 @@ public final class Aedat4Writer implements RecordingWriter {
     writeEvents();
     samples.flush();
     long tablePosition = output.position();
-    byte[] packedTable = packer.pack(table.toBytes());
-    output.write(packedTable, 0, packedTable.length);
+    byte[] compressedTable = compressor.pack(table.toBytes());
+    output.write(compressedTable, 0, compressedTable.length);
     output.flush();
     byte[] patch = new byte[8];
     LittleEndian.putLong(patch, 0, tablePosition);
@@ -236,7 +236,7 @@ public final class Aedat4Writer implements RecordingWriter {
 
   @Override
   public void close() throws IOException {
-    packer.close();
+    compressor.close();
     try (owner) {
       if (inPlace && !finished && channel.isOpen()) {
         // What failed may have left a part of a packet.

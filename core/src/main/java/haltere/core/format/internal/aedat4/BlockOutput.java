@@ -7,8 +7,8 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 
 /**
- * The end of a file that is written, in whole blocks where nobody needs the bytes sooner: the
- * system takes those that begin and end with its pages a third faster than packets as they come.
+ * Output in whole blocks, unless the bytes are needed sooner: blocks aligned with pages are written
+ * a third faster than single packets.
  *
  * <p>Thread rule: one thread.
  */
@@ -49,7 +49,7 @@ final class BlockOutput {
     }
   }
 
-  /** Hands over to the system what is still here. */
+  /** Writes the remaining bytes. */
   void flush() throws IOException {
     block.flip();
     writeAt(block, blockStart);

@@ -1,7 +1,7 @@
 package haltere.core.format.internal.aedat4;
 
 import haltere.core.format.RecordingFile;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
@@ -22,7 +22,7 @@ final class DataTable {
   private long[] entries = new long[64 * ENTRY_LONGS];
   private int count;
 
-  /** Whether a table begins at a place, packed or not. */
+  /** Whether a table begins at a place, compressed or not. */
   static boolean isThere(RecordingFile file, long offset) throws IOException {
     byte[] start = file.read(offset, 12);
     if (start.length < 8) {

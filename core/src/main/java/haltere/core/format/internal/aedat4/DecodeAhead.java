@@ -4,9 +4,9 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.FileWindow;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.FileWindow;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -14,13 +14,12 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * Unpacks and decodes the next packets of a stream on two threads: one of its own, and the reader's
- * where it would have to wait. Whoever has nothing to do takes the next packet that nobody has
- * taken yet, so that both are busy however the work is spread. A few packets of bounded size are
- * decoded ahead; one that is too large, or about which anything is odd, is left to the reader.
+ * Decompresses and decodes the next packets of a stream on two threads: its own, and the reader's
+ * while it waits. An idle thread takes the next free packet, so that both are busy. A few packets
+ * of bounded size are decoded ahead; large or invalid ones are left to the reader.
  *
- * <p>What goes from one thread to the other is events, not bytes: an unpacker reads again what it
- * wrote just now, and is slow where that lies in the other processor's cache.
+ * <p>Threads exchange events, not bytes: a decompressor reads its recent output again, which is
+ * slow in the cache of another processor.
  *
  * <p>Thread rule: all methods are for the reader's thread.
  */
@@ -28,11 +27,11 @@ final class DecodeAhead implements Closeable {
   /** Packets must be so large, on average, that handing them over is worth it. */
   static final int WORTH_BYTES = 4096;
 
-  /** Bytes to read for the header of a packet that somebody else unpacks. */
+  /** Bytes to read for the header of a packet that somebody else decompresses. */
   static final int HEADER_WINDOW = 512;
 
   private static final int SLOTS = 6;
-  private static final int MAX_PACKED = 512 * 1024;
+  private static final int MAX_COMPRESSED = 512 * 1024;
   private static final int MAX_EVENTS = 64 * 1024;
 
   /** A packet that is decoded. */
@@ -64,7 +63,7 @@ final class DecodeAhead implements Closeable {
   private final RecordingFile headers;
   private final PacketWalk walk;
   private final RecordingFile readersFile;
-  private final Unpacker readers;
+  private final Decompressor readers;
   private final Thread thread;
 
   private final ReentrantLock lock = new ReentrantLock();
@@ -102,7 +101,7 @@ final class DecodeAhead implements Closeable {
     }
     walk = layout.walk(new FileWindow(headers, HEADER_WINDOW), new ViolationCounts());
     walk.moveTo(start);
-    readers = new Unpacker(readersFile);
+    readers = new Decompressor(readersFile);
     thread = new Thread(() -> work(path), "haltere-decode");
     thread.setDaemon(true);
     thread.start();
@@ -110,7 +109,7 @@ final class DecodeAhead implements Closeable {
 
   private void work(Path path) {
     try (RecordingFile file = new RecordingFile(path)) {
-      Unpacker own = new Unpacker(file);
+      Decompressor own = new Decompressor(file);
       try {
         for (Slot slot = waitAndClaim(); slot != null; slot = waitAndClaim()) {
           decode(own, slot);
@@ -119,7 +118,7 @@ final class DecodeAhead implements Closeable {
         own.close();
       }
     } catch (IOException | InterruptedException e) {
-      // The reader is closed, went elsewhere, or comes to the same place and says what is wrong.
+      // the reader is closed, has jumped, or reports the same problem
       end();
     }
   }
@@ -146,7 +145,7 @@ final class DecodeAhead implements Closeable {
     }
   }
 
-  /** The next packet that nobody has taken, or null if there is none. */
+  /** The next free packet, or null. */
   private Slot claim() throws IOException {
     while (!ended && walk.find()) {
       if (walk.stream() == stream) {
@@ -164,12 +163,12 @@ final class DecodeAhead implements Closeable {
     return null;
   }
 
-  private void decode(Unpacker unpacker, Slot slot) {
+  private void decode(Decompressor decompressor, Slot slot) {
     boolean decoded = false;
     try {
-      decoded = slot.size <= MAX_PACKED && decodeWhole(unpacker, slot);
+      decoded = slot.size <= MAX_COMPRESSED && decodeWhole(decompressor, slot);
     } catch (IOException | DamagedPacketException e) {
-      // The reader does the same and says what is wrong.
+      // the reader reports the same problem
     } finally {
       lock.lock();
       try {
@@ -182,29 +181,29 @@ final class DecodeAhead implements Closeable {
     }
   }
 
-  private boolean decodeWhole(Unpacker unpacker, Slot slot)
+  private boolean decodeWhole(Decompressor decompressor, Slot slot)
       throws IOException, DamagedPacketException {
-    if (unpacker.window().require(slot.payload, (int) slot.size) < 0) {
+    if (decompressor.window().require(slot.payload, (int) slot.size) < 0) {
       return false;
     }
-    unpacker.open(slot.payload, slot.size);
-    long count = unpacker.events();
+    decompressor.open(slot.payload, slot.size);
+    long count = decompressor.events();
     slot.events.clear();
     if (count == 0 || count > MAX_EVENTS) {
       return count == 0;
     }
     int events = (int) count;
     slot.events.ensureCapacity(events);
-    if (!unpacker.gather(events * Aedat4Cursor.EVENT_BYTES)) {
+    if (!decompressor.gather(events * Aedat4Cursor.EVENT_BYTES)) {
       return false;
     }
-    long lastUs = LittleEndian.getLong(unpacker.data(), unpacker.from());
+    long lastUs = LittleEndian.getLong(decompressor.data(), decompressor.from());
     for (int from = 0; from < events; from += Aedat4Cursor.RUN) {
       int run = Math.min(events - from, Aedat4Cursor.RUN);
-      if (!runs.decode(unpacker.data(), unpacker.from(), run, lastUs, slot.events)) {
+      if (!runs.decode(decompressor.data(), decompressor.from(), run, lastUs, slot.events)) {
         return false;
       }
-      unpacker.use(run * Aedat4Cursor.EVENT_BYTES);
+      decompressor.use(run * Aedat4Cursor.EVENT_BYTES);
       lastUs = slot.events.lastTimeUs();
     }
     return true;

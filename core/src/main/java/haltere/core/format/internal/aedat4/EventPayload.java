@@ -3,7 +3,7 @@ package haltere.core.format.internal.aedat4;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.lang.invoke.VarHandle;
 import java.nio.charset.StandardCharsets;
 

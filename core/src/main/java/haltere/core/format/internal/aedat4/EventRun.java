@@ -4,7 +4,7 @@ import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.lang.invoke.VarHandle;
 
 /**

@@ -1,6 +1,6 @@
 package haltere.core.format.internal.aedat4;
 
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.nio.charset.StandardCharsets;
 
 /** Parts of a FlatBuffer that starts with its size. Places count from that size. */

@@ -1,7 +1,7 @@
 package haltere.core.format.internal.aedat4;
 
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.nio.charset.StandardCharsets;
 
 /**
@@ -55,7 +55,7 @@ final class FlatTable {
     return new FlatTable(bytes, base, to, base + (int) root);
   }
 
-  /** The four letters that say what a buffer that starts with its size holds. */
+  /** The four-letter identifier of a size-prefixed buffer. */
   static String identifier(byte[] bytes, int from, int to) {
     return to - from < 12 ? "" : new String(bytes, from + 8, 4, StandardCharsets.ISO_8859_1);
   }
@@ -117,7 +117,7 @@ final class FlatTable {
     return new String(bytes, at + 4, length, StandardCharsets.UTF_8);
   }
 
-  /** Number of elements that a vector says it has; its elements may lie beyond the buffer's end. */
+  /** Stated number of elements of a vector; they may be beyond the end of the buffer. */
   long vectorLength(int index) throws DamagedPacketException {
     int at = vector(index);
     return at < 0 ? 0 : LittleEndian.getInt(bytes, at) & 0xffff_ffffL;

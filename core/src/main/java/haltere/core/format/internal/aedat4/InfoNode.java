@@ -2,7 +2,7 @@ package haltere.core.format.internal.aedat4;
 
 import haltere.core.event.SampleKind;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.compression.DamagedPacketException;
 import java.io.StringReader;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -25,7 +25,7 @@ final class InfoNode {
   private static final int MAX_SIDE = 32 * 1024;
   private static final String METADATA = "metadata";
 
-  /** How DV calls and describes what it writes. */
+  /** Names and descriptions of DV for its outputs. */
   private static final Map<String, String> OUTPUTS =
       Map.of(
           Aedat4Stream.EVENTS, "events",
@@ -99,7 +99,7 @@ final class InfoNode {
           }
         }
         default -> {
-          // Comments and the like say nothing.
+          // comments are ignored
         }
       }
     }

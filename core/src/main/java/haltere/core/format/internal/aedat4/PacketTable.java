@@ -2,19 +2,19 @@ package haltere.core.format.internal.aedat4;
 
 import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingOutline;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.FileWindow;
+import haltere.core.format.internal.compression.LittleEndian;
 import haltere.core.format.internal.decoding.EventCursor.PieceVisitor;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.FileWindow;
-import haltere.core.format.internal.packed.LittleEndian;
 import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * The table of packets of a file that was closed, as an index of its times. It is believed if it
- * names every byte between the header and itself exactly once, as the packets' own headers do, and
- * if some packets, the first and the last among them, have the times that it says.
+ * The table of packets of a file that was closed, as an index of its times. It is valid if it
+ * covers every byte between the header and itself exactly once, as the headers of the packets do,
+ * and if some packets, including the first and the last, have its times.
  *
  * <p>Thread rule: one thread.
  */
@@ -27,44 +27,44 @@ final class PacketTable {
   private final FileWindow headers;
   private final Aedat4Cursor.Layout layout;
   private final int stream;
-  private final Unpacker unpacker;
+  private final Decompressor decompressor;
 
   // Of each packet with events: where it is, its size, events, first and last time.
   private long[] packets = new long[64 * COLUMNS];
   private int count;
 
   private PacketTable(
-      RecordingFile file, Aedat4Cursor.Layout layout, int stream, Unpacker unpacker) {
+      RecordingFile file, Aedat4Cursor.Layout layout, int stream, Decompressor decompressor) {
     headers = new FileWindow(file, DecodeAhead.HEADER_WINDOW);
     this.layout = layout;
     this.stream = stream;
-    this.unpacker = unpacker;
+    this.decompressor = decompressor;
   }
 
   /**
    * Reads the table of a file.
    *
-   * @return empty if there is none that can be believed
+   * @return empty without a valid one
    */
   static Optional<PacketTable> believed(RecordingFile file, Aedat4Cursor.Layout layout, int stream)
       throws IOException {
     if (layout.end() >= file.size()) {
       return Optional.empty();
     }
-    Unpacker unpacker = new Unpacker(file);
+    Decompressor decompressor = new Decompressor(file);
     try {
-      PacketTable table = new PacketTable(file, layout, stream, unpacker);
+      PacketTable table = new PacketTable(file, layout, stream, decompressor);
       return table.read(file.size()) && table.samplesAreTrue()
           ? Optional.of(table)
           : Optional.empty();
     } catch (DamagedPacketException e) {
       return Optional.empty();
     } finally {
-      unpacker.close();
+      decompressor.close();
     }
   }
 
-  /** What it says of the whole stream. */
+  /** Outline of the whole stream. */
   RecordingOutline outline() {
     if (count == 0) {
       return RecordingOutline.NOTHING;
@@ -77,21 +77,21 @@ final class PacketTable {
   }
 
   private boolean read(long fileBytes) throws IOException, DamagedPacketException {
-    unpacker.open(layout.end(), fileBytes - layout.end());
+    decompressor.open(layout.end(), fileBytes - layout.end());
     byte[] bytes = new byte[0];
     int size = 0;
     do {
-      int more = unpacker.to() - unpacker.from();
+      int more = decompressor.to() - decompressor.from();
       if (size + more > MAX_BYTES) {
         return false;
       }
       if (size + more > bytes.length) {
         bytes = Arrays.copyOf(bytes, Math.max(size + more, 2 * bytes.length));
       }
-      System.arraycopy(unpacker.data(), unpacker.from(), bytes, size, more);
-      unpacker.use(more);
+      System.arraycopy(decompressor.data(), decompressor.from(), bytes, size, more);
+      decompressor.use(more);
       size += more;
-    } while (unpacker.more());
+    } while (decompressor.more());
     if (!FlatTable.identifier(bytes, 0, size).equals(DataTable.IDENTIFIER)) {
       return false;
     }
@@ -151,16 +151,16 @@ final class PacketTable {
   }
 
   private boolean isTrue(int at) throws IOException, DamagedPacketException {
-    unpacker.open(packets[at] + PacketWalk.HEADER_BYTES, packets[at + 1]);
-    long events = unpacker.events();
-    if (events != packets[at + 2] || events > MAX_SAMPLE_EVENTS || !unpacker.gather(8)) {
+    decompressor.open(packets[at] + PacketWalk.HEADER_BYTES, packets[at + 1]);
+    long events = decompressor.events();
+    if (events != packets[at + 2] || events > MAX_SAMPLE_EVENTS || !decompressor.gather(8)) {
       return false;
     }
-    long firstUs = LittleEndian.getLong(unpacker.data(), unpacker.from());
-    unpacker.skip((events - 1) * Aedat4Cursor.EVENT_BYTES);
+    long firstUs = LittleEndian.getLong(decompressor.data(), decompressor.from());
+    decompressor.skip((events - 1) * Aedat4Cursor.EVENT_BYTES);
     return firstUs == packets[at + 3]
-        && unpacker.gather(8)
-        && LittleEndian.getLong(unpacker.data(), unpacker.from()) == packets[at + 4];
+        && decompressor.gather(8)
+        && LittleEndian.getLong(decompressor.data(), decompressor.from()) == packets[at + 4];
   }
 
   /**

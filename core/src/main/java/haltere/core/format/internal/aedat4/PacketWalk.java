@@ -2,8 +2,8 @@ package haltere.core.format.internal.aedat4;
 
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.packed.FileWindow;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.FileWindow;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Set;
@@ -26,7 +26,7 @@ final class PacketWalk {
   private final boolean cutOff;
   private final ViolationCounts violations;
 
-  /** The last search: from where, and what it found. No offset between can be a packet's. */
+  /** Start and result of the last search; there is no packet between them. */
   private long searchedFrom;
 
   private long searchFound;
@@ -40,10 +40,10 @@ final class PacketWalk {
    * A walk.
    *
    * @param window over the file
-   * @param known numbers of the streams that the file says it has
+   * @param known numbers of the stated streams
    * @param start where the packets start
    * @param end where they end
-   * @param cutOff whether the file should go on there
+   * @param cutOff whether the file is truncated there
    * @param violations where damage is counted
    */
   PacketWalk(
@@ -150,7 +150,7 @@ final class PacketWalk {
     return searchFound;
   }
 
-  /** How many offsets were looked at, the measure of its work. */
+  /** Number of examined offsets. */
   long looks() {
     return looks;
   }
@@ -167,9 +167,9 @@ final class PacketWalk {
     if (id < 0 || said <= 4 || said > end - offset - HEADER_BYTES) {
       return false;
     }
-    Aedat4Compression packing = Unpacker.packing(bytes, at + HEADER_BYTES, said);
-    return packing != null
-        && (packing != Aedat4Compression.NONE || isIdentifier(bytes, at + HEADER_BYTES + 8));
+    Aedat4Compression compression = Decompressor.compression(bytes, at + HEADER_BYTES, said);
+    return compression != null
+        && (compression != Aedat4Compression.NONE || isIdentifier(bytes, at + HEADER_BYTES + 8));
   }
 
   private static boolean isIdentifier(byte[] bytes, int at) {

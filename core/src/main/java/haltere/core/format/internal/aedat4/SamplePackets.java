@@ -5,7 +5,7 @@ import haltere.core.event.InertialSample;
 import haltere.core.event.SampleKind;
 import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -35,8 +35,8 @@ final class SamplePackets {
      * Writes a packet.
      *
      * @param stream number of its stream
-     * @param payload not packed
-     * @param elements what it holds
+     * @param payload not compressed
+     * @param elements number of elements
      * @param firstUs time of the first
      * @param lastUs time of the last
      */
@@ -64,7 +64,7 @@ final class SamplePackets {
     return STREAMS.get(kind);
   }
 
-  /** Four letters that say what a stream holds. */
+  /** Four-letter type of a stream. */
   static String type(SampleKind kind) {
     return switch (kind) {
       case FRAME -> SamplePayload.FRAME;
@@ -108,7 +108,7 @@ final class SamplePackets {
     }
   }
 
-  /** Writes what has been gathered. */
+  /** Writes the collected samples. */
   void flush() throws IOException {
     for (SampleKind kind : kinds) {
       flush(kind);

@@ -4,8 +4,8 @@ import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
 import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.util.Collection;
 
 /**
@@ -148,7 +148,7 @@ record SamplePayload(int sensorHeight, boolean rowsFromBottom) {
     long values = (long) width * height * channels;
     long bytes = table.vectorLength(10);
     if (depth == Frame.Depth.UNSIGNED_8 && bytes == 2 * values) {
-      // JAER says eight bits and writes sixteen.
+      // jAER states eight bits and writes sixteen
       depth = Frame.Depth.UNSIGNED_16;
     }
     int at = table.vectorElements(10);

@@ -7,8 +7,8 @@ import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.ViolationCounts;
+import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.decoding.SensorGuess;
-import haltere.core.format.internal.packed.DamagedPacketException;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
 import java.io.InterruptedIOException;
@@ -46,7 +46,7 @@ final class BagOpening {
    *
    * @param formatName the container's name
    * @param file the bag
-   * @param options what the user says about it
+   * @param options of the user
    * @param topics those that are known, and where walks add those that they come across
    * @param walks through its messages
    */
@@ -68,7 +68,7 @@ final class BagOpening {
   /**
    * Opens it.
    *
-   * @param violations what was found wrong up to now
+   * @param violations the violations found so far
    */
   RecordingReader open(ViolationCounts violations) throws IOException {
     Optional<First> found = first();
@@ -107,7 +107,7 @@ final class BagOpening {
 
   private MessageWalk messages(MessageWalk.Wanted wanted, ViolationCounts violations)
       throws IOException {
-    return new UnpackingWalk(walks.from(wanted, violations));
+    return new DecompressingWalk(walks.from(wanted, violations));
   }
 
   private boolean isAskedFor(BagTopic topic) {

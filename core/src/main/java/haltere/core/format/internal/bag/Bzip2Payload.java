@@ -1,16 +1,16 @@
 package haltere.core.format.internal.bag;
 
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.FileWindow;
-import haltere.core.format.internal.packed.PackedStream;
-import haltere.core.format.internal.packed.Payload;
+import haltere.core.format.internal.compression.CompressedStream;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.FileWindow;
+import haltere.core.format.internal.compression.Payload;
 import java.io.IOException;
 import java.util.Arrays;
 import org.apache.commons.compress.compressors.bzip2.BZip2CompressorInputStream;
 
 /**
- * A payload that is one bzip2 stream, decompressed by commons-compress. A block is given out after
- * its checksum was tested, or in pieces of {@link #MAX_HELD_BYTES} before that: runs of equal bytes
+ * A payload that is one bzip2 stream, decompressed by commons-compress. A block is released after
+ * its checksum was verified, or in pieces of {@link #MAX_HELD_BYTES} before: runs of equal bytes
  * make a block as large as 46 MB.
  */
 final class Bzip2Payload extends Payload {
@@ -20,7 +20,7 @@ final class Bzip2Payload extends Payload {
   private static final int PIECE_BYTES = 64 * 1024;
 
   private final FileWindow window;
-  private PackedStream packed;
+  private CompressedStream compressed;
   private BZip2CompressorInputStream stream;
   private DamagedPacketException damage;
 
@@ -33,9 +33,9 @@ final class Bzip2Payload extends Payload {
     from = 0;
     to = 0;
     damage = null;
-    packed = new PackedStream(window, offset, size);
+    compressed = new CompressedStream(window, offset, size);
     try {
-      stream = new BZip2CompressorInputStream(packed);
+      stream = new BZip2CompressorInputStream(compressed);
     } catch (IOException | IndexOutOfBoundsException e) {
       throw damage(e);
     }
@@ -52,9 +52,9 @@ final class Bzip2Payload extends Payload {
     int end = to;
     // The library reads a block as a whole, and only when the checksum of the block before is
     // right.
-    long position = packed.position();
+    long position = compressed.position();
     try {
-      while (packed.position() == position && end - to < MAX_HELD_BYTES) {
+      while (compressed.position() == position && end - to < MAX_HELD_BYTES) {
         int value = stream.read();
         if (value < 0) {
           break;
@@ -66,7 +66,7 @@ final class Bzip2Payload extends Payload {
       }
     } catch (IOException | IndexOutOfBoundsException e) {
       damage = damage(e);
-      if (packed.position() == position) {
+      if (compressed.position() == position) {
         throw damage;
       }
     }
@@ -76,7 +76,7 @@ final class Bzip2Payload extends Payload {
   }
 
   private DamagedPacketException damage(Exception e) throws IOException {
-    packed.rethrow();
+    compressed.rethrow();
     return new DamagedPacketException("a bzip2 stream that is damaged: " + e.getMessage());
   }
 }

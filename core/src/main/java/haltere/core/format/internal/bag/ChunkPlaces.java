@@ -3,7 +3,7 @@ package haltere.core.format.internal.bag;
 import java.util.Arrays;
 
 /**
- * Where the chunks of a bag begin, as far as its index says.
+ * Positions of the chunks of a bag, as far as its index states them.
  *
  * <p>Thread rule: one thread.
  */

@@ -3,31 +3,31 @@ package haltere.core.format.internal.bag;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.FileWindow;
-import haltere.core.format.internal.packed.Lz4Payload;
-import haltere.core.format.internal.packed.Payload;
-import haltere.core.format.internal.packed.StoredPayload;
-import haltere.core.format.internal.packed.ZstdPayload;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.FileWindow;
+import haltere.core.format.internal.compression.Lz4Payload;
+import haltere.core.format.internal.compression.Payload;
+import haltere.core.format.internal.compression.StoredPayload;
+import haltere.core.format.internal.compression.ZstdPayload;
 import java.io.IOException;
 
-/** What the walks through bags have in common whose messages lie in chunks, packed or not. */
+/** What the walks through bags have in common whose messages lie in chunks, compressed or not. */
 abstract class ChunkWalk implements MessageWalk {
   final RecordingFile file;
   final BagTopics topics;
   final Wanted wanted;
   final ViolationCounts violations;
 
-  /** For what lies between chunks. */
+  /** Reads records between chunks. */
   final StoredPayload records;
 
-  /** Where the next chunk, or what is before it, starts in the file. */
+  /** Offset of the next chunk, or of records before it. */
   long next;
 
-  /** Unpacked bytes of the chunk before the record at hand. */
+  /** Decompressed bytes of the chunk before the record at hand. */
   long recordAt;
 
-  /** Unpacked bytes of the chunk before the message that was found. */
+  /** Decompressed bytes of the chunk before the message that was found. */
   long messageAt;
 
   long messageBytes;
@@ -42,8 +42,8 @@ abstract class ChunkWalk implements MessageWalk {
   private Payload payload;
   private boolean inChunk;
   private long chunk;
-  private long packedAt;
-  private long packedBytes;
+  private long compressedAt;
+  private long compressedBytes;
   private long chunkBytes;
   private boolean cut;
 
@@ -77,8 +77,8 @@ abstract class ChunkWalk implements MessageWalk {
   abstract boolean nextChunk() throws IOException;
 
   /**
-   * Goes on in the chunk up to the next message that is wanted, and fills the fields that say what
-   * it is; false at the chunk's end.
+   * Advances to the next requested message in the chunk and sets its fields; false at the end of
+   * the chunk.
    */
   abstract boolean nextMessage() throws IOException, DamagedPacketException;
 
@@ -103,27 +103,27 @@ abstract class ChunkWalk implements MessageWalk {
   /**
    * Opens the chunk at {@link #next}.
    *
-   * @param packing its name in the file
+   * @param compression its name in the file
    * @param data where its bytes start
-   * @param bytes how many there are, as it says
-   * @param unpackedBytes how many they will be, as it says
+   * @param bytes stated size
+   * @param decompressedBytes stated size after decompression
    * @return false if it is damaged from the first byte on
    */
-  final boolean openChunk(String packing, long data, long bytes, long unpackedBytes)
+  final boolean openChunk(String compression, long data, long bytes, long decompressedBytes)
       throws IOException {
     long rest = file.size() - data;
     chunk = next;
-    packedAt = data;
+    compressedAt = data;
     cut = bytes < 0 || bytes > rest;
-    packedBytes = cut ? rest : bytes;
-    chunkBytes = Math.max(1, unpackedBytes);
+    compressedBytes = cut ? rest : bytes;
+    chunkBytes = Math.max(1, decompressedBytes);
     recordAt = 0;
     messageAt = 0;
-    next = cut ? Math.min(chunkAfter(chunk), file.size()) : data + packedBytes;
+    next = cut ? Math.min(chunkAfter(chunk), file.size()) : data + compressedBytes;
     inChunk = true;
     try {
-      payload = unpacking(packing);
-      payload.open(packedAt, packedBytes);
+      payload = decompressing(compression);
+      payload.open(compressedAt, compressedBytes);
     } catch (DamagedPacketException e) {
       damaged(e);
     }
@@ -135,8 +135,8 @@ abstract class ChunkWalk implements MessageWalk {
     return payload == bzip2 ? "bzip2" : payload == lz4 ? "lz4" : payload == zstd ? "zstd" : "none";
   }
 
-  private Payload unpacking(String packing) throws DamagedPacketException {
-    switch (packing) {
+  private Payload decompressing(String compression) throws DamagedPacketException {
+    switch (compression) {
       case "none", "" -> {
         return stored;
       }
@@ -193,13 +193,13 @@ abstract class ChunkWalk implements MessageWalk {
     return place(messageAt + done);
   }
 
-  /** Where a byte of the chunk is in the file, or would be if it were not packed. */
+  /** Where a byte of the chunk is in the file, or would be if it were not compressed. */
   private long place(long at) {
     if (payload == stored) {
-      return packedAt + Math.min(at, packedBytes);
+      return compressedAt + Math.min(at, compressedBytes);
     }
     double part = Math.min(1.0, (double) at / chunkBytes);
-    return packedAt + (long) (part * packedBytes);
+    return compressedAt + (long) (part * compressedBytes);
   }
 
   @Override

@@ -14,7 +14,7 @@ enum Encoding {
   EVT3("evt3"),
   /** libcaer's words. */
   LIBCAER("libcaer"),
-  /** libcaer's events, packed. */
+  /** libcaer's events, compressed. */
   LIBCAER_CMP("libcaer_cmp"),
   /** 64 bits an event. */
   MONO("mono"),

@@ -5,7 +5,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.LittleEndian;
 import haltere.core.stream.StreamNotification;
 import java.lang.invoke.VarHandle;
 import java.nio.ByteBuffer;

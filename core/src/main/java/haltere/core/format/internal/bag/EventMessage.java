@@ -1,20 +1,20 @@
 package haltere.core.format.internal.bag;
 
-import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.compression.DamagedPacketException;
 import java.io.IOException;
 
 /**
- * What a message says before its events. Both types begin with the standard header (in ROS 1 with a
+ * Header of a message with events. Both types begin with the standard header (in ROS 1 with a
  * number), height and width; then {@code EventArray} has the count of its events, {@code
  * EventPacket} a number, a base of time, the name of the encoding, the order of bytes, and the
  * count of bytes. ROS 2 begins with four bytes that name the serialisation and aligns each number
  * to its size.
  *
  * @param stampNs the header's time, nanoseconds since 1970
- * @param width columns, as it says
- * @param height rows, as it says
+ * @param width stated columns
+ * @param height stated rows
  * @param number counts up by one; -1 where the type has none
- * @param timeBaseNs what the encoding adds to times
+ * @param timeBaseNs offset of times in the encoding
  * @param encoding of the events
  * @param bigEndian whether numbers of encodings in the machine's order begin with the highest byte
  * @param events count of events or bytes, as it says

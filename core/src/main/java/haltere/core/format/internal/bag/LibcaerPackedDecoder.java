@@ -8,9 +8,9 @@ import haltere.core.format.ViolationCounts;
 import java.nio.ByteBuffer;
 
 /**
- * The encoding {@code libcaer_cmp}: words of 16 bits, the upper four say which. Times count
- * microseconds from the message's base of time, in 24 bits that begin at 0 with each message; the
- * column is said first, rows make events of it, one by one or eight at a time.
+ * The encoding {@code libcaer_cmp}: words of 16 bits, with the type in the upper four. Times count
+ * microseconds from the message's base of time, in 24 bits that begin at 0 with each message; a
+ * column word precedes row words, which make events one by one or eight at a time.
  */
 final class LibcaerPackedDecoder extends MessageDecoder {
   private static final int WORD_BYTES = 2;

@@ -4,16 +4,15 @@ import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.FileWindow;
-import haltere.core.format.internal.packed.StoredPayload;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.FileWindow;
+import haltere.core.format.internal.compression.StoredPayload;
 import java.io.IOException;
 import java.util.Arrays;
 
 /**
- * What the summary at the end of an MCAP file says: its channels, and where its chunks are. Chunks
- * are read in the order of the file whatever it says; it is needed to know all topics, and to find
- * the next chunk behind a damaged one.
+ * The summary at the end of an MCAP file: channels and positions of chunks. Chunks are read in the
+ * order of the file; the summary gives all topics and the next chunk after a damaged one.
  */
 final class McapIndex {
   private static final byte[] MAGIC = {(byte) 0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};

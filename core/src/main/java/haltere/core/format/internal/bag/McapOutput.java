@@ -1,6 +1,6 @@
 package haltere.core.format.internal.bag;
 
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
@@ -21,7 +21,7 @@ final class McapOutput {
     size = 0;
   }
 
-  /** Makes room for bytes and counts them as written; returns where they go. */
+  /** Reserves space for bytes and counts them as written; returns where they go. */
   int grow(int count) {
     if (count > bytes.length - size) {
       bytes = Arrays.copyOf(bytes, Math.max(size + count, 2 * bytes.length));

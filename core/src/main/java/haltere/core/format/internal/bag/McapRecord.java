@@ -1,8 +1,8 @@
 package haltere.core.format.internal.bag;
 
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.LittleEndian;
-import haltere.core.format.internal.packed.Payload;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.LittleEndian;
+import haltere.core.format.internal.compression.Payload;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 
@@ -47,7 +47,7 @@ final class McapRecord {
   /**
    * Reads kind and length of the next record.
    *
-   * @return false where there are no more bytes
+   * @return false at the end
    */
   boolean next() throws IOException, DamagedPacketException {
     if (!payload.gather(HEAD_BYTES)) {

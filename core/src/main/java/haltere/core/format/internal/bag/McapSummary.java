@@ -1,8 +1,8 @@
 package haltere.core.format.internal.bag;
 
 import haltere.core.format.AtomicFile;
-import haltere.core.format.internal.packed.LittleEndian;
-import haltere.core.format.internal.packed.ZstdPacker;
+import haltere.core.format.internal.compression.LittleEndian;
+import haltere.core.format.internal.compression.ZstdPacker;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
@@ -12,8 +12,7 @@ import java.util.zip.CRC32;
 
 /**
  * Writes an MCAP file of one topic around its messages: header, chunks with the indexes of their
- * messages, and the summary, in which every chunk can be looked up by time. All checksums are
- * there.
+ * messages, and the summary, an index of chunks by time. With all checksums.
  *
  * <p>Thread rule: one thread.
  */
@@ -44,7 +43,7 @@ final class McapSummary {
   private int messageCount;
   private long firstNs;
   private long lastNs;
-  private byte[] packed = new byte[0];
+  private byte[] compressed = new byte[0];
 
   private long allMessages;
   private long chunks;
@@ -116,18 +115,18 @@ final class McapSummary {
   }
 
   /** Writes a chunk with the index of its messages. */
-  void writeChunk(McapOutput chunk, ZstdPacker packer) throws IOException {
+  void writeChunk(McapOutput chunk, ZstdPacker compressor) throws IOException {
     CRC32 crc = new CRC32();
     crc.update(chunk.bytes(), 0, chunk.size());
     int bound = ZstdPacker.bound(chunk.size());
-    if (packed.length < bound) {
-      packed = new byte[bound];
+    if (compressed.length < bound) {
+      compressed = new byte[bound];
     }
-    int bytes = packer.pack(chunk.bytes(), chunk.size(), packed, 0);
+    int bytes = compressor.pack(chunk.bytes(), chunk.size(), compressed, 0);
     long chunkAt = position;
     int at = out.start(McapRecord.CHUNK);
     out.u64(firstNs).u64(lastNs).u64(chunk.size()).u32(crc.getValue()).text(PACKING);
-    out.u64(bytes).raw(packed, bytes).end(at);
+    out.u64(bytes).raw(compressed, bytes).end(at);
     flush();
     long chunkBytes = position - chunkAt;
     long indexAt = position;

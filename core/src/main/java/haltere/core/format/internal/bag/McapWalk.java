@@ -3,13 +3,13 @@ package haltere.core.format.internal.bag;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.Payload;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.Payload;
 import java.io.IOException;
 
 /**
- * The messages of an MCAP file. They lie in chunks or, where a recorder did not want any, each is a
- * record of its own, which then is taken for a chunk.
+ * The messages of an MCAP file. They are in chunks or, in files without chunks, separate records,
+ * each of which is treated as a chunk.
  */
 final class McapWalk extends ChunkWalk {
   private static final int LONGEST_HEADER = 128 * 1024;
@@ -81,12 +81,12 @@ final class McapWalk extends ChunkWalk {
       case McapRecord.CHUNK -> {
         record.takeLong();
         record.takeLong();
-        long unpackedBytes = record.takeLong();
+        long decompressedBytes = record.takeLong();
         record.takeUnsignedInt();
-        String packing = record.takeText();
+        String compression = record.takeText();
         long bytes = record.takeLong();
         long data = next + McapRecord.HEAD_BYTES + record.bytes() - record.left();
-        return openChunk(packing, data, bytes, unpackedBytes);
+        return openChunk(compression, data, bytes, decompressedBytes);
       }
       case McapRecord.MESSAGE -> {
         return openChunk("", next, McapRecord.HEAD_BYTES + record.bytes(), rest);

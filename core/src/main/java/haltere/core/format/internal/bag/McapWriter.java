@@ -7,9 +7,9 @@ import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.compression.LittleEndian;
+import haltere.core.format.internal.compression.ZstdPacker;
 import haltere.core.format.internal.decoding.WriterLosses;
-import haltere.core.format.internal.packed.LittleEndian;
-import haltere.core.format.internal.packed.ZstdPacker;
 import java.io.IOException;
 import java.lang.invoke.VarHandle;
 import java.nio.file.Path;
@@ -18,9 +18,9 @@ import java.util.List;
 /**
  * Writes events as messages {@code dvs_msgs/msg/EventArray} of ROS 2, which more programs read than
  * packets of encoded events, and whose times are exact. A message holds at most {@value
- * #MAX_EVENTS} events and 10 ms; chunks are packed with Zstandard.
+ * #MAX_EVENTS} events and 10 ms; chunks are compressed with Zstandard.
  *
- * <p>Times have signed 32 bits of seconds: what is more than 68 years from 0 is refused.
+ * <p>Times have signed 32 bits of seconds: times more than 68 years from 0 are refused.
  */
 final class McapWriter implements RecordingWriter {
   /** Most events of a message. */
@@ -41,7 +41,7 @@ final class McapWriter implements RecordingWriter {
   private final Path path;
   private final AtomicFile file;
   private final McapSummary summary;
-  private final ZstdPacker packer = new ZstdPacker(ZSTD_LEVEL);
+  private final ZstdPacker compressor = new ZstdPacker(ZSTD_LEVEL);
   private final McapOutput chunk = new McapOutput();
   private final SensorGeometry geometry;
 
@@ -169,7 +169,7 @@ final class McapWriter implements RecordingWriter {
   private void endChunk() throws IOException {
     endMessage();
     if (chunk.size() > 0) {
-      summary.writeChunk(chunk, packer);
+      summary.writeChunk(chunk, compressor);
       chunk.clear();
     }
   }
@@ -188,7 +188,7 @@ final class McapWriter implements RecordingWriter {
 
   @Override
   public void close() throws IOException {
-    packer.close();
+    compressor.close();
     file.close();
   }
 }

@@ -1,14 +1,14 @@
 package haltere.core.format.internal.bag;
 
-import haltere.core.format.internal.packed.ByteSource;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.LittleEndian;
-import haltere.core.format.internal.packed.Payload;
+import haltere.core.format.internal.compression.ByteSource;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.LittleEndian;
+import haltere.core.format.internal.compression.Payload;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The bytes of one message, read from its start; also as a source of packed ones.
+ * The bytes of one message, read from its start; also as a source of compressed ones.
  *
  * <p>Thread rule: one thread.
  */
@@ -36,7 +36,7 @@ final class MessageBody implements ByteSource {
     return size - used;
   }
 
-  /** Declares that the message ends earlier than it says. */
+  /** Sets an earlier end of the message. */
   void shorten(long bytesLeft) {
     size = used + Math.min(left(), bytesLeft);
   }
@@ -60,7 +60,7 @@ final class MessageBody implements ByteSource {
     used += bytes;
   }
 
-  /** Gets more bytes; false if the message has no more. */
+  /** Reads more bytes; false at the end of the message. */
   boolean more() throws IOException, DamagedPacketException {
     if (left() <= payload.to() - payload.from()) {
       return false;

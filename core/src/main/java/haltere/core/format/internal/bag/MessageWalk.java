@@ -1,7 +1,7 @@
 package haltere.core.format.internal.bag;
 
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.Payload;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.Payload;
 import java.io.Closeable;
 import java.io.IOException;
 
@@ -50,13 +50,14 @@ interface MessageWalk extends Closeable {
   long recordedNs();
 
   /**
-   * Where a byte of the message that was found is in the file, or would be if it were not packed.
+   * Where a byte of the message that was found is in the file, or would be if it were not
+   * compressed.
    *
    * @param done bytes of the message before it
    */
   long offset(long done);
 
-  /** Where {@link #find} goes on. */
+  /** Where {@link #find} continues. */
   long position();
 
   /**
@@ -66,10 +67,10 @@ interface MessageWalk extends Closeable {
    */
   void pass(long unused) throws IOException;
 
-  /** Counts damage in the message that was found, and goes on where the next one may be. */
+  /** Counts damage in the message that was found, and continues where the next one may be. */
   void damaged(DamagedPacketException damage) throws IOException;
 
-  /** Notes where the message that was found starts; without one, where {@link #find} goes on. */
+  /** Notes where the message that was found starts; without one, where {@link #find} continues. */
   void save(long[] state, int at);
 
   /** Goes to a place that was noted: {@link #find} finds the message there. */

@@ -1,6 +1,6 @@
 package haltere.core.format.internal.bag;
 
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 

@@ -4,19 +4,16 @@ import haltere.core.format.FileHead;
 import haltere.core.format.ProbeResult;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFile;
-import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingReader;
-import haltere.core.format.RecordingWriter;
 import haltere.core.format.Support;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.decoding.ReadOnlyFormat;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Optional;
 import java.util.Set;
 
 /** Bags of ROS 1, version 2.0: read. */
-public final class RosbagFormat implements RecordingFormat {
+public final class RosbagFormat implements ReadOnlyFormat {
   /** For the service loader. */
   public RosbagFormat() {}
 
@@ -58,15 +55,5 @@ public final class RosbagFormat implements RecordingFormat {
             topics,
             (wanted, violations) -> new RosbagWalk(file, index, topics, wanted, violations))
         .open(found);
-  }
-
-  @Override
-  public boolean writable() {
-    return false;
-  }
-
-  @Override
-  public Optional<RecordingWriter> create(Path file, WriteOptions options) {
-    return Optional.empty();
   }
 }

@@ -4,17 +4,16 @@ import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.FileWindow;
-import haltere.core.format.internal.packed.Payload;
-import haltere.core.format.internal.packed.StoredPayload;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.FileWindow;
+import haltere.core.format.internal.compression.Payload;
+import haltere.core.format.internal.compression.StoredPayload;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 
 /**
- * What the end of a ROS 1 bag says that was closed: its connections, and where its chunks are.
- * Chunks are read in the order of the file whatever it says; it is needed to know all topics, and
- * to find the next chunk behind a damaged one.
+ * The index at the end of a closed ROS 1 bag: connections and positions of chunks. Chunks are read
+ * in the order of the file; the index gives all topics and the next chunk after a damaged one.
  *
  * <p>Thread rule: immutable once read.
  */
@@ -36,7 +35,7 @@ final class RosbagIndex {
   }
 
   /**
-   * Reads the first record and, where it says where, the index.
+   * Reads the first record and the index, if it states the position.
    *
    * @param file the bag
    * @param topics receives its connections

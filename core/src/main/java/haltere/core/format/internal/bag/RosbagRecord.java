@@ -1,8 +1,8 @@
 package haltere.core.format.internal.bag;
 
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.LittleEndian;
-import haltere.core.format.internal.packed.Payload;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.LittleEndian;
+import haltere.core.format.internal.compression.Payload;
 import java.io.IOException;
 
 /**
@@ -33,9 +33,9 @@ final class RosbagRecord {
   }
 
   /**
-   * Reads a header, and passes over it.
+   * Reads a header.
    *
-   * @return the record, or null where there are no more bytes
+   * @return the record, or null at the end
    */
   static RosbagRecord read(Payload payload) throws IOException, DamagedPacketException {
     if (!payload.gather(4)) {
@@ -59,7 +59,7 @@ final class RosbagRecord {
     return new RosbagRecord(fields, length + 8, dataBytes);
   }
 
-  /** What kind it is; -1 if it does not say so. */
+  /** Kind of the record; -1 if it is not stated. */
   int kind() {
     return fields.getByte("op");
   }

@@ -3,12 +3,12 @@ package haltere.core.format.internal.bag;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.compression.DamagedPacketException;
 import java.io.IOException;
 
 /**
- * The messages of a ROS 1 bag. They lie in chunks, each packed by itself, with the connections that
- * they belong to; between chunks are indexes, which are passed over.
+ * The messages of a ROS 1 bag. They lie in chunks, each compressed by itself, with the connections
+ * that they belong to; between chunks are indexes, which are passed over.
  */
 final class RosbagWalk extends ChunkWalk {
   private static final int LONGEST_HEADER = 64 * 1024 + 8;
@@ -52,9 +52,9 @@ final class RosbagWalk extends ChunkWalk {
         }
         long data = next + record.headerBytes();
         if (kind == RosbagRecord.CHUNK) {
-          String packing = record.fields().getText("compression");
-          long unpackedBytes = record.fields().getUnsignedInt("size");
-          if (openChunk(packing, data, record.dataBytes(), unpackedBytes)) {
+          String compression = record.fields().getText("compression");
+          long decompressedBytes = record.fields().getUnsignedInt("size");
+          if (openChunk(compression, data, record.dataBytes(), decompressedBytes)) {
             return true;
           }
           continue;

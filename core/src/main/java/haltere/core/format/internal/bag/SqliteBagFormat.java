@@ -4,25 +4,22 @@ import haltere.core.format.FileHead;
 import haltere.core.format.ProbeResult;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFile;
-import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
-import haltere.core.format.RecordingWriter;
 import haltere.core.format.Support;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.WriteOptions;
-import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.decoding.ReadOnlyFormat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 
 /** Bags of ROS 2 in SQLite files: read. */
-public final class SqliteBagFormat implements RecordingFormat {
+public final class SqliteBagFormat implements ReadOnlyFormat {
   private static final int SCHEMA_ROOT = 1;
   private static final int MAX_ROWS = 1 << 16;
 
@@ -179,15 +176,5 @@ public final class SqliteBagFormat implements RecordingFormat {
       }
       return low;
     }
-  }
-
-  @Override
-  public boolean writable() {
-    return false;
-  }
-
-  @Override
-  public Optional<RecordingWriter> create(Path file, WriteOptions options) {
-    return Optional.empty();
   }
 }

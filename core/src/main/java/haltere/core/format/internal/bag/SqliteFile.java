@@ -2,7 +2,7 @@ package haltere.core.format.internal.bag;
 
 import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
-import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.compression.DamagedPacketException;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;

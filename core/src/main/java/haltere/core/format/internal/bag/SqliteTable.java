@@ -1,13 +1,13 @@
 package haltere.core.format.internal.bag;
 
-import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.compression.DamagedPacketException;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 
 /**
- * Goes through the rows of an SQLite table in ascending order of their numbers: a tree of pages,
- * whose leaves hold the rows. Every leaf is looked for from the root, so that a place is no more
- * than a number, and a tree that leads in a circle comes to an end.
+ * Iterates over the rows of an SQLite table in ascending order of their numbers: a tree of pages
+ * with the rows in its leaves. Every leaf is searched from the root, so that a position is only a
+ * number, and a cyclic tree ends.
  *
  * <p>Thread rule: one thread.
  */
@@ -73,7 +73,7 @@ final class SqliteTable {
    * Finds the next row.
    *
    * @return false at the end
-   * @throws DamagedPacketException if a page or row is damaged; the next call goes on behind it
+   * @throws DamagedPacketException if a page or row is damaged; the next call continues behind it
    */
   boolean next() throws IOException, DamagedPacketException {
     while (!ended) {

@@ -2,8 +2,8 @@ package haltere.core.format.internal.bag;
 
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.Payload;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.Payload;
 import java.io.IOException;
 
 /**

@@ -1,9 +1,9 @@
 /**
  * Bags of ROS: messages of many topics, of which one with events is read.
  *
- * <p><b>Containers.</b> ROS 1 bags (version 2.0): records in chunks that are packed with LZ4, bzip2
- * or not at all. MCAP: the same with LZ4 or Zstandard, or messages without chunks. ROS 2 bags in
- * SQLite files: a table of messages. A container's walk finds the messages, in the order of the
+ * <p><b>Containers.</b> ROS 1 bags (version 2.0): records in chunks that are compressed with LZ4,
+ * bzip2 or not at all. MCAP: the same with LZ4 or Zstandard, or messages without chunks. ROS 2 bags
+ * in SQLite files: a table of messages. A container's walk finds the messages, in the order of the
  * file; what is in them is decoded by the same code whatever the container.
  *
  * <p><b>Messages.</b> {@code dvs_msgs/EventArray} and {@code prophesee_event_msgs/EventArray} hold
@@ -21,6 +21,6 @@
  *
  * <p><b>Damage.</b> Messages before it are read. Behind a damaged chunk the next one is found by
  * the chunk's length or, where that cannot be, by the index at the file's end. No length in a file
- * makes memory grow: chunks and messages are unpacked and decoded piece by piece.
+ * makes memory grow: chunks and messages are decompressed and decoded piece by piece.
  */
 package haltere.core.format.internal.bag;

@@ -88,9 +88,9 @@ public final class BraidzTables implements RecordingTables {
   }
 
   private BufferedReader reader(String table) throws IOException {
-    InputStream packed = zip.getInputStream(zip.getEntry(table + ".csv.gz"));
+    InputStream compressed = zip.getInputStream(zip.getEntry(table + ".csv.gz"));
     return new BufferedReader(
-        new InputStreamReader(new GZIPInputStream(packed), StandardCharsets.UTF_8));
+        new InputStreamReader(new GZIPInputStream(compressed), StandardCharsets.UTF_8));
   }
 
   @Override

@@ -83,7 +83,7 @@ public abstract sealed class EventTimes permits AscendingTimes, WrappingTimes {
     restartUs = timeUs;
   }
 
-  /** No event is held back where decoding goes on from a place that was noted. */
+  /** No event is held back where decoding continues from a place that was noted. */
   final void holdNothingBack() {
     restarted = false;
   }

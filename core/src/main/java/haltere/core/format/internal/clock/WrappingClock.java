@@ -6,11 +6,10 @@ package haltere.core.format.internal.clock;
  * values of the file:
  *
  * <ul>
- *   <li>D at least 0: time goes on by D;
- *   <li>D below -W/2: the clock has wrapped, time goes on by D + W;
- *   <li>any other D: the clock went back. By a second at the most, that is disorder within the same
- *       turn of the clock; by more, the camera's clock was set anew and the first turn begins
- *       again;
+ *   <li>D at least 0: time continues by D;
+ *   <li>D below -W/2: the clock has wrapped, time continues by D + W;
+ *   <li>any other D: the clock went back. By a second at most, that is disorder within the same
+ *       turn of the clock; by more, the camera's clock was reset and the first turn starts again;
  *   <li>one exception: shortly after a wrap, a D so large that it leads back to at most a second
  *       before it is an event from before the wrap that comes late, not a leap of almost W.
  * </ul>
@@ -53,9 +52,9 @@ public final class WrappingClock {
   }
 
   /**
-   * Goes on as after a value.
+   * Continues after a value.
    *
-   * @param turn what was added to it
+   * @param turn its offset
    * @param last its time
    */
   public void resume(long turn, long last) {
@@ -87,7 +86,7 @@ public final class WrappingClock {
   }
 
   /**
-   * Whether a time that {@link #read} gave is before the last one.
+   * Whether a time of {@link #read} is before the last one.
    *
    * @param timeUs what it gave
    * @return true if the clock went back
@@ -97,7 +96,7 @@ public final class WrappingClock {
   }
 
   /**
-   * Takes the time that {@link #read} gave last as the newest, wherever it leads.
+   * Sets the last time of {@link #read} as the newest.
    *
    * @param timeUs what it gave
    */

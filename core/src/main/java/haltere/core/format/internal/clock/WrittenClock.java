@@ -20,7 +20,7 @@ public final class WrittenClock {
   /**
    * A clock before its first time.
    *
-   * @param firstTurnUs what the file says is to be added to its times
+   * @param firstTurnUs offset of its times stated in the file
    */
   public WrittenClock(long firstTurnUs) {
     reader = new WrappingClock(TURN_US, firstTurnUs);
@@ -78,7 +78,7 @@ public final class WrittenClock {
   }
 
   /**
-   * What could not be said by such a clock.
+   * Losses of such a clock.
    *
    * @return a line for the user, or empty if nothing
    */

@@ -12,7 +12,7 @@ import java.nio.ByteBuffer;
 
 /**
  * Turns rows of numbers into packets. Numbers are taken exactly as they are written; a time between
- * two microseconds goes to the nearer one. Rows count from where the geometry says.
+ * two microseconds goes to the nearer one. The geometry defines the origin of rows.
  *
  * <p>Thread rule: one thread.
  */
@@ -22,7 +22,7 @@ final class CsvDecoder implements StreamDecoder {
 
   private static final int PIECE = 16 * 1024;
 
-  /** Bytes that may be looked at behind the piece. */
+  /** Bytes that may be read behind the piece. */
   private static final int PADDING = 16;
 
   private final ViolationCounts violations;

@@ -6,7 +6,6 @@ import haltere.core.format.FileHead;
 import haltere.core.format.ProbeResult;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFile;
-import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
@@ -16,6 +15,7 @@ import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.decoding.EventCursor;
 import haltere.core.format.internal.decoding.FileCursor;
 import haltere.core.format.internal.decoding.SensorGuess;
+import haltere.core.format.internal.decoding.StreamedFormat;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
 import java.nio.ByteOrder;
@@ -27,12 +27,11 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Events as text. Written: a header row {@code t_us,x,y,on}, then a row per event, with the rows
- * counted from the corner that the events' source counts from unless the user says otherwise. Read:
- * any columns in any order, see {@link CsvLayout}; rows are taken to count from the top, unless the
- * user says otherwise.
+ * Events as text. Written: a header row {@code t_us,x,y,on}, then a row per event, with the origin
+ * of rows of the source, or of the user's options. Read: any columns in any order, see {@link
+ * CsvLayout}; rows count from the top by default.
  */
-public final class CsvFormat implements RecordingFormat {
+public final class CsvFormat implements StreamedFormat {
   private static final int MAX_SIDE = 1 << 15;
 
   /** For the service loader. */
@@ -72,16 +71,6 @@ public final class CsvFormat implements RecordingFormat {
     return layout.get().named()
         ? new ProbeResult(Support.CERTAIN, "it is text and names its columns")
         : new ProbeResult(Support.PLAUSIBLE, "it is text of four numbers a line");
-  }
-
-  @Override
-  public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    return RecordingFile.reading(file, bytes -> openStream(bytes, options));
-  }
-
-  @Override
-  public boolean isStreamed() {
-    return true;
   }
 
   @Override

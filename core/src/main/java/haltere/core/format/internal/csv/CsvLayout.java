@@ -8,15 +8,15 @@ import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
- * Which column of a text is what: told by a row of names, else found out from the numbers.
+ * Roles of the columns of a text: by a row of names, else by the numbers.
  *
  * @param roles of the columns, in order
  * @param timeScale power of ten of the times' unit in microseconds: 0 for microseconds, 6 for
  *     seconds, -3 for nanoseconds
  * @param dataOffset where the rows of events start
- * @param named whether names told the columns
+ * @param named whether there are names
  * @param marked whether commas or semicolons stand between the columns, not only spaces
- * @param width columns of the sensor if a first row of two numbers tells them, else 0
+ * @param width columns of the sensor from a first row of two numbers, else 0
  * @param height rows of the sensor likewise
  */
 record CsvLayout(

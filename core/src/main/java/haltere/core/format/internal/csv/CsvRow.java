@@ -88,7 +88,7 @@ final class CsvRow {
     return address;
   }
 
-  /** Reads the columns of a row and goes behind its end; false if they are not what they should. */
+  /** Reads the columns of a row and goes behind its end; false if they are invalid. */
   private boolean parseColumns() {
     long x = 0;
     long y = 0;
@@ -129,7 +129,7 @@ final class CsvRow {
     return true;
   }
 
-  /** Whether the columns end here, or there are more that nobody asked for. */
+  /** Whether the columns end here, or further ones are ignored. */
   private boolean separatorOrEnd() {
     boolean separated = separator();
     byte at = piece[cursor];

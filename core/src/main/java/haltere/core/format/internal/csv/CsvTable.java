@@ -94,8 +94,7 @@ public final class CsvTable implements RecordingTables.Row {
   }
 
   /**
-   * {@inheritDoc} As Java reads it, and in the ways in which other programs write what is no
-   * number.
+   * {@inheritDoc} As Java reads it, with the forms of not-a-number of other programs.
    *
    * @throws NumberFormatException if it is none
    */

@@ -25,7 +25,7 @@ final class CsvWriter implements RecordingWriter {
   private final SensorGeometry geometry;
   private final boolean fromTop;
 
-  /** Whether nobody asked where rows count from. */
+  /** Whether the origin of rows was not requested. */
   private final boolean unasked;
 
   private final byte[] bytes = new byte[BUFFER_BYTES];

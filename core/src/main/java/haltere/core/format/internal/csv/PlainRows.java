@@ -41,7 +41,7 @@ final class PlainRows {
     timeColumn = roles.indexOf(EventColumn.TIME);
     xColumn = roles.indexOf(EventColumn.X);
     yColumn = roles.indexOf(EventColumn.Y);
-    // Without that column, all are of the place behind the others, which says on.
+    // without this column, the position behind the others is used, which is on
     onColumn = roles.contains(EventColumn.POLARITY) ? roles.indexOf(EventColumn.POLARITY) : columns;
     values = new long[columns + 1];
     values[columns] = 1;

@@ -70,8 +70,8 @@ final class DatDecoder implements StreamDecoder {
    *
    * @param geometry the sensor; events outside are left out
    * @param layout of the records
-   * @param firstTurnUs what to add to the file's times before the first wrap
-   * @param violations where to count what is wrong
+   * @param firstTurnUs offset of the file's times before the first wrap
+   * @param violations counts violations
    */
   public DatDecoder(
       SensorGeometry geometry, Layout layout, long firstTurnUs, ViolationCounts violations) {

@@ -6,7 +6,6 @@ import haltere.core.format.FileHead;
 import haltere.core.format.ProbeResult;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFile;
-import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
@@ -17,6 +16,7 @@ import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.decoding.EventCursor;
 import haltere.core.format.internal.decoding.FileCursor;
 import haltere.core.format.internal.decoding.SensorGuess;
+import haltere.core.format.internal.decoding.StreamedFormat;
 import haltere.core.format.internal.evt.PropheseeHeader;
 import haltere.core.format.internal.evt.PropheseeSensor;
 import haltere.core.format.internal.reader.DecodingReader;
@@ -29,7 +29,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /** Prophesee DAT, decoded events of the kinds 2D and CD: read and written. */
-public final class DatFormat implements RecordingFormat {
+public final class DatFormat implements StreamedFormat {
   /** Most columns and rows that a record can address. */
   static final int MAX_SIDE = 1 << 14;
 
@@ -80,16 +80,6 @@ public final class DatFormat implements RecordingFormat {
       return new ProbeResult(Support.NONE, "no events of 8 bytes follow its header lines");
     }
     return new ProbeResult(Support.CERTAIN, "it has the header of a DAT file");
-  }
-
-  @Override
-  public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    return RecordingFile.reading(file, bytes -> openStream(bytes, options));
-  }
-
-  @Override
-  public boolean isStreamed() {
-    return true;
   }
 
   @Override

@@ -37,16 +37,16 @@ public interface EventCursor extends Closeable {
   @FunctionalInterface
   interface Factory {
     /**
-     * Opens the recording once more.
+     * Opens the recording again.
      *
-     * @param violations where the cursor counts what is wrong
+     * @param violations receives violations of the cursor
      * @return a cursor at the start
      * @throws IOException if the file cannot be read
      */
     EventCursor open(ViolationCounts violations) throws IOException;
   }
 
-  /** Takes what a recording says about itself, piece by piece, in order. */
+  /** Receives the stated pieces of a recording, in order. */
   @FunctionalInterface
   interface PieceVisitor {
     /**
@@ -63,11 +63,10 @@ public interface EventCursor extends Closeable {
   }
 
   /**
-   * Goes through the pieces of the recording without decoding them, if the file says where they are
-   * and what times they have, and can be believed. For a cursor at the start that does nothing else
-   * afterwards.
+   * Visits the pieces of the recording without decoding, if the file has valid positions and times.
+   * For a cursor at the start that is not used afterwards.
    *
-   * @param visitor takes the pieces; it has had some, or all, only where true is returned
+   * @param visitor receives the pieces; complete only if true is returned
    * @return false if all must be decoded to know
    * @throws IOException if the file cannot be read
    */
@@ -76,8 +75,8 @@ public interface EventCursor extends Closeable {
   }
 
   /**
-   * What the recording says of itself, if it can be believed without decoding. For a cursor at the
-   * start that does nothing else afterwards.
+   * Number and times of the events as stated by the file, if valid without decoding. For a cursor
+   * at the start that is not used afterwards.
    *
    * @return empty if all must be decoded to know
    * @throws IOException if the file cannot be read
@@ -94,7 +93,7 @@ public interface EventCursor extends Closeable {
   RecordingClock clock();
 
   /**
-   * What the recording says of the camera, its settings and the chain of filters.
+   * Metadata of the recording: camera, its settings and the chain of filters.
    *
    * @return as {@link RecordingReader#metadata()}
    */

@@ -38,7 +38,7 @@ public final class OutputBuffer implements Closeable {
   }
 
   /**
-   * Makes room for a word.
+   * Reserves space for a word.
    *
    * @param count its bytes, few
    * @throws IOException if the file cannot be written
@@ -72,7 +72,7 @@ public final class OutputBuffer implements Closeable {
   }
 
   /**
-   * Writes what is gathered and puts the file in its place.
+   * Writes the buffer and moves the file to its place.
    *
    * @throws IOException if that fails
    */

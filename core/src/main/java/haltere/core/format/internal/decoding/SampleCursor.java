@@ -38,11 +38,11 @@ public interface SampleCursor extends Closeable {
   }
 
   /**
-   * Goes to the next sample, in the order of the file. It may be far away: so that nobody waits for
-   * it unawares, it is looked for up to a place only, and from there on with the next call.
+   * Advances to the next sample, in the order of the file. It may be far away, so a call searches
+   * up to an offset only; the next call continues there.
    *
    * @param untilOffset byte offset in the file
-   * @return what it came to
+   * @return the result
    * @throws IOException if the file can no longer be read
    */
   Step next(long untilOffset) throws IOException;

@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * How large a sensor must be for the events of a recording that does not say it. All events are
- * read for it, so that none is left out because of a guess.
+ * Size of the sensor of a recording that does not state it. All events are read, so that none is
+ * lost by the guess.
  */
 public final class SensorGuess {
   private static final int PACKET_EVENTS = 8192;
@@ -26,7 +26,7 @@ public final class SensorGuess {
           top(640, 480),
           top(1280, 720));
 
-  /** What a user does whose stream does not say how large its sensor is. */
+  /** Advice for streams that do not state the size of the sensor. */
   public static final String ADVICE = "state the sensor's size with --sensor WxH";
 
   private SensorGuess() {}
@@ -69,12 +69,12 @@ public final class SensorGuess {
   }
 
   /**
-   * Where rows count from in a plain table of events: as it says itself, else as the user says,
-   * else from the top.
+   * Origin of rows of a plain table of events: as stated by the file, else by the user, else the
+   * top.
    *
-   * @param stated what the file says
-   * @param options what the user says
-   * @param remarks gets what the user should know if nobody says it
+   * @param stated origin in the file
+   * @param options of the user
+   * @param remarks receives a note if it is not stated
    * @return one of the two
    */
   public static Origin origin(Optional<Origin> stated, ReadOptions options, List<String> remarks) {
@@ -128,7 +128,7 @@ public final class SensorGuess {
   }
 
   /**
-   * Chooses the smallest usual sensor by the events, and tells the user.
+   * Chooses the smallest usual sensor for the events, with a remark.
    *
    * @param events of the recording
    * @param side the most columns and rows of the format
@@ -165,9 +165,9 @@ public final class SensorGuess {
   }
 
   /**
-   * What to tell the user of a choice.
+   * Remark about a choice.
    *
-   * @param guess what {@link #smallest} gave
+   * @param guess of {@link #smallest}
    * @return one line
    */
   public static String remark(SensorGeometry guess) {

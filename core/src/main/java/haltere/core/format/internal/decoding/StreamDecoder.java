@@ -21,8 +21,8 @@ public interface StreamDecoder {
   RecordingClock clock();
 
   /**
-   * Decodes until the input holds no whole unit any more, the packet is full, or the clock goes
-   * back. What is wrong in the bytes is counted, not thrown.
+   * Decodes until the input has no complete unit, the packet is full, or the clock goes back.
+   * Violations are counted, not thrown.
    *
    * @param in bytes in the format's order; its position is moved behind what was decoded
    * @param offset of that position in the file, for the counts
@@ -49,7 +49,7 @@ public interface StreamDecoder {
   }
 
   /**
-   * Whether the bytes that were decoded last belong to a unit that goes on.
+   * Whether the bytes that were decoded last belong to a unit that continues.
    *
    * @return true if a file that ends here is cut off
    */
@@ -65,8 +65,7 @@ public interface StreamDecoder {
   EventTimes times();
 
   /**
-   * How many numbers {@link #save} needs. Unless a decoder says otherwise, all of its state is
-   * where it is in time.
+   * How many numbers {@link #save} needs. By default, the state of a decoder is its time.
    *
    * @return at least 1
    */

@@ -1,5 +1,5 @@
 /**
- * What all decoders share: cursors over the events of a file, decoders of a stream, what is guessed
- * of a sensor.
+ * Shared by all decoders: cursors over the events of a file, decoders of a stream, the guess of a
+ * sensor.
  */
 package haltere.core.format.internal.decoding;

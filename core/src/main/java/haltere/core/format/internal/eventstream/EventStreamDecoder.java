@@ -12,7 +12,7 @@ import haltere.core.format.internal.decoding.StreamDecoder;
 import java.nio.ByteBuffer;
 
 /**
- * Turns the bytes of an Event Stream into packets: a byte tells how far time goes on, and what
+ * Turns the bytes of an Event Stream into packets: a byte gives the advance of time, and what
  * follows. The clock of the format cannot go back.
  *
  * <p>Thread rule: one thread.
@@ -55,7 +55,7 @@ final class EventStreamDecoder implements StreamDecoder {
    *
    * @param kind of the events
    * @param geometry the sensor; events outside are left out
-   * @param violations where to count what is wrong
+   * @param violations counts violations
    */
   public EventStreamDecoder(Kind kind, SensorGeometry geometry, ViolationCounts violations) {
     this(kind, geometry, false, violations);
@@ -192,7 +192,7 @@ final class EventStreamDecoder implements StreamDecoder {
         position++;
         continue;
       }
-      // The length comes in pieces of 7 bits, the lowest first; bit 0 tells that there are more.
+      // the length has pieces of 7 bits, the lowest first; bit 0 marks further ones
       long length = 0;
       int bytes = 0;
       boolean more = true;

@@ -7,7 +7,6 @@ import haltere.core.format.FileHead;
 import haltere.core.format.ProbeResult;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFile;
-import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
@@ -15,6 +14,7 @@ import haltere.core.format.Support;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.decoding.FileCursor;
+import haltere.core.format.internal.decoding.StreamedFormat;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
 import java.nio.ByteOrder;
@@ -28,7 +28,7 @@ import java.util.Set;
  * Event Stream 2: DVS read and written; of ATIS the pixel events are read; generic and colour files
  * are read as streams without pixel events.
  */
-public final class EventStreamFormat implements RecordingFormat {
+public final class EventStreamFormat implements StreamedFormat {
   /** For the service loader. */
   public EventStreamFormat() {}
 
@@ -52,16 +52,6 @@ public final class EventStreamFormat implements RecordingFormat {
     return head.startsWith("Event Stream")
         ? new ProbeResult(Support.CERTAIN, "it begins with Event Stream")
         : new ProbeResult(Support.NONE, "it does not begin with Event Stream");
-  }
-
-  @Override
-  public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    return RecordingFile.reading(file, bytes -> openStream(bytes, options));
-  }
-
-  @Override
-  public boolean isStreamed() {
-    return true;
   }
 
   @Override

@@ -17,8 +17,8 @@ import java.util.List;
 /**
  * Writes Event Stream 2 of the kind DVS. A silence costs a byte for each 127 us, and so does the
  * time before the first event; a start more than a day from 0, or before it, is moved to 0, a leap
- * of more than a day is shortened to one, and a clock that goes back stands still there. Each is
- * told by {@link #losses}, since the format has no place to write it down.
+ * of more than a day is shortened to one, and a clock that goes back stands still there. {@link
+ * #losses} reports each, since the format cannot store it.
  */
 final class EventStreamWriter implements RecordingWriter {
   private static final int EVENT_BYTES = 5;

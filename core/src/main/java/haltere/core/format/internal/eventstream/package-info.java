@@ -1,6 +1,6 @@
 /**
  * Event Stream ({@code .es}) 2: a header of 16 or 20 bytes, then events of a few bytes each, whose
- * first tells how far time goes on and what follows.
+ * first gives the advance of time and what follows.
  *
  * <p><b>What a time means.</b> Microseconds since the start of the recording, as the sum of all
  * steps from 0: 64 bits, no wraps. The clock cannot go back, so a recording is one segment. Longer

@@ -22,7 +22,7 @@ final class Evt21Decoder extends EvtDecoder {
   private static final int OTHERS = 0xe;
   private static final int CONTINUED = 0xf;
 
-  /** Words that are looked at together. */
+  /** Words that are processed together. */
   private static final int STAGE_WORDS = 512;
 
   /** Words on their way; an array is read faster than a buffer. */
@@ -39,7 +39,7 @@ final class Evt21Decoder extends EvtDecoder {
    * @param geometry the sensor; events outside are left out
    * @param firstTurnUs time at which the first turn of the clock begins, 0 for cameras
    * @param legacy whether the halves of the words are swapped
-   * @param violations where to count what is wrong
+   * @param violations counts violations
    */
   public Evt21Decoder(
       SensorGeometry geometry, long firstTurnUs, boolean legacy, ViolationCounts violations) {

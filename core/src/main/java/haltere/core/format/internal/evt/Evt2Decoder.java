@@ -17,7 +17,7 @@ final class Evt2Decoder extends EvtDecoder {
   private static final int OTHERS = 0xe;
   private static final int CONTINUED = 0xf;
 
-  /** Words that are looked at together. */
+  /** Words that are processed together. */
   private static final int STAGE_WORDS = 1024;
 
   /** Words on their way; an array is read faster than a buffer. */
@@ -28,7 +28,7 @@ final class Evt2Decoder extends EvtDecoder {
    *
    * @param geometry the sensor; events outside are left out
    * @param firstTurnUs time at which the first turn of the clock begins, 0 for cameras
-   * @param violations where to count what is wrong
+   * @param violations counts violations
    */
   public Evt2Decoder(SensorGeometry geometry, long firstTurnUs, ViolationCounts violations) {
     super(geometry, EvtClock.wide(firstTurnUs), violations);

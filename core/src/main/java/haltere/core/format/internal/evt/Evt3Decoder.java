@@ -38,10 +38,10 @@ public final class Evt3Decoder extends EvtDecoder {
   /** Pixels that are written without asking for each. */
   private static final int AT_ONCE = 4;
 
-  /** Events of a group, and room for what is too much. */
+  /** Events of a group, and space for surplus ones. */
   private static final int LONGEST_RUN = GROUP + AT_ONCE;
 
-  /** Bytes that are looked at together. */
+  /** Bytes that are processed together. */
   private static final int STAGE_BYTES = 4096;
 
   /** A bit for each type of word that has no effect on pixel events. */
@@ -59,7 +59,7 @@ public final class Evt3Decoder extends EvtDecoder {
   private static final long ROW_COLUMN_TYPES = 0x00000000f000f000L;
   private static final long ROW_COLUMN = 0x0000000020000000L;
 
-  /** The last row and column that a word can say. */
+  /** The largest row and column of a word. */
   private static final int LAST = 0x7ff;
 
   /** Coordinates of a row word and of the column word after it. */
@@ -81,13 +81,13 @@ public final class Evt3Decoder extends EvtDecoder {
   /** Row of an address, counted from the bottom, in its place; negative if there is none. */
   private int row = NO_ROW;
 
-  /** Time as the words say it. */
+  /** Time of the words. */
   private long timeUs;
 
   /** Column of the next vector word's first pixel. */
   private int vectorX;
 
-  /** Whether the camera says high parts again that it has said. */
+  /** Whether the camera repeats high parts. */
   private boolean repeatedHighs;
 
   /** Polarity bit of vector words. */
@@ -98,7 +98,7 @@ public final class Evt3Decoder extends EvtDecoder {
    *
    * @param geometry the sensor; events outside are left out
    * @param firstTurnUs time at which the first turn of the clock begins, 0 for cameras
-   * @param violations where to count what is wrong
+   * @param violations counts violations
    */
   public Evt3Decoder(SensorGeometry geometry, long firstTurnUs, ViolationCounts violations) {
     super(geometry, EvtClock.narrow(firstTurnUs), violations);

@@ -6,7 +6,6 @@ import haltere.core.format.FileHead;
 import haltere.core.format.ProbeResult;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFile;
-import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Support;
@@ -15,10 +14,10 @@ import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.decoding.EventCursor;
 import haltere.core.format.internal.decoding.FileCursor;
 import haltere.core.format.internal.decoding.SensorGuess;
+import haltere.core.format.internal.decoding.StreamedFormat;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
 import java.nio.ByteOrder;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -26,7 +25,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /** What the three encodings of Prophesee's RAW files have in common. */
-abstract sealed class EvtFormat implements RecordingFormat
+abstract sealed class EvtFormat implements StreamedFormat
     permits Evt2Format, Evt21Format, Evt3Format {
   /** Key of our own header line: time at which the first turn of the clock begins. */
   static final String TIME_BASE = "haltere_time_base_us";
@@ -76,16 +75,6 @@ abstract sealed class EvtFormat implements RecordingFormat
     }
     boolean own = stated.get().equals(encoding());
     return new ProbeResult(own ? Support.CERTAIN : Support.NONE, "its header says " + stated.get());
-  }
-
-  @Override
-  public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    return RecordingFile.reading(file, bytes -> openStream(bytes, options));
-  }
-
-  @Override
-  public boolean isStreamed() {
-    return true;
   }
 
   @Override

@@ -122,7 +122,7 @@ abstract sealed class EvtWriter implements RecordingWriter
     outside++;
   }
 
-  /** Makes room in the buffer. */
+  /** Reserves space in the buffer. */
   final void room(int bytes) throws IOException {
     if (buffer.remaining() < bytes) {
       output.flush();

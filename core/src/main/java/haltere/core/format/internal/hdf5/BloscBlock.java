@@ -1,12 +1,12 @@
 package haltere.core.format.internal.hdf5;
 
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.LittleEndian;
-import haltere.core.format.internal.packed.Lz4Codec;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.LittleEndian;
+import haltere.core.format.internal.compression.Lz4Codec;
 
 /**
- * Unpacks what the Blosc filter (version 1) packed: blocks whose bytes are sorted by their place in
- * the element and then packed in one of several ways.
+ * Decompresses what the Blosc filter (version 1) compressed: blocks whose bytes are sorted by their
+ * place in the element and then compressed in one of several ways.
  *
  * <p>Thread rule: one thread.
  */
@@ -15,15 +15,17 @@ final class BloscBlock {
   private static final int MAX_SPLITS = 16;
   private static final int SMALLEST_SPLIT = 128;
 
-  private final ChunkUnpacker unpacker;
+  private final ChunkDecompressor decompressor;
   private byte[] sorted = {};
 
-  /** For an unpacker, of which it takes zlib and Zstandard. */
-  BloscBlock(ChunkUnpacker unpacker) {
-    this.unpacker = unpacker;
+  /** For a decompressor, of which it takes zlib and Zstandard. */
+  BloscBlock(ChunkDecompressor decompressor) {
+    this.decompressor = decompressor;
   }
 
-  /** Unpacks a chunk from the start of an array to the start of another; returns its length. */
+  /**
+   * Decompresses a chunk from the start of an array to the start of another; returns its length.
+   */
   int unpack(byte[] in, int length, byte[] out, int most) throws DamagedPacketException {
     check(length >= HEADER);
     int flags = in[2] & 0xff;
@@ -77,16 +79,16 @@ final class BloscBlock {
     int at = from;
     for (int i = 0; i < splits; i++) {
       check(to - at >= 4);
-      int packed = LittleEndian.getInt(in, at);
+      int compressed = LittleEndian.getInt(in, at);
       at += 4;
-      check(packed >= 0 && packed <= to - at);
+      check(compressed >= 0 && compressed <= to - at);
       int start = outFrom + i * part;
-      if (packed == part) {
+      if (compressed == part) {
         System.arraycopy(in, at, out, start, part);
       } else {
-        check(unpack(method, in, at, at + packed, out, start, start + part) == start + part);
+        check(unpack(method, in, at, at + compressed, out, start, start + part) == start + part);
       }
-      at += packed;
+      at += compressed;
     }
     check(part * splits == count);
   }
@@ -96,8 +98,8 @@ final class BloscBlock {
     return switch (method) {
       case 0 -> LzfBlock.unpackBlosc(in, from, to, out, outFrom, outTo);
       case 1 -> Lz4Codec.decompress(in, from, to, out, outFrom, outTo);
-      case 3 -> unpacker.inflate(in, from, to, out, outFrom, outTo);
-      case 4 -> unpacker.zstd(in, from, to, out, outFrom, outTo);
+      case 3 -> decompressor.inflate(in, from, to, out, outFrom, outTo);
+      case 4 -> decompressor.zstd(in, from, to, out, outFrom, outTo);
       default -> throw new DamagedPacketException("Blosc with an unsupported method");
     };
   }

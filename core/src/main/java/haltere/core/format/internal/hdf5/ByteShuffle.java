@@ -1,6 +1,6 @@
 package haltere.core.format.internal.hdf5;
 
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.LittleEndian;
 
 /**
  * Puts the bytes (or bits) of elements together again that were sorted by their place in the
@@ -13,7 +13,7 @@ final class ByteShuffle {
 
   private ByteShuffle() {}
 
-  /** Sorts bytes back to elements; what is no whole element stays at the end as it is. */
+  /** Sorts bytes back to elements; an incomplete element at the end is copied. */
   static void undo(byte[] in, int from, byte[] out, int outFrom, int length, int size) {
     int elements = size < 1 ? 0 : length / size;
     switch (size) {

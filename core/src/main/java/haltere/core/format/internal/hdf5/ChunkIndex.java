@@ -3,7 +3,7 @@ package haltere.core.format.internal.hdf5;
 import java.io.IOException;
 
 /**
- * Says where the chunks of a dataset lie. Only what is needed for the next chunks is in memory.
+ * Positions of the chunks of a dataset, with only those of the next chunks in memory.
  *
  * <p>Thread rule: one thread.
  */
@@ -47,14 +47,14 @@ abstract class ChunkIndex {
     return skippedFilters;
   }
 
-  /** Takes an element of an array of chunks; false if it says that there is no chunk. */
+  /** Reads an element of an array of chunks; false if there is no chunk. */
   boolean element(ContainerFile file, Dataset dataset, Metadata at, int size) throws IOException {
     long position = at.position();
     bytes = dataset.chunkBytes();
     skippedFilters = 0;
-    int packedSize = size - file.offsetBytes() - 4;
-    if (packedSize > 0) {
-      bytes = at.number(Math.min(8, packedSize));
+    int compressedSize = size - file.offsetBytes() - 4;
+    if (compressedSize > 0) {
+      bytes = at.number(Math.min(8, compressedSize));
       skippedFilters = at.u4();
     }
     offset = file.offsetOf(position);

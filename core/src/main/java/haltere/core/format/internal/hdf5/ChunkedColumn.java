@@ -1,15 +1,15 @@
 package haltere.core.format.internal.hdf5;
 
 import haltere.core.format.AtomicFile;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.zip.Deflater;
 
 /**
- * A list of numbers or of rows of a table on its way to a file: chunks of rows, packed if that is
- * wanted, and the tree that says where they are.
+ * Writes a list of numbers or of rows of a table: chunks of rows, optionally compressed, and the
+ * tree of their positions.
  *
  * <p>Thread rule: one thread.
  */
@@ -33,11 +33,13 @@ final class ChunkedColumn {
   private final Deflater deflater;
   private final byte[] chunk;
   private final byte[] sorted;
-  private byte[] packed;
-  private int packedBytes;
+  private byte[] compressed;
+  private int compressedBytes;
   private final byte[] evenRow;
 
-  /** Bytes of the last chunk before it was packed if all its rows were {@link #evenRow}, else 0. */
+  /**
+   * Bytes of the last chunk before it was compressed if all its rows were {@link #evenRow}, else 0.
+   */
   private int evenBytes;
 
   private final ByteBuffer chunkBuffer;
@@ -45,7 +47,7 @@ final class ChunkedColumn {
   private int filled;
   private long rows;
 
-  /** Place and packed bytes of each chunk, in pairs. */
+  /** Place and compressed bytes of each chunk, in pairs. */
   private long[] chunks = new long[16];
 
   private int chunkCount;
@@ -55,7 +57,7 @@ final class ChunkedColumn {
    *
    * @param name of it in its group
    * @param type of its elements
-   * @param level of deflate, 0 for chunks that are not packed
+   * @param level of deflate, 0 for chunks that are not compressed
    */
   ChunkedColumn(String name, ElementType type, int level) {
     this.name = name;
@@ -65,7 +67,7 @@ final class ChunkedColumn {
     chunk = new byte[CHUNK_ROWS * size];
     chunkBuffer = ByteBuffer.wrap(chunk);
     sorted = level > 0 && size > 1 ? new byte[chunk.length] : chunk;
-    packed = level > 0 ? new byte[chunk.length + chunk.length / 8 + 64] : chunk;
+    compressed = level > 0 ? new byte[chunk.length + chunk.length / 8 + 64] : chunk;
     evenRow = new byte[size];
     deflater = level > 0 ? new Deflater(level) : null;
   }
@@ -141,10 +143,10 @@ final class ChunkedColumn {
   }
 
   private ByteBuffer pack(int bytes) {
-    // While nothing happens, chunk after chunk of an index says the same row throughout.
+    // without events, successive chunks of an index have one row throughout
     boolean even = Arrays.equals(chunk, 0, bytes - size, chunk, size, bytes);
     if (even && bytes == evenBytes && Arrays.equals(chunk, 0, size, evenRow, 0, size)) {
-      return ByteBuffer.wrap(packed, 0, packedBytes);
+      return ByteBuffer.wrap(compressed, 0, compressedBytes);
     }
     evenBytes = even ? bytes : 0;
     System.arraycopy(chunk, 0, evenRow, 0, size);
@@ -156,13 +158,13 @@ final class ChunkedColumn {
     deflater.finish();
     int length = 0;
     while (!deflater.finished()) {
-      if (length == packed.length) {
-        packed = Arrays.copyOf(packed, 2 * length);
+      if (length == compressed.length) {
+        compressed = Arrays.copyOf(compressed, 2 * length);
       }
-      length += deflater.deflate(packed, length, packed.length - length);
+      length += deflater.deflate(compressed, length, compressed.length - length);
     }
-    packedBytes = length;
-    return ByteBuffer.wrap(packed, 0, length);
+    compressedBytes = length;
+    return ByteBuffer.wrap(compressed, 0, length);
   }
 
   /** Writes the tree of chunks; returns the place of its root, or none without chunks. */

@@ -5,7 +5,7 @@ import haltere.core.format.RecordingProblem;
 import java.io.IOException;
 
 /**
- * An HDF5 file as a container: what its superblock says, and its metadata by place.
+ * An HDF5 file as a container: superblock, and metadata by position.
  *
  * <p>Thread rule: one thread.
  */
@@ -112,7 +112,7 @@ final class ContainerFile {
     return root;
   }
 
-  /** Whether the file is shorter than it says. */
+  /** Whether the file is shorter than stated. */
   boolean isCutOff() {
     return end > bytes.size();
   }

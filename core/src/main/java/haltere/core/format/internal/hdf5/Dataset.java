@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A dataset that is a list of elements, or a table whose rows are read as elements: where its bytes
- * lie and what they are.
+ * A dataset that is a list of elements, or a table whose rows are read as elements: position and
+ * type of its bytes.
  *
  * @param name its path in the file
  * @param type of an element
@@ -20,7 +20,7 @@ import java.util.Optional;
  * @param rowBytes size of a row of a chunk; that of an element, but for tables
  * @param chunkRows rows in a chunk
  * @param index parameters of the index of the chunks
- * @param filters steps of the packing of chunks
+ * @param filters steps of the compression of chunks
  */
 record Dataset(
     String name,
@@ -38,7 +38,7 @@ record Dataset(
   private static final int MAX_TABLE_COLUMNS = 16;
   private static final byte[] NONE = {};
 
-  /** Unpacked chunks, and what is needed to unpack the largest, must fit this. */
+  /** Largest memory for decompressed chunks and their decompression. */
   private static final long MEMORY_BYTES = 28L << 20;
 
   private static final int UNPACKING = 3;
@@ -62,14 +62,15 @@ record Dataset(
   }
 
   /**
-   * Of a single chunk, its packed size and the filters that it skips; else numbers of the index.
+   * Of a single chunk, its compressed size and the filters that it skips; else numbers of the
+   * index.
    *
-   * @param size packed bytes of a single chunk
+   * @param size compressed bytes of a single chunk
    * @param skipped filters that a single chunk skips
    */
   record Index(long size, long skipped) {}
 
-  /** Reads what a header says about a dataset. */
+  /** Reads the header of a dataset. */
   static Dataset read(ContainerFile file, String name, ObjectHeader header) throws IOException {
     Metadata typeBody = header.one(ObjectHeader.DATATYPE).orElseThrow(() -> lacks(file, name));
     ElementType type = ElementType.read(typeBody);
@@ -185,8 +186,8 @@ record Dataset(
       case 1 -> {
         newKind = Kind.SINGLE_CHUNK;
         if ((flags & 2) != 0) {
-          long packed = layout.length();
-          newIndex = new Index(packed, layout.u4());
+          long compressed = layout.length();
+          newIndex = new Index(compressed, layout.u4());
         }
       }
       case 2 -> newKind = Kind.IMPLICIT_CHUNKS;
@@ -234,14 +235,14 @@ record Dataset(
     return kind != Kind.RUN && kind != Kind.IN_HEADER;
   }
 
-  /** Bytes of an unpacked chunk. */
+  /** Bytes of a decompressed chunk. */
   long chunkBytes() {
     return chunkRows * rowBytes;
   }
 
   /** Refuses what cannot be read, or not within bounded memory. */
   static void check(ContainerFile container, Collection<Dataset> datasets) throws RecordingProblem {
-    long unpacked = 0;
+    long decompressed = 0;
     long largest = 0;
     for (Dataset dataset : datasets) {
       for (FilterStep step : dataset.filters) {
@@ -252,11 +253,11 @@ record Dataset(
         }
       }
       if (dataset.isChunked() && !dataset.filters.isEmpty()) {
-        unpacked += dataset.chunkBytes();
+        decompressed += dataset.chunkBytes();
         largest = Math.max(largest, dataset.chunkBytes());
       }
     }
-    if (unpacked + UNPACKING * largest > MEMORY_BYTES) {
+    if (decompressed + UNPACKING * largest > MEMORY_BYTES) {
       throw new RecordingProblem(
           container.bytes().path(),
           "its data are compressed in chunks of up to "

@@ -1,13 +1,13 @@
 package haltere.core.format.internal.hdf5;
 
 import haltere.core.format.RecordingFile;
-import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.compression.DamagedPacketException;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 
 /**
- * The rows of a dataset, a stretch of them in memory at a time: a chunk where chunks are packed,
- * else a piece of the file.
+ * The rows of a dataset, a stretch of them in memory at a time: a chunk where chunks are
+ * compressed, else a piece of the file.
  *
  * <p>Thread rule: one thread.
  */
@@ -17,11 +17,11 @@ final class DatasetRows {
   private final Dataset dataset;
   private final RecordingFile file;
   private final ContainerFile container;
-  private final ChunkUnpacker unpacker;
+  private final ChunkDecompressor decompressor;
   private final ChunkIndex index;
   private final int rowBytes;
   private byte[] data = {};
-  private byte[] packed = {};
+  private byte[] compressed = {};
   private long start;
   private long end;
 
@@ -30,21 +30,21 @@ final class DatasetRows {
 
   private boolean chunkFound;
 
-  DatasetRows(ContainerFile container, Dataset dataset, ChunkUnpacker unpacker) {
+  DatasetRows(ContainerFile container, Dataset dataset, ChunkDecompressor decompressor) {
     this.container = container;
     this.dataset = dataset;
-    this.unpacker = unpacker;
+    this.decompressor = decompressor;
     file = container.bytes();
     index = dataset.isChunked() ? ChunkIndex.of(container, dataset) : null;
     rowBytes = dataset.rowBytes();
   }
 
   /**
-   * Brings a row into memory, and as many behind it as come with it.
+   * Loads a row, and the following ones of its chunk.
    *
    * @param row which
-   * @return how many rows are there from that one on; 0 if the file has no more
-   * @throws DamagedPacketException if they are there, but cannot be decompressed
+   * @return number of rows from that one on; 0 at the end of the file
+   * @throws DamagedPacketException if they exist, but cannot be decompressed
    * @throws IOException if the file can no longer be read, or the list of chunks is damaged
    */
   long load(long row) throws IOException, DamagedPacketException {
@@ -93,16 +93,16 @@ final class DatasetRows {
       throw new DamagedPacketException("a chunk of " + index.bytes() + " compressed bytes");
     }
     int length = (int) index.bytes();
-    if (packed.length < length) {
-      packed = new byte[length + length / 4];
+    if (compressed.length < length) {
+      compressed = new byte[length + length / 4];
     }
     if (data.length < bytes) {
       data = new byte[bytes];
     }
-    if (read(packed, length, index.offset()) < length) {
+    if (read(compressed, length, index.offset()) < length) {
       return;
     }
-    unpacker.unpack(dataset.filters(), index.skippedFilters(), packed, length, data, bytes);
+    decompressor.unpack(dataset.filters(), index.skippedFilters(), compressed, length, data, bytes);
     start = first;
     end = first + dataset.chunkRows();
   }
@@ -143,7 +143,7 @@ final class DatasetRows {
         : dataset.rows();
   }
 
-  /** Where a row is in the file; where its chunk is, if that is packed. */
+  /** Where a row is in the file; where its chunk is, if that is compressed. */
   long offset(long row) {
     long offset =
         switch (dataset.kind()) {

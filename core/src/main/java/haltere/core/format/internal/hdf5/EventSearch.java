@@ -3,9 +3,9 @@ package haltere.core.format.internal.hdf5;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingProblem;
+import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.decoding.EventColumn;
 import haltere.core.format.internal.decoding.SensorGuess;
-import haltere.core.format.internal.packed.DamagedPacketException;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -175,9 +175,9 @@ final class EventSearch {
     double last = Double.NEGATIVE_INFINITY;
     boolean fractions = false;
     boolean ascending = true;
-    try (ChunkUnpacker unpacker = new ChunkUnpacker()) {
+    try (ChunkDecompressor decompressor = new ChunkDecompressor()) {
       NumberColumn numbers =
-          new NumberColumn(new DatasetRows(file, column.dataset(), unpacker), column);
+          new NumberColumn(new DatasetRows(file, column.dataset(), decompressor), column);
       long wanted = Math.min(LOOK_ROWS, column.dataset().rows());
       for (long row = 0; row < wanted; ) {
         int count = (int) Math.min(wanted - row, numbers.load(row));
@@ -194,7 +194,7 @@ final class EventSearch {
         row += count;
       }
     } catch (DamagedPacketException damaged) {
-      // What was read up to here is looked at.
+      // the rows read up to here are used
     }
     return new Look(largest, fractions, ascending, false);
   }
@@ -258,9 +258,10 @@ final class EventSearch {
           && dataset.rows() == 1
           && dataset.type().isNumber()
           && dataset.filters().isEmpty()) {
-        try (ChunkUnpacker unpacker = new ChunkUnpacker()) {
+        try (ChunkDecompressor decompressor = new ChunkDecompressor()) {
           EventTable.Column column = new EventTable.Column(dataset, 0, dataset.type());
-          NumberColumn number = new NumberColumn(new DatasetRows(file, dataset, unpacker), column);
+          NumberColumn number =
+              new NumberColumn(new DatasetRows(file, dataset, decompressor), column);
           if (number.load(0) > 0) {
             return number.value(0, scale);
           }

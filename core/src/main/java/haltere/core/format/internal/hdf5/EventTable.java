@@ -14,17 +14,17 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * Where the events of a file are, whoever laid them out.
+ * Location of the events of a file, in any layout.
  *
  * @param container the file
- * @param columns by what they hold; there are times, columns and rows at least
- * @param rows events that all columns promise
- * @param lying whether columns promise different numbers
+ * @param columns by content; at least times, columns and rows
+ * @param rows events that all columns claim
+ * @param lying whether columns claim different numbers
  * @param timeScale power of ten that makes microseconds of the times
- * @param timeOffsetUs what is added to the times
+ * @param timeOffsetUs offset of the times
  * @param sensor its size, if the file states it
- * @param origin where rows count from, if the file says it
- * @param otherRows rows of triggers, that are not read
+ * @param origin origin of rows, if the file states it
+ * @param otherRows rows of triggers, which are not read
  */
 record EventTable(
     ContainerFile container,

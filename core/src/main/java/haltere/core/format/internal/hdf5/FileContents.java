@@ -54,7 +54,7 @@ final class FileContents {
         try {
           collect(name, member.getValue(), depth - 1);
         } catch (RecordingProblem problem) {
-          // What is not known may be something else than what is looked for.
+          // an unknown object may be another one than the one searched
           problems.put(name, problem);
         }
       }
@@ -72,7 +72,7 @@ final class FileContents {
 
   /**
    * Refuses a file that lists a dataset whose structure cannot be read, so that a damaged column is
-   * not taken for one that the file never had.
+   * not treated as a missing one.
    *
    * @param isNeeded whether the dataset of a name, with its groups, matters
    */

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A step of the packing of chunks, by its registered number.
+ * A step of the compression of chunks, by its registered number.
  *
  * @param number of the filter
  * @param name that the file gives it, may be empty
@@ -30,7 +30,7 @@ record FilterStep(int number, String name, int[] values) {
     int version = body.u1();
     int count = body.u1();
     if (version < 1 || version > 2 || count > MAX_STEPS) {
-      throw body.problem("a packing of " + count + " steps");
+      throw body.problem("a compression of " + count + " steps");
     }
     if (version == 1) {
       body.skip(6);
@@ -78,7 +78,7 @@ record FilterStep(int number, String name, int[] values) {
     return index < values.length ? values[index] : otherwise;
   }
 
-  /** What to tell a user about a filter that is not read; empty for those that are. */
+  /** Message for users about an unsupported filter; empty for supported ones. */
   Optional<String> obstacle() {
     if (number == BLOSC && value(BLOSC_METHOD, 0) == BLOSC_SNAPPY) {
       return Optional.of(

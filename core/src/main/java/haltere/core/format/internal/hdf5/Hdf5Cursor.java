@@ -4,26 +4,23 @@ import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.RecordingClock;
 import haltere.core.format.RecordingOutline;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.clock.AscendingTimes;
-import haltere.core.format.internal.clock.EventTimes;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.LittleEndian;
 import haltere.core.format.internal.decoding.EventColumn;
-import haltere.core.format.internal.decoding.EventCursor;
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.decoding.RowCursor;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 
 /** Reads the columns of events side by side. */
-final class Hdf5Cursor implements EventCursor {
+final class Hdf5Cursor extends RowCursor {
   private final EventTable table;
   private final ViolationCounts violations;
-  private final ChunkUnpacker unpacker = new ChunkUnpacker();
+  private final ChunkDecompressor decompressor = new ChunkDecompressor();
   private final Map<Dataset, DatasetRows> rowsOf = new HashMap<>();
   private final int width;
   private final int height;
@@ -35,12 +32,8 @@ final class Hdf5Cursor implements EventCursor {
   private final boolean usual;
   private final boolean wideTimes;
 
-  private long row;
-
-  /** Rows before this one were read before; what was wrong there is not counted again. */
+  /** Rows before this one were read before; their violations are not counted again. */
   private long counted;
-
-  private final AscendingTimes times = new AscendingTimes();
 
   Hdf5Cursor(EventTable table, SensorGeometry geometry, ViolationCounts violations) {
     this.table = table;
@@ -68,7 +61,8 @@ final class Hdf5Cursor implements EventCursor {
         ? null
         : new NumberColumn(
             rowsOf.computeIfAbsent(
-                column.dataset(), dataset -> new DatasetRows(table.container(), dataset, unpacker)),
+                column.dataset(),
+                dataset -> new DatasetRows(table.container(), dataset, decompressor)),
             column);
   }
 
@@ -230,40 +224,17 @@ final class Hdf5Cursor implements EventCursor {
   }
 
   @Override
-  public RecordingClock clock() {
-    return RecordingClock.wide(RecordingClock.Zero.WRITERS_CHOICE);
+  protected long rows() {
+    return table.rows();
   }
 
   @Override
-  public EventTimes times() {
-    return times;
-  }
-
-  @Override
-  public long positionBytes() {
-    long size = table.container().bytes().size();
-    return row >= table.rows() ? size : (long) (size * ((double) row / table.rows()));
-  }
-
-  @Override
-  public int stateLongs() {
-    return 2;
-  }
-
-  @Override
-  public void save(long[] state, int at) {
-    state[at] = row;
-    times.save(state, at + 1);
-  }
-
-  @Override
-  public void restore(long[] state, int at) {
-    row = state[at];
-    times.restore(state, at + 1);
+  protected long fileBytes() {
+    return table.container().bytes().size();
   }
 
   @Override
   public void close() {
-    unpacker.close();
+    decompressor.close();
   }
 }

@@ -2,7 +2,7 @@ package haltere.core.format.internal.hdf5;
 
 import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
-import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.table.RecordingTables;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -108,8 +108,8 @@ public final class Hdf5Tables implements RecordingTables {
     contents.check(name -> names.stream().anyMatch(column -> name.equals(table + "/" + column)));
     there.keySet().retainAll(names);
     Dataset.check(container, there.values().stream().map(EventTable.Column::dataset).toList());
-    try (ChunkUnpacker unpacker = new ChunkUnpacker()) {
-      Cells cells = new Cells(table, names, there, unpacker);
+    try (ChunkDecompressor decompressor = new ChunkDecompressor()) {
+      Cells cells = new Cells(table, names, there, decompressor);
       for (cells.row = 0; cells.row < cells.rows; cells.row++) {
         cells.load();
         listener.row(cells);
@@ -142,7 +142,7 @@ public final class Hdf5Tables implements RecordingTables {
         String table,
         List<String> names,
         Map<String, EventTable.Column> there,
-        ChunkUnpacker unpacker) {
+        ChunkDecompressor decompressor) {
       this.table = table;
       this.names = names;
       Map<Dataset, DatasetRows> rowsOf = new HashMap<>();
@@ -154,7 +154,8 @@ public final class Hdf5Tables implements RecordingTables {
                 ? null
                 : new NumberColumn(
                     rowsOf.computeIfAbsent(
-                        column.dataset(), dataset -> new DatasetRows(container, dataset, unpacker)),
+                        column.dataset(),
+                        dataset -> new DatasetRows(container, dataset, decompressor)),
                     column));
         rows = column == null ? rows : Math.min(rows, column.dataset().rows());
       }

@@ -7,8 +7,8 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.compression.LittleEndian;
 import haltere.core.format.internal.decoding.WriterLosses;
-import haltere.core.format.internal.packed.LittleEndian;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -17,9 +17,9 @@ import java.util.Map;
 
 /**
  * Writes HDF5 of the DSEC kind: {@code events/t} (microseconds since {@code t_offset}), {@code
- * events/x}, {@code events/y}, {@code events/p}, and {@code ms_to_idx}, which says for each
- * millisecond since {@code t_offset} which event is the first at or after it; its last number is
- * the number of events. The root group states {@code width}, {@code height} and {@code rows_up}.
+ * events/x}, {@code events/y}, {@code events/p}, and {@code ms_to_idx}, the index of the first
+ * event at or after each millisecond since {@code t_offset}; its last number is the number of
+ * events. The root group states {@code width}, {@code height} and {@code rows_up}.
  *
  * <p>Memory is bounded: a chunk of each column, and 16 bytes for each chunk of 65,536 events.
  *
@@ -72,8 +72,8 @@ public final class Hdf5Writer implements RecordingWriter {
    *
    * @param path where the file will be
    * @param options about the events
-   * @param level how hard events are packed by deflate (which every program with HDF5 has): 0 not
-   *     at all, 1 fast to 9 slow
+   * @param level how hard events are compressed by deflate (which every program with HDF5 has): 0
+   *     not at all, 1 fast to 9 slow
    * @return a writer without events
    * @throws IOException if the file cannot be made
    */

@@ -1,14 +1,14 @@
 package haltere.core.format.internal.hdf5;
 
-import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.compression.DamagedPacketException;
 
-/** Unpacks what h5py's LZF filter packed, and BloscLZ, which is of the same family. */
+/** Decompresses what h5py's LZF filter compressed, and BloscLZ, which is of the same family. */
 final class LzfBlock {
   private static final int BLOSC_NEAR = 8191;
 
   private LzfBlock() {}
 
-  /** Unpacks LZF; returns the end of the bytes. */
+  /** Decompresses LZF; returns the end of the bytes. */
   static int unpack(byte[] in, int from, int to, byte[] out, int outFrom, int outTo)
       throws DamagedPacketException {
     int at = from;
@@ -35,7 +35,7 @@ final class LzfBlock {
     return done;
   }
 
-  /** Unpacks BloscLZ; returns the end of the bytes. */
+  /** Decompresses BloscLZ; returns the end of the bytes. */
   static int unpackBlosc(byte[] in, int from, int to, byte[] out, int outFrom, int outTo)
       throws DamagedPacketException {
     int at = from;

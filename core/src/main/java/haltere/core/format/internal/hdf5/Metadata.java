@@ -4,8 +4,8 @@ import haltere.core.format.RecordingProblem;
 import java.nio.charset.StandardCharsets;
 
 /**
- * A stretch of a file's metadata that is read from front to back. Each number is checked to lie
- * inside, so that damage is told as a place in the file.
+ * A range of the metadata of a file, read from front to back. Each number is checked to be inside,
+ * so that damage is reported with its offset.
  *
  * <p>Thread rule: one thread.
  */
@@ -37,7 +37,7 @@ final class Metadata {
     return end - at;
   }
 
-  /** Offset in the file of what is read next. */
+  /** Offset in the file of the next number. */
   long offset() {
     return address + at;
   }

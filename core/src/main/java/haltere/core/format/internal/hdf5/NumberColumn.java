@@ -1,7 +1,7 @@
 package haltere.core.format.internal.hdf5;
 
-import haltere.core.format.internal.packed.DamagedPacketException;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.LittleEndian;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

@@ -7,7 +7,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 
-/** What is said about a group or a dataset: a list of messages. */
+/** Header of a group or a dataset: a list of messages. */
 final class ObjectHeader {
   static final int DATASPACE = 1;
   static final int LINK_INFO = 2;
@@ -27,8 +27,8 @@ final class ObjectHeader {
   /**
    * A message.
    *
-   * @param type what it is about
-   * @param shared whether its body only says where it really is
+   * @param type of the message
+   * @param shared whether its body is a reference
    * @param body of it
    */
   record Message(int type, boolean shared, Metadata body) {}

@@ -14,8 +14,8 @@
  *
  * <p><b>The container</b> is read here, not by a library (decision 6): superblocks of all versions,
  * groups as symbol tables or links, and data in the header, in one run or in chunks under any index
- * of one dimension. Chunks may be packed with deflate, shuffle, Fletcher's checksum, LZF, LZ4,
+ * of one dimension. Chunks may be compressed with deflate, shuffle, Fletcher's checksum, LZF, LZ4,
  * Zstandard and Blosc. Memory is bounded: no size in a file is believed, and chunks that are too
- * large to be unpacked within that are refused.
+ * large to be decompressed within that are refused.
  */
 package haltere.core.format.internal.hdf5;

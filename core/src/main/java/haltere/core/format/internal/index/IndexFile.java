@@ -20,9 +20,9 @@ import java.util.Optional;
 import java.util.zip.CRC32;
 
 /**
- * The index of a recording, kept in a file beside it: what {@link TimeIndex} found, with all that
- * tells whether it is still true of the recording (its size, when it was changed, a digest of its
- * start and end, how it is read). It ends in a checksum; nothing in it is believed without.
+ * The index of a recording, kept in a file beside it: the content of {@link TimeIndex}, with the
+ * properties of the recording for validation (size, time of change, digest of its start and end,
+ * way of reading). It ends in a checksum, without which it is ignored.
  *
  * <p>Thread rule: all methods may be called from any thread.
  */
@@ -30,7 +30,7 @@ final class IndexFile {
   /** What the name of the recording is followed by. */
   static final String ENDING = ".haltere-index";
 
-  /** Another number for each change of what is written, or of what a cursor notes as its state. */
+  /** Changes with the layout of the file and of the state of cursors. */
   private static final long MAGIC = 0x48616c_7465726501L;
 
   private static final int LOOK_BYTES = 64 * 1024;

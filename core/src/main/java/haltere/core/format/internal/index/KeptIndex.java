@@ -38,8 +38,8 @@ public final class KeptIndex {
    * The index.
    *
    * @param cursor reads the same stream of the recording
-   * @param remarks takes what a user should know
-   * @return the kept one, or one that was built
+   * @param remarks receives notes for users
+   * @return the stored one, or a new one
    * @throws IOException if the file cannot be read
    */
   public TimeIndex find(EventCursor cursor, List<String> remarks) throws IOException {

@@ -18,9 +18,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Where in a recording which time is: what the file itself says about its pieces, else one pass
- * over its events that keeps a waypoint at least every {@value #SCAN_EVENTS} events and at the
- * start of each segment. A few dozen bytes for each.
+ * Index of a recording by time: the stated pieces of the file, else waypoints from one pass over
+ * its events, at least every {@value #SCAN_EVENTS} events and at the start of each segment. A few
+ * dozen bytes for each.
  *
  * <p>Thread rule: immutable once built.
  */
@@ -111,7 +111,7 @@ public final class TimeIndex {
     }
   }
 
-  /** Reads what was written; empty if it cannot be true. */
+  /** Reads an index; empty if it is invalid. */
   static Optional<TimeIndex> read(DataInputStream in, int stateLongs) throws IOException {
     try {
       if (in.readInt() != stateLongs) {

@@ -14,8 +14,8 @@ import java.nio.ByteBuffer;
 
 /**
  * Turns the records of N-MNIST and N-Caltech101 into packets: big-endian, 8 bits of column, 8 of
- * row, a polarity and 23 bits of time. A row of 240 is no event but says that time goes on by 8,192
- * us for all records behind it.
+ * row, a polarity and 23 bits of time. A row of 240 is no event: it advances the time of all later
+ * records by 8,192 us.
  *
  * <p>Thread rule: one thread.
  */
@@ -39,7 +39,7 @@ final class NmnistDecoder implements StreamDecoder {
    * A decoder before the first record.
    *
    * @param geometry the sensor; events outside are left out
-   * @param violations where to count what is wrong
+   * @param violations counts violations
    */
   public NmnistDecoder(SensorGeometry geometry, ViolationCounts violations) {
     width = geometry.width();

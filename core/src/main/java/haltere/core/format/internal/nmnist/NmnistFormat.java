@@ -6,14 +6,12 @@ import haltere.core.format.FileHead;
 import haltere.core.format.ProbeResult;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFile;
-import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingReader;
-import haltere.core.format.RecordingWriter;
 import haltere.core.format.Support;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.decoding.EventCursor;
 import haltere.core.format.internal.decoding.FileCursor;
+import haltere.core.format.internal.decoding.ReadOnlyFormat;
 import haltere.core.format.internal.decoding.SensorGuess;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
@@ -24,10 +22,10 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The files of N-MNIST and N-Caltech101: read only. They have no mark; a file is taken for one if
- * its bytes, as records, have times that ascend.
+ * The files of N-MNIST and N-Caltech101: read only. They have no signature; a file is one if its
+ * bytes, as records, have ascending times.
  */
-public final class NmnistFormat implements RecordingFormat {
+public final class NmnistFormat implements ReadOnlyFormat {
   /** So many records make a clock, and one of them in a hundred may be out of order. */
   private static final int FEWEST_RECORDS = 16;
 
@@ -62,11 +60,6 @@ public final class NmnistFormat implements RecordingFormat {
   @Override
   public boolean sharesExtensions() {
     return true;
-  }
-
-  @Override
-  public boolean writable() {
-    return false;
   }
 
   @Override
@@ -124,10 +117,5 @@ public final class NmnistFormat implements RecordingFormat {
       RecordingFile file, SensorGeometry geometry, ViolationCounts violations) {
     return new FileCursor(
         file, 0, ByteOrder.BIG_ENDIAN, new NmnistDecoder(geometry, violations), violations);
-  }
-
-  @Override
-  public Optional<RecordingWriter> create(Path file, WriteOptions options) {
-    return Optional.empty();
   }
 }

@@ -8,7 +8,7 @@ import java.util.zip.Inflater;
 
 /**
  * The bytes of an array, wherever they lie: in a file as they are, so that any place can be gone
- * to, or packed, so that going back means to start anew.
+ * to, or compressed, so that going back means to restart.
  *
  * <p>Thread rule: one thread.
  */
@@ -17,10 +17,10 @@ final class ArrayBytes {
 
   private final RecordingFile file;
   private final long start;
-  private final long packedBytes;
+  private final long compressedBytes;
   private final Inflater inflater;
   private final ByteBuffer piece = ByteBuffer.allocate(PIECE).limit(0);
-  private long packedAt;
+  private long compressedAt;
   private long at;
 
   /** Bytes as they are in a file. */
@@ -29,14 +29,14 @@ final class ArrayBytes {
   }
 
   /** Bytes that are deflated. */
-  static ArrayBytes deflated(RecordingFile file, long start, long packedBytes) {
-    return new ArrayBytes(file, start, packedBytes, new Inflater(true));
+  static ArrayBytes deflated(RecordingFile file, long start, long compressedBytes) {
+    return new ArrayBytes(file, start, compressedBytes, new Inflater(true));
   }
 
-  private ArrayBytes(RecordingFile file, long start, long packedBytes, Inflater inflater) {
+  private ArrayBytes(RecordingFile file, long start, long compressedBytes, Inflater inflater) {
     this.file = file;
     this.start = start;
-    this.packedBytes = packedBytes;
+    this.compressedBytes = compressedBytes;
     this.inflater = inflater;
   }
 
@@ -49,7 +49,7 @@ final class ArrayBytes {
     if (inflater != null) {
       return inflate(offset, target, length);
     }
-    int there = (int) Math.max(0, Math.min(length, packedBytes - offset));
+    int there = (int) Math.max(0, Math.min(length, compressedBytes - offset));
     ByteBuffer buffer = ByteBuffer.wrap(target, 0, there).slice();
     file.read(buffer, start + offset);
     return buffer.limit();
@@ -59,7 +59,7 @@ final class ArrayBytes {
     if (offset < at) {
       inflater.reset();
       piece.limit(0);
-      packedAt = 0;
+      compressedAt = 0;
       at = 0;
     }
     byte[] skipped = offset > at ? new byte[PIECE] : null;
@@ -80,7 +80,7 @@ final class ArrayBytes {
     return done;
   }
 
-  /** Unpacks some bytes; none at the end, or where the packing is damaged. */
+  /** Decompresses some bytes; none at the end, or where the compression is damaged. */
   private int inflate(byte[] target, int from, int length) throws IOException {
     try {
       while (true) {
@@ -89,20 +89,20 @@ final class ArrayBytes {
         if (count > 0 || inflater.finished() || inflater.needsDictionary()) {
           return count;
         }
-        int next = (int) Math.min(PIECE, packedBytes - packedAt);
+        int next = (int) Math.min(PIECE, compressedBytes - compressedAt);
         if (next <= 0) {
           return 0;
         }
         ByteBuffer buffer = ByteBuffer.wrap(piece.array(), 0, next).slice();
-        file.read(buffer, start + packedAt);
+        file.read(buffer, start + compressedAt);
         if (!buffer.hasRemaining()) {
           return 0;
         }
-        packedAt += buffer.limit();
+        compressedAt += buffer.limit();
         inflater.setInput(piece.array(), 0, buffer.limit());
       }
     } catch (DataFormatException damaged) {
-      packedAt = packedBytes;
+      compressedAt = compressedBytes;
       return 0;
     }
   }

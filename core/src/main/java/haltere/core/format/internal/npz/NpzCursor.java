@@ -4,15 +4,12 @@ import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.RecordingClock;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingOutline;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.clock.AscendingTimes;
-import haltere.core.format.internal.clock.EventTimes;
 import haltere.core.format.internal.decoding.EventColumn;
-import haltere.core.format.internal.decoding.EventCursor;
+import haltere.core.format.internal.decoding.RowCursor;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
@@ -20,7 +17,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** Reads the columns of events side by side, a piece at a time. */
-final class NpzCursor implements EventCursor {
+final class NpzCursor extends RowCursor {
   private static final int PIECE_ROWS = 4096;
   private static final int MAX_PIECE_BYTES = 1 << 20;
 
@@ -76,12 +73,10 @@ final class NpzCursor implements EventCursor {
   private final Part polarity;
   private final List<Part> parts = new ArrayList<>();
 
-  /** Next row, first row of the piece and rows in it. */
-  private long row;
-
+  /** First row of the piece and number of rows in it. */
   private long pieceStart;
+
   private int pieceCount;
-  private final AscendingTimes times = new AscendingTimes();
 
   NpzCursor(
       NpzLayout layout, RecordingFile file, SensorGeometry geometry, ViolationCounts violations) {
@@ -144,7 +139,7 @@ final class NpzCursor implements EventCursor {
     if (rows == 0) {
       return Optional.of(RecordingOutline.NOTHING);
     }
-    // The end of a packed column is reached only through all of it.
+    // The end of a compressed column is reached only through all of it.
     if (layout.columns().values().stream().anyMatch(column -> column.array().method() != 0)
         || time.read(0, 1, layout.timeScale()) < 1) {
       return Optional.empty();
@@ -209,7 +204,7 @@ final class NpzCursor implements EventCursor {
     return Stop.END;
   }
 
-  /** Where a row's time is, as far as that can be said. */
+  /** Offset of the time of a row, as far as it is known. */
   private long offset(long ofRow) {
     NpzLayout.Array array = layout.columns().get(EventColumn.TIME).array();
     long bytes = array.header().dataOffset() + ofRow * array.header().itemBytes();
@@ -217,36 +212,13 @@ final class NpzCursor implements EventCursor {
   }
 
   @Override
-  public RecordingClock clock() {
-    return RecordingClock.wide(RecordingClock.Zero.WRITERS_CHOICE);
+  protected long rows() {
+    return Math.max(1, layout.rows());
   }
 
   @Override
-  public EventTimes times() {
-    return times;
-  }
-
-  @Override
-  public long positionBytes() {
-    long rows = Math.max(1, layout.rows());
-    return row >= rows ? file.size() : (long) (file.size() * ((double) row / rows));
-  }
-
-  @Override
-  public int stateLongs() {
-    return 2;
-  }
-
-  @Override
-  public void save(long[] state, int at) {
-    state[at] = row;
-    times.save(state, at + 1);
-  }
-
-  @Override
-  public void restore(long[] state, int at) {
-    row = state[at];
-    times.restore(state, at + 1);
+  protected long fileBytes() {
+    return file.size();
   }
 
   @Override

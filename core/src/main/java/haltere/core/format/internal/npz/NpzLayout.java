@@ -16,15 +16,15 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * Where the columns of the events are.
+ * Columns of the events.
  *
- * @param columns by what they hold; there are times, columns and rows at least
- * @param rows events that all columns promise
- * @param lying whether columns promise different numbers, or more than their file can hold
- * @param cutOff whether the file has lost its end
+ * @param columns by content; at least times, columns and rows
+ * @param rows events that all columns claim
+ * @param lying whether columns claim different numbers, or more than their file can hold
+ * @param cutOff whether the file is truncated
  * @param timeScale power of ten that makes microseconds of the times
  * @param sensor its size, if the file states it
- * @param origin where rows count from, if the file says it
+ * @param origin origin of rows, if the file states it
  */
 record NpzLayout(
     Map<EventColumn, Column> columns,
@@ -163,7 +163,8 @@ record NpzLayout(
         continue;
       }
       Array unknown =
-          new Array(arrayName(entry), null, entry.method(), entry.offset(), entry.packedBytes());
+          new Array(
+              arrayName(entry), null, entry.method(), entry.offset(), entry.compressedBytes());
       byte[] start = new byte[NpyHeader.MAX_BYTES];
       ArrayBytes bytes = unknown.open(file);
       int length = bytes.read(0, start, start.length);

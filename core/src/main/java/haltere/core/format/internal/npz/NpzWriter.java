@@ -25,10 +25,10 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 
 /**
- * Writes a {@code .npz} as {@code numpy.savez} does, not packed: arrays {@code t} (microseconds, 64
- * bits), {@code x}, {@code y} (16 bits) and {@code p} (1 for ON, 0 for OFF), and the single values
- * {@code width}, {@code height} and {@code rows_up}. A column is collected in a file of its own
- * that is gone in the end, since an array says first how long it is; memory stays bounded.
+ * Writes a {@code .npz} as {@code numpy.savez} does, not compressed: arrays {@code t}
+ * (microseconds, 64 bits), {@code x}, {@code y} (16 bits) and {@code p} (1 for ON, 0 for OFF), and
+ * the single values {@code width}, {@code height} and {@code rows_up}. A column is collected in a
+ * temporary file, since an array starts with its length; memory is bounded.
  */
 final class NpzWriter implements RecordingWriter {
   private static final int PIECE_EVENTS = 8192;

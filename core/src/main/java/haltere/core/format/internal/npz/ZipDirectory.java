@@ -34,10 +34,10 @@ final class ZipDirectory {
    * @param name of it
    * @param method 0 stored, 8 deflated
    * @param offset where its bytes start
-   * @param packedBytes how many there are, as far as the file goes
+   * @param compressedBytes how many there are, as far as the file goes
    * @param whole whether the file has all of them
    */
-  record Entry(String name, int method, long offset, long packedBytes, boolean whole) {}
+  record Entry(String name, int method, long offset, long compressedBytes, boolean whole) {}
 
   private ZipDirectory() {}
 
@@ -137,13 +137,14 @@ final class ZipDirectory {
     return new String(bytes.array(), at, length, StandardCharsets.UTF_8);
   }
 
-  private static Entry entry(RecordingFile file, String name, int method, long start, long packed) {
+  private static Entry entry(
+      RecordingFile file, String name, int method, long start, long compressed) {
     long rest = Math.max(0, file.size() - start);
-    boolean whole = packed >= 0 && packed <= rest;
-    return new Entry(name, method, start, whole ? packed : rest, whole);
+    boolean whole = compressed >= 0 && compressed <= rest;
+    return new Entry(name, method, start, whole ? compressed : rest, whole);
   }
 
-  /** One entry behind the other, as far as each says how long it is. */
+  /** Sequential entries, as far as their sizes are stated. */
   private static List<Entry> found(RecordingFile file) throws IOException {
     List<Entry> entries = new ArrayList<>();
     long offset = 0;
@@ -172,7 +173,7 @@ final class ZipDirectory {
       if (!entry.whole()) {
         break;
       }
-      offset = start + entry.packedBytes();
+      offset = start + entry.compressedBytes();
     }
     return entries;
   }

@@ -70,9 +70,9 @@ public final class DecodingReader implements RecordingReader {
    * @param formatName the format's name
    * @param file the file, closed with the reader
    * @param geometry sensor of the events
-   * @param remarks what a user should know about how the file is read
+   * @param remarks remarks for users on how the file is read
    * @param options how large packets are
-   * @param violations what was found wrong up to now, and where everything else is counted
+   * @param violations the violations found so far; receives all others
    * @param cursors decode the events
    * @throws IOException if the file cannot be read
    */
@@ -94,11 +94,11 @@ public final class DecodingReader implements RecordingReader {
    * @param formatName the format's name
    * @param file the file, closed with the reader
    * @param geometry sensor of the events
-   * @param remarks what a user should know about how the file is read
-   * @param options how large packets are, and whether samples are wanted
-   * @param violations what was found wrong up to now, and where everything else is counted
+   * @param remarks remarks for users on how the file is read
+   * @param options size of packets, and whether samples are read
+   * @param violations the violations found so far; receives all others
    * @param cursors decode the events
-   * @param samples read frames, inertial samples and triggers; asked only if those are wanted
+   * @param samples read frames, inertial samples and triggers; used on request only
    * @throws IOException if the file cannot be read
    */
   public DecodingReader(

@@ -60,7 +60,7 @@ final class PacketBuffer {
         case CLOCK_WENT_BACK -> restart = true;
         case END -> atEnd = true;
         default -> {
-          // It has read a piece and goes on.
+          // It has read a piece and continues.
         }
       }
     }

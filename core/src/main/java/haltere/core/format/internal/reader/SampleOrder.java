@@ -22,7 +22,7 @@ final class SampleOrder implements Closeable {
   private static final long FALL_US = 2_000_000;
   private static final long ANY_TIME_US = Long.MAX_VALUE - LOOK_AHEAD_US;
 
-  /** Of a file without samples so much is looked through before the first events are given. */
+  /** Bytes searched for samples before the first events are returned. */
   private static final long LOOK_AHEAD_BYTES = 16 << 20;
 
   private static final int MAX_WAITING = 4096;

@@ -41,7 +41,7 @@ public final class MovingDotsScene implements Scene<DotTruth> {
   /**
    * A scene at its beginning.
    *
-   * @param settings what is to be seen
+   * @param settings of the scene
    */
   public MovingDotsScene(MovingDotsSettings settings) {
     this.settings = settings;

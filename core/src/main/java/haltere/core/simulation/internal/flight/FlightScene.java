@@ -18,7 +18,7 @@ import java.util.stream.IntStream;
 
 /**
  * A dark elongated body in free flight with saccades, before a bright ground, seen by one of
- * several cameras; what detectors of all cameras would say of it is at {@link #detections}.
+ * several cameras; {@link #detections} has the detections of all cameras.
  *
  * <p>A pixel makes an OFF event when the body's outline comes over it and an ON event when it
  * leaves it, at the time of the crossing and a random while later. The same settings make the same
@@ -46,7 +46,7 @@ public final class FlightScene implements Scene<FlightTruth> {
   /**
    * A scene at its beginning.
    *
-   * @param settings what is to be seen
+   * @param settings of the scene
    * @throws IllegalArgumentException if there is no such camera, or the room reaches the cameras
    */
   public FlightScene(FlightSettings settings) {
@@ -135,7 +135,7 @@ public final class FlightScene implements Scene<FlightTruth> {
   /**
    * The cameras.
    *
-   * @return as many as the settings say
+   * @return their number is a setting
    */
   public List<FlightCamera> cameras() {
     return cameras;
@@ -152,7 +152,7 @@ public final class FlightScene implements Scene<FlightTruth> {
   }
 
   /**
-   * What detectors say of the n-th pictures, with noise, outliers and gaps.
+   * Detections of the n-th pictures, with noise, outliers and gaps.
    *
    * @param picture from 0 on
    * @return at most one for each camera
@@ -162,10 +162,10 @@ public final class FlightScene implements Scene<FlightTruth> {
   }
 
   /**
-   * What detectors say of the n-th pictures, and which of it is false.
+   * Detections of the n-th pictures, and which of them are outliers.
    *
    * @param picture from 0 on
-   * @param outliers gets, for each camera, whether its angle has nothing to do with the body
+   * @param outliers receives, for each camera, whether its angle is an outlier
    * @return at most one for each camera
    */
   public List<FlightDetection> detections(long picture, boolean[] outliers) {

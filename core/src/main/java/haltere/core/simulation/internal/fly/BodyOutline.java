@@ -5,7 +5,7 @@ import java.util.Arrays;
 
 /**
  * The flicker of the body's outline: as the body sways, the light on the pixels around its outline
- * changes a little. Each of them is looked at once in two milliseconds, at a moment of its own.
+ * changes a little. Each of them is evaluated once in two milliseconds, at its own time.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -92,11 +92,11 @@ final class BodyOutline {
   }
 
   /**
-   * Looks at the pixels of a group.
+   * Evaluates the pixels of a group.
    *
    * @param group 0 to groups - 1
-   * @param fromUs beginning of the stretch in which they are looked at
-   * @param lengthUs of the stretch
+   * @param fromUs start of the time range
+   * @param lengthUs length of the time range
    * @param pose of the body in it
    */
   void look(int group, double fromUs, double lengthUs, FlyPose pose) {

@@ -3,10 +3,10 @@ package haltere.core.simulation.internal.fly;
 import haltere.core.settings.SettingsSchema;
 
 /**
- * What makes a tracker's life hard.
+ * Disturbances for trackers.
  *
- * @param manoeuvres what the fly does
- * @param wire what is in the way
+ * @param manoeuvres of the fly
+ * @param wire in the picture
  */
 public record DisturbanceSettings(ManoeuvreSettings manoeuvres, WireSettings wire) {
   /** Checks the values. */

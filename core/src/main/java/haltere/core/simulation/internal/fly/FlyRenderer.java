@@ -10,7 +10,7 @@ import haltere.core.simulation.internal.sensor.SensorSettings;
  * <p>Thread rule: one thread at a time.
  */
 final class FlyRenderer {
-  /** Motion of the body, at its ends, after which it is rendered anew. */
+  /** Motion of the ends of the body after which it is rendered again. */
   private static final double STALE_PX = 0.02;
 
   /** Width of a vein, pixels: a hundredth of a wing's length. */
@@ -151,7 +151,7 @@ final class FlyRenderer {
     to[y] = Math.max(to[y], raster.to(y));
   }
 
-  /** Adds what lies between two lines along the wing, each by a width further out. */
+  /** Adds the area between two lines along the wing, each extended by a width. */
   private void polygon(
       CoverageRaster raster,
       double hingeX,

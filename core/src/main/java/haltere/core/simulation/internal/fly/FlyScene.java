@@ -10,12 +10,11 @@ import haltere.core.simulation.internal.sensor.SceneSensor;
  *
  * <p>Each wing is a dark sector about its hinge that beats with a published stroke waveform ({@link
  * StrokeWaveform}); frequency and amplitude vary smoothly and at seeded times the fly manoeuvres.
- * The edge in front takes light from the pixels (OFF), the edge behind gives it back (ON). The
- * pixels ({@code PixelArray}) are solved exactly for every passage of an edge, so the photoreceptor
- * thins out the events of fast edges in the middle of the stroke and crowds them at the reversals,
- * and delays what is left. The body's outline flickers as the body sways. Latency, jitter,
- * threshold mismatch, refractory period, noise, hot pixels and the limit of the bus are as the
- * settings say.
+ * The leading edge darkens pixels (OFF), the trailing edge brightens them (ON). The pixels ({@code
+ * PixelArray}) are solved exactly for every passage of an edge, so the photoreceptor thins out the
+ * events of fast edges in the middle of the stroke and crowds them at the reversals, and delays
+ * what is left. The body's outline flickers as the body sways. Latency, jitter, threshold mismatch,
+ * refractory period, noise, hot pixels and the limit of the bus are as the settings say.
  *
  * <p>The same settings make the same events, bit for bit, on every machine. The stream is made as
  * it is pulled, in constant memory, and ends only if the settings give it a length. Truth is a pure
@@ -36,7 +35,7 @@ public final class FlyScene extends TetheredFlyScene {
   /**
    * A scene at its beginning.
    *
-   * @param settings what is to be seen
+   * @param settings of the scene
    */
   public FlyScene(FlySceneSettings settings) {
     this(settings, MAX_EVENTS);

@@ -39,7 +39,7 @@ public final class RenderedFlyScene extends TetheredFlyScene {
   /**
    * A scene at its beginning.
    *
-   * @param settings what is to be seen
+   * @param settings of the scene
    */
   public RenderedFlyScene(RenderedFlySceneSettings settings) {
     this(settings, MAX_EVENTS);

@@ -16,7 +16,7 @@ public enum StrokeWaveform {
   CHEN_SUN(new double[] {-60.48, -5.34, -2.79, 0.33}, new double[] {3.00, -7.55, -1.33, -0.30}),
   /** A plain sinusoid. */
   SINUSOID(new double[] {0, 0, 0, 0}, new double[] {60, 0, 0, 0}),
-  /** A sinusoid with a second and a third harmonic as the settings say. */
+  /** A sinusoid with a second and a third harmonic by the settings. */
   FREE(new double[] {0, 0, 0, 0}, new double[] {60, 0, 0, 0});
 
   private final double[] cosines;

@@ -2,7 +2,7 @@ package haltere.core.simulation.internal.fly;
 
 /**
  * The outline of a wing and how it is seen from above. The chord is divided by the axis about which
- * the wing pitches; of both parts the share is seen that the projection says: 1 for a chord in the
+ * the wing pitches; the visible share of both parts is that of the projection: 1 for a chord in the
  * stroke plane, 0 for one across it, negative for a wing that has flipped over.
  *
  * <p>Thread rule: immutable.

@@ -16,7 +16,7 @@ import java.util.Arrays;
  * <p>Thread rule: one thread at a time.
  */
 final class WingSweep {
-  /** Motion of the fly, at the wing's tip, after which the pixels' angles are computed anew. */
+  /** Motion of the fly, at the wing's tip, after which the pixels' angles are recomputed. */
   static final double STALE_PX = 0.05;
 
   /** Pixels nearer to the hinge than this never see the wing. */
@@ -25,7 +25,7 @@ final class WingSweep {
   private static final double REBUILD_PX = 2;
   private static final int SHADOWS = 4096;
 
-  // whether a pixel of the list can see the wing until the list is made anew
+  // whether a pixel of the list can see the wing until the next list
   private static final byte ALWAYS = 0;
   private static final byte NEVER = 1;
   private static final byte DEPENDS = 2;

@@ -12,7 +12,7 @@ import java.util.List;
  * @param kind of the vehicle
  * @param widthM metres
  * @param lengthM metres
- * @param parts what is seen of it
+ * @param parts its visible parts
  */
 record Bodywork(VehicleKind kind, double widthM, double lengthM, List<PaintedBox> parts) {
   private static final double GLASS = -1.0;

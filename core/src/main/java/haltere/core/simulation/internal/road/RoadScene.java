@@ -35,7 +35,7 @@ public final class RoadScene extends SensorScene<RoadTruth> {
   /**
    * A scene at its beginning.
    *
-   * @param settings what is to be seen
+   * @param settings of the scene
    */
   public RoadScene(RoadSceneSettings settings) {
     this(settings, MAX_EVENTS);

@@ -55,7 +55,7 @@ public final class BackgroundNoise {
     nextUs = fromUs + pause();
   }
 
-  /** Drawn at the first use: a scene whose truth alone is asked for needs none. */
+  /** Drawn at the first use, since the truth alone needs no noise. */
   private NoisyPixels noisy() {
     if (noisy == null) {
       noisy = draw();
@@ -101,7 +101,7 @@ public final class BackgroundNoise {
    * Makes the events before a time.
    *
    * @param untilUs microseconds since the beginning
-   * @param merger takes them
+   * @param merger receives them
    */
   public void addUntil(double untilUs, EventMerger merger) {
     while (nextUs < untilUs) {

@@ -59,9 +59,9 @@ public final class EventMerger {
   }
 
   /**
-   * Changes latency, jitter, refractory period and bus for what is added or sent from now on.
+   * Changes latency, jitter, refractory period and bus for later events.
    *
-   * @param pixel the new ones
+   * @param pixel the new settings
    */
   public void tune(PixelSettings pixel) {
     latencyUs = pixel.latencyUs();

@@ -70,7 +70,7 @@ public final class PacketCutter {
   /**
    * Hands over the next packet, or the start or the end.
    *
-   * @param handler takes it
+   * @param handler receives it
    * @return false once the end has been handed over
    */
   public boolean next(StreamHandler handler) {

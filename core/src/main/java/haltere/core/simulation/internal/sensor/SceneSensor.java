@@ -114,7 +114,7 @@ public final class SceneSensor<P extends SensorPixels> {
   }
 
   /**
-   * Lets all pixels and the noise come to a time, when the scene has changed what it wanted.
+   * Advances all pixels and the noise to a time, after the changes of the scene.
    *
    * @param timeUs microseconds from the scene's start
    */

@@ -5,7 +5,7 @@ import haltere.core.event.EventAddress;
 /**
  * The pixels of an event sensor behind their photoreceptors. Each compares its level with the level
  * at the end of its last event's refractory period (without one: a threshold from the last
- * crossing). A subclass says how the level follows the light.
+ * crossing). A subclass defines the response of the level to light.
  *
  * <p>Light is relative to the bright background, whose level is 0; levels are natural logarithms.
  * Times are in microseconds since the beginning. Thread rule: one thread at a time.
@@ -13,7 +13,7 @@ import haltere.core.event.EventAddress;
 abstract class SensorPixels {
   private static final double MIN_THRESHOLD_SHARE = 0.25;
 
-  // what is known of a pixel lies together, a cache line each
+  // the state of a pixel is one cache line
   static final int FIELDS = 8;
   static final int LEVEL = 0;
   static final int TARGET = 1;

@@ -11,7 +11,7 @@ import haltere.core.stream.StreamHandler;
  * @param <T> the record of one row of ground truth
  */
 public abstract class SensorScene<T extends Record> implements TunableScene<T> {
-  /** Most events of a packet, unless a scene says otherwise. */
+  /** Default of the largest number of events of a packet. */
   protected static final int MAX_EVENTS = 4096;
 
   private final SceneSensor<?> sensor;

@@ -158,7 +158,7 @@ class Aedat2FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aLeapThatTheClockCannotHoldIsTold() throws IOException {
+  void aLeapThatTheClockCannotHoldIsReported() throws IOException {
     Path file = folder.resolve("leap.aedat");
     EventPacket written = new EventPacket(2);
     written.append(0, 1, 1, true);
@@ -173,7 +173,7 @@ class Aedat2FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void anEventOutsideOfTheSensorIsLeftOutAndTold() throws IOException {
+  void anEventOutsideOfTheSensorIsLeftOutAndReported() throws IOException {
     Path file = folder.resolve("outside.aedat");
     EventPacket written = new EventPacket(3);
     written.append(0, 345, 259, true);

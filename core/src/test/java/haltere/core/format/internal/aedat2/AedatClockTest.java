@@ -51,14 +51,14 @@ class AedatClockTest {
   }
 
   @Test
-  void aWrapFromPlusToMinusGoesOn() throws IOException {
+  void aWrapFromPlusToMinusContinues() throws IOException {
     StreamRecorder recorder = read(MAX - 5, MAX, MIN, MIN + 7);
     assertTimes(recorder, MAX - 5L, MAX, MAX + 1L, MAX + 8L);
     assertEquals(List.of(), recorder.notifications(Reset.class));
   }
 
   @Test
-  void aFullTurnOfTheClockGoesOnForAsLongAsItLikes() throws IOException {
+  void aFullTurnOfTheClockContinuesForAsLongAsItLikes() throws IOException {
     int turns = 5;
     int steps = 16;
     int[] times = new int[turns * steps];

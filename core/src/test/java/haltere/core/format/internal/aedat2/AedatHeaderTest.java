@@ -139,7 +139,7 @@ class AedatHeaderTest {
   }
 
   @Test
-  void withoutAnEndLineARecordThatPassesForALineIsToldByTheClock() throws IOException {
+  void withoutAnEndLineARecordThatPassesForALineIsDeterminedByTheClock() throws IOException {
     for (int lineFeedAt = 0; lineFeedAt < 20; lineFeedAt++) {
       AedatFile bytes = AedatFile.version1().text("# Timestamps tick is 1 us\r\n");
       for (int i = 0; i < 25; i++) {

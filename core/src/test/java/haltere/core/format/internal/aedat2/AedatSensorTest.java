@@ -76,7 +76,7 @@ class AedatSensorTest {
   }
 
   @Test
-  void anUnnamedDvs128IsToldByItsAddressesWithARemark() throws IOException {
+  void anUnnamedDvs128IsDeterminedByItsAddressesWithARemark() throws IOException {
     try (RecordingReader reader = open(AedatFile.version2().dvs128(1, 100, 90, false))) {
       assertEquals(DVS128, reader.geometry());
       assertEquals(1, reader.remarks().size());
@@ -85,7 +85,7 @@ class AedatSensorTest {
   }
 
   @Test
-  void anUnnamedDavisIsToldByItsAddressesWithRemarks() throws IOException {
+  void anUnnamedDavisIsDeterminedByItsAddressesWithRemarks() throws IOException {
     AedatFile bytes = AedatFile.version2().davis240(1, 0, 179, true).davis240(2, 9, 9, true);
     try (RecordingReader reader = open(bytes)) {
       assertEquals(DAVIS240, reader.geometry());

@@ -215,7 +215,7 @@ class Aedat3FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void packetsThatArePackedAreRefused() throws IOException {
+  void compressedPacketsAreRefused() throws IOException {
     byte[] bytes = new Builder().text("#!AER-DAT3.1\n#Format: PNGFrames\n#!END-HEADER\n").toBytes();
     Path file = Files.write(folder.resolve("packed.aedat"), bytes);
     RecordingProblem refused =

@@ -13,7 +13,7 @@ import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
 import haltere.core.format.Violation;
 import haltere.core.format.WriteOptions;
-import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.compression.LittleEndian;
 import haltere.testing.EventPackets;
 import haltere.testing.RecordingFormatContract;
 import haltere.testing.StreamRecorder;
@@ -243,7 +243,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void eventsOutsideOfTheSensorAreLeftOutAndTold() throws IOException {
+  void eventsOutsideOfTheSensorAreLeftOutAndReported() throws IOException {
     Path file = folder.resolve("outside.aedat4");
     EventPacket written = new EventPacket(4);
     written.append(0, 345, 259, true);

@@ -131,7 +131,7 @@ class PacketTableTest {
   }
 
   @Test
-  void aTableThatLiesIsNotBelievedAndDoesNoHarm() throws IOException {
+  void anInconsistentTableIsIgnored() throws IOException {
     byte[] bytes = file(Aedat4Compression.NONE);
     Path without = withoutTable(bytes);
     int table = (int) numbers(bytes).getLong(TABLE_POSITION);

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.format.RecordingFile;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.packed.FileWindow;
+import haltere.core.format.internal.compression.FileWindow;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

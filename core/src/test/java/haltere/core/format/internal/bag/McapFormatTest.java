@@ -106,7 +106,7 @@ class McapFormatTest extends RecordingFormatContract {
     }
     int first = chunks.get(0);
     EventPacket events = BagResources.events();
-    // The kind, the packing, and a high byte of the length.
+    // The kind, the compression, and a high byte of the length.
     for (int damagedAt : new int[] {first, first + 41, first + 51}) {
       byte[] damaged = bytes.clone();
       damaged[damagedAt] = 0x7e;

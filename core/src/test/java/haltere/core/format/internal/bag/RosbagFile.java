@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Puts a ROS 1 bag together, chunks not packed. */
+/** Puts a ROS 1 bag together, chunks not compressed. */
 final class RosbagFile {
   private static final int BAG_RECORD = 4096;
 
@@ -96,16 +96,16 @@ final class RosbagFile {
     return chunk("none", chunk.toByteArray(), chunk.size());
   }
 
-  /** Puts in a chunk that is packed already. */
-  RosbagFile chunk(String packing, byte[] packed, int unpackedBytes) {
+  /** Puts in a chunk that is compressed already. */
+  RosbagFile chunk(String compression, byte[] compressed, int decompressedBytes) {
     chunks.add(bytes.size());
     bytes.writeBytes(
         record(
             join(
                 op(RosbagRecord.CHUNK),
-                text("compression", packing),
-                field("size", number(unpackedBytes, 4))),
-            packed));
+                text("compression", compression),
+                field("size", number(decompressedBytes, 4))),
+            compressed));
     chunk.reset();
     bytes.writeBytes(
         record(

@@ -221,7 +221,7 @@ class RosbagFormatTest extends RecordingFormatContract {
       damaged[damagedAt] ^= 0x55;
       assertEquals(expected, read(damaged), "byte " + (damagedAt - second) + " of the chunk");
     }
-    // A chunk that says that it goes on for 2 GB.
+    // A chunk that says that it continues for 2 GB.
     byte[] lying = bytes.clone();
     int header = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt(second);
     lying[second + 4 + header + 3] = 0x7f;

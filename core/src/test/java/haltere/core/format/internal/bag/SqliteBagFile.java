@@ -10,7 +10,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 
-/** Puts a ROS 2 bag in SQLite together: a page for each message, and pages that it goes on over. */
+/**
+ * Puts a ROS 2 bag in SQLite together: a page for each message, and pages that it continues over.
+ */
 final class SqliteBagFile {
   private static final int PAGE = 512;
   private static final int MESSAGE_EVENTS = 4000;
@@ -96,10 +98,10 @@ final class SqliteBagFile {
     return of(MESSAGE_EVENTS, UnaryOperator.identity(), sensor, packets);
   }
 
-  /** The same with messages of so many events, which are packed one by one. */
+  /** The same with messages of so many events, which are compressed one by one. */
   static byte[] of(
       int messageEvents,
-      UnaryOperator<byte[]> packing,
+      UnaryOperator<byte[]> compression,
       SensorGeometry sensor,
       EventPacket... packets) {
     SqliteBagFile bag = new SqliteBagFile();
@@ -130,7 +132,7 @@ final class SqliteBagFile {
       EventPacket part =
           EventPackets.part(events, from, Math.min(from + messageEvents, events.size()));
       messages.add(row(null, 1L, 5L, new RosBytes(true).text("nothing").toBytes()));
-      messages.add(row(null, 2L, 6L, packing.apply(RosBytes.array(true, sensor, part))));
+      messages.add(row(null, 2L, 6L, compression.apply(RosBytes.array(true, sensor, part))));
     }
     if (messages.isEmpty()) {
       bag.leaf(root, 0, 1);

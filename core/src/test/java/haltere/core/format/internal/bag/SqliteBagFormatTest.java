@@ -90,7 +90,7 @@ class SqliteBagFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void messagesThatRosbag2PackedOneByOneAreRead() throws IOException {
+  void messagesThatRosbag2CompressedOneByOneAreRead() throws IOException {
     for (String name : new String[] {"array-packed.db3", "array-packed.mcap"}) {
       Path file = Files.write(folder.resolve(name), BagResources.bytes(name));
       StreamRecorder recorder = new StreamRecorder();
@@ -108,7 +108,7 @@ class SqliteBagFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aPackedMessageThatIsTooLargeForMemoryIsUnpackedPieceByPiece() throws IOException {
+  void aCompressedMessageTooLargeForMemoryIsDecompressedPieceByPiece() throws IOException {
     int count = 400_000;
     EventPacket events = EventPackets.uniform(DAVIS346, 3, count, 0, 1.5);
     Path file = folder.resolve("large.db3");

@@ -130,7 +130,7 @@ class CsvReadingTest extends RecordingFormatContract {
             + "1.500000500000000000e+00 4.000000000000000000e+00 9.0 0.0\n"
             + "2.000000000000000000e+00 9.000000000000000000e+00 0.0 1.0\n"
       })
-  void columnsAreToldByNamesOrFoundOut(String text) throws IOException {
+  void columnsAreDeterminedByNamesOrContent(String text) throws IOException {
     assertEquals(expected(), events(text));
   }
 

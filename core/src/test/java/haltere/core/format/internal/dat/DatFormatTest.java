@@ -101,7 +101,7 @@ class DatFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void timesBeyondThirtyTwoBitsComeBackAndAreTold() throws IOException {
+  void timesBeyondThirtyTwoBitsComeBackAndAreReported() throws IOException {
     for (long startUs : new long[] {1_718_925_184_590_631L, -5_000_000_000L, 4_294_967_290L}) {
       Path file = folder.resolve("long" + startUs + ".dat");
       EventPacket written = EventPackets.uniform(GEN4, 1, 3000, startUs, 5_000_000);
@@ -114,7 +114,7 @@ class DatFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aLeapThatTheClockCannotHoldIsTold() throws IOException {
+  void aLeapThatTheClockCannotHoldIsReported() throws IOException {
     EventPacket written = new EventPacket(0);
     written.append(5, 1, 1, true);
     written.append(5 + (3L << 32), 1, 1, true);
@@ -184,7 +184,7 @@ class DatFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void eventsOutsideAreLeftOutAndTold() throws IOException {
+  void eventsOutsideAreLeftOutAndReported() throws IOException {
     EventPacket written = new EventPacket(0);
     written.append(0, 1279, 719, true);
     written.append(1, 1280, 0, true);

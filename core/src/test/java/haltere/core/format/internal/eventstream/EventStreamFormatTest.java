@@ -31,7 +31,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Event Stream keeps the contract of all formats, as far as a clock that only goes on can. */
+/** Event Stream keeps the contract of all formats, as far as a clock that only continues can. */
 class EventStreamFormatTest extends RecordingFormatContract {
   private static final SensorGeometry SENSOR = new SensorGeometry(320, 240, Origin.TOP);
 
@@ -215,7 +215,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aStartThatTheClockCannotHoldIsMovedToZeroAndTold() throws IOException {
+  void aStartThatTheClockCannotHoldIsMovedToZeroAndReported() throws IOException {
     for (long startUs : new long[] {-5, 1_718_925_184_590_631L}) {
       EventPacket written = EventPackets.uniform(SENSOR, 1, 1000, startUs, 30);
       Path file = folder.resolve("start" + startUs + ".es");
@@ -236,7 +236,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void eventsOutsideAreLeftOutAndTold() throws IOException {
+  void eventsOutsideAreLeftOutAndReported() throws IOException {
     EventPacket written = new EventPacket(0);
     written.append(500, 320, 0, true);
     written.append(600, 319, 239, true);

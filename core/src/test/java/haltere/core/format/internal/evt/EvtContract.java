@@ -151,7 +151,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void aLeapThatTheClockCannotHoldIsTold() throws IOException {
+  void aLeapThatTheClockCannotHoldIsReported() throws IOException {
     EventPacket late = EventPackets.uniform(GEN3, 1, 10, 40 * HOUR_US, 3);
     EventPacket early = EventPackets.uniform(GEN3, 2, 10, 0, 3);
     try (RecordingWriter writer =
@@ -167,7 +167,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void anEventOutsideOfTheSensorIsLeftOutAndTold() throws IOException {
+  void anEventOutsideOfTheSensorIsLeftOutAndReported() throws IOException {
     EventPacket written = new EventPacket(0);
     written.append(0, 639, 479, true);
     written.append(0, 640, 479, true);

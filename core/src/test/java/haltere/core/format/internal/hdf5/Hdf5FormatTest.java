@@ -34,7 +34,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** HDF5 keeps the contract of all formats, whoever laid the events out and however packed. */
+/** HDF5 keeps the contract of all formats, whoever laid the events out and however compressed. */
 class Hdf5FormatTest extends RecordingFormatContract {
   private static final SensorGeometry SENSOR = new SensorGeometry(346, 260);
   private static final int THEIRS = 300;
@@ -116,7 +116,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
     return events;
   }
 
-  /** Files of other programs whose chunks are plain or packed with DEFLATE or LZF. */
+  /** Files of other programs whose chunks are plain or compressed with DEFLATE or LZF. */
   static Stream<String> layouts() {
     return Stream.of(
         "old-deflate-shuffle-fletcher32",
@@ -132,7 +132,9 @@ class Hdf5FormatTest extends RecordingFormatContract {
         "nanoseconds-user-block");
   }
 
-  /** Files of other programs whose chunks are packed by filters that are registered with HDF5. */
+  /**
+   * Files of other programs whose chunks are compressed by filters that are registered with HDF5.
+   */
   static Stream<String> compressions() {
     return Stream.of("blosc-zstd", "blosc-blosclz-bits", "blosc-lz4", "zstd", "lz4");
   }
@@ -281,7 +283,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void eventsOutsideOfTheSensorAreLeftOutAndTold() throws IOException {
+  void eventsOutsideOfTheSensorAreLeftOutAndReported() throws IOException {
     EventPacket events = new EventPacket(2);
     events.append(1, 345, 259, true);
     events.append(2, 346, 0, true);

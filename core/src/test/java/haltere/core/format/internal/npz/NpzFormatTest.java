@@ -162,7 +162,7 @@ class NpzFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void packedArraysOfAnyTypeAreReadSideBySideAndSoughtIn() throws IOException {
+  void compressedArraysOfAnyTypeAreReadAndSought() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 1, 30_000, 1_718_925_184_590_631L, 40);
     for (boolean seconds : new boolean[] {true, false}) {
       Path file = folder.resolve("packed-" + seconds + ".npz");
@@ -270,7 +270,7 @@ class NpzFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void arraysOfDifferentLengthsAreToldAndReadAsFarAsTheyGoTogether() throws IOException {
+  void arraysOfDifferentLengthsAreReportedAndReadToTheShortest() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 5, 1000, 5, 40);
     Map<String, byte[]> arrays = columns(events, false);
     Map<String, byte[]> shorter = columns(EventPackets.part(events, 0, 700), false);

@@ -159,7 +159,7 @@ class RoadTruthTest {
   }
 
   @Test
-  void aVehicleStandsAsLongAsTheSettingsSayAndGoesOn() {
+  void aVehicleStandsAsLongAsTheSettingsSayAndContinues() {
     int stops = 0;
     for (List<RoadTruth> rows : watch(only("stop", "traffic.encounters.stopS=1.5"), 60).values()) {
       int first = -1;

@@ -14,7 +14,7 @@ public final class MeasurementSeries {
    */
   private static final double MIN_NOISE = 1e-12;
 
-  /** Noise that says nothing of a motion on the earth: its radius is 6e6 m. */
+  /** Largest noise, above the radius of the earth, 6e6 m. */
   private static final double MAX_NOISE = 1e7;
 
   private final List<Measurement> measurements;

@@ -28,12 +28,12 @@ import org.ejml.dense.row.mult.VectorVectorMult_DDRM;
  * = 3 rad/s with a variance of 1,000 rad²/s².
  *
  * <p>From so wide a start an extended Kalman filter diverges. It linearises the first measurements
- * at wrong v, ζ and ω, where they seem to tell of ζ and ω what they do not, and its covariance
- * shrinks for good. Here {@link BatchLeastSquares} over all measurements so far replaces the
- * filter's state and covariance each time their number has grown by a quarter. It begins at the
- * trajectory found before, and also at the start where the residuals of that one are no noise (χ²,
- * 95 %); the better fit is taken. (ζ, ω) and (−ζ, −ω) are the same motion; the one with ω ≥ 0 is
- * given. A state that oscillates or decays faster than once between two measurements is none.
+ * at wrong v, ζ and ω, where ζ and ω seem observable, and its covariance shrinks permanently. Here
+ * {@link BatchLeastSquares} over all measurements so far replaces the filter's state and covariance
+ * each time their number has grown by a quarter. It begins at the trajectory found before, and also
+ * at the start where the residuals of that one are no noise (χ², 95 %); the better fit is taken.
+ * (ζ, ω) and (−ζ, −ω) are the same motion; the one with ω ≥ 0 is returned. A state that oscillates
+ * or decays faster than once between two measurements is invalid.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -106,7 +106,7 @@ public final class Oscillator {
                 + (float) series.dtS(k)
                 + " s before t_s = "
                 + series.get(k).tS()
-                + "; an oscillation needs one a second");
+                + "; an oscillation needs one per second");
       }
     }
   }

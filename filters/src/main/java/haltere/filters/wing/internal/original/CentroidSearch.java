@@ -17,16 +17,16 @@ import java.util.function.Consumer;
 /**
  * Finds the fly as Cardinale (2006) does: two means of the pixels that the first events come from,
  * the body in the middle between both, its heading across the line through them, its size their
- * distance. A running average over the OFF events of each wing tells head from tail. There are no
- * hinges: stroke angles are those about the body's centre. The frequency is not looked for.
+ * distance. A running average over the OFF events of each wing resolves head and tail. Stroke
+ * angles are about the centre of the body, without hinges. The frequency is not searched.
  *
  * <p>Thread rule: one thread at a time.
  */
 public final class CentroidSearch implements FlySearch {
-  /** Frequency that the filters begin with unless the settings say one, hertz. */
+  /** Initial frequency of the filters if the settings have none, hertz. */
   private static final double START_HZ = 240;
 
-  /** Weight of an event in the running average that tells head from tail. */
+  /** Weight of an event in the running average that resolves head and tail. */
   private static final double MIXING = 0.1;
 
   private final SensorGeometry sensor;
@@ -34,7 +34,7 @@ public final class CentroidSearch implements FlySearch {
   private final Consumer<WingTrackerState> steps;
   private final TwoMeans means = new TwoMeans();
 
-  /** Pixels that events came from, in the order of their first events. */
+  /** Pixels in the order of their first events. */
   private double[] x = {};
 
   private double[] y = {};
@@ -46,9 +46,9 @@ public final class CentroidSearch implements FlySearch {
   /**
    * A search.
    *
-   * @param sensor whose events they are
+   * @param sensor of the events
    * @param recent the events that are searched
-   * @param steps takes what is found on the way
+   * @param steps receives each step
    */
   public CentroidSearch(
       SensorGeometry sensor, RecentEvents recent, Consumer<WingTrackerState> steps) {
@@ -78,7 +78,7 @@ public final class CentroidSearch implements FlySearch {
     return found;
   }
 
-  /** Two means are always found: they say nothing of a wing that is missing. */
+  /** Two means always exist, also without a second wing. */
   @Override
   public FoundFly lookForBoth(long timeUs, WingSearchSettings settings) {
     return null;
@@ -140,8 +140,8 @@ public final class CentroidSearch implements FlySearch {
   }
 
   /**
-   * How far the averaged leading edge of a wing moves, positive if it keeps nearer to the tail than
-   * to the head. Where both wings disagree the larger stroke decides.
+   * Amplitude of the averaged leading edge of a wing, positive if it stays nearer to the tail than
+   * to the head. If the wings disagree, the larger stroke decides.
    */
   private double vote(double bodyX, double bodyY, double heading, int turn, double reach) {
     double average = Math.PI / 2;

@@ -6,21 +6,19 @@ import haltere.filters.wing.WingNoiseSettings;
 import haltere.filters.wing.internal.stroke.EdgeNoise;
 
 /**
- * Process noise of an edge's filter as in Cardinale (2006): the same at each update that has a new
- * time, whatever the time since the last one. Phase and frequency have all of their noise in
- * common. The mean of several events stands for the time of the last one.
+ * Process noise of the filter of an edge as in Cardinale (2006): the same at each update with a new
+ * time, independent of the time step. The noise of phase and frequency is fully correlated. An
+ * average of events has the time of the last one.
  */
 public final class UpdateNoise implements EdgeNoise {
   private static final int AMPLITUDE = 1;
   private static final int PHASE = 2;
   private static final int OMEGA = 3;
 
-  /**
-   * Correlation of phase and frequency at the launch: 1 in the source, as near as stays regular.
-   */
+  /** Initial correlation of phase and frequency: 1 in Cardinale (2006), but here regular. */
   private static final double START_COVARIANCE = 1 - 1e-9;
 
-  /** Noise as the original has it. */
+  /** The noise of Cardinale (2006). */
   public UpdateNoise() {}
 
   @Override
@@ -36,7 +34,7 @@ public final class UpdateNoise implements EdgeNoise {
     belief.addNoise(PHASE, OMEGA, Math.sqrt(q[PHASE] * q[OMEGA]));
   }
 
-  /** A stroke without an amplitude begins with 1 rad, and with the centre for its phase. */
+  /** {@inheritDoc} A stroke without an amplitude starts with 1 rad and the centre as its phase. */
   @Override
   public void launch(GaussianState belief) {
     EdgeNoise.super.launch(belief);

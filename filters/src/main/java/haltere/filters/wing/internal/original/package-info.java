@@ -1,5 +1,5 @@
 /**
- * What the wing tracker of Cardinale (2006) does in its own way: {@link
+ * Differences of the wing tracker of Cardinale (2006): {@link
  * haltere.filters.wing.internal.original.CentroidSearch} finds the fly, {@link
  * haltere.filters.wing.internal.original.UpdateNoise} is the noise of its filters. It is there for
  * comparison; nothing else in the wing tracker knows it.

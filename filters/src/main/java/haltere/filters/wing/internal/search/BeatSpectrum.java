@@ -3,16 +3,14 @@ package haltere.filters.wing.internal.search;
 import java.util.Arrays;
 
 /**
- * Finds the beat in how the events' mean place moves to and fro: a least squares fit of a sinusoid
- * with a free mean to the mean places of short bins, for every frequency of a grid (the periodogram
- * of Lomb and Scargle with floating mean, Zechmeister and Kuerster 2009, here with as many weights
- * as events). As both wings swing along the body axis together, it also gives the axis.
- *
- * <p>The mean place swings once a beat, while the number of events swings twice; so half and double
- * frequencies are not mistaken for the beat.
+ * Spectrum of the events' mean position: a least-squares sinusoid with a free mean through the mean
+ * positions of short bins, weighted by their events, for every frequency of a grid (Lomb-Scargle
+ * periodogram with floating mean, Zechmeister and Kuerster 2009). The direction of the oscillation
+ * is the body axis. The mean position oscillates once a beat and the number of events twice, which
+ * excludes half and double frequencies.
  */
 final class BeatSpectrum {
-  /** A frequency that explains so many times more than another one is another: half power. */
+  /** Ratio of explained variances above which two frequencies differ: half power. */
   static final double CLEARLY = 2;
 
   private static final double BIN_S = 250e-6;
@@ -30,16 +28,16 @@ final class BeatSpectrum {
   private double meanY;
   private double scatter;
 
-  /** What was found: the frequency, hertz. */
+  /** The frequency that was found, hertz. */
   double frequencyHz;
 
-  /** How much of the scatter of the mean places the sinusoid explains, 0 to 1. */
+  /** Explained share of the variance of the mean positions, 0 to 1. */
   double explained;
 
-  /** Direction of the swing, radians, modulo pi. */
+  /** Direction of the oscillation, radians, modulo pi. */
   double axisRad;
 
-  /** Begins with no events. */
+  /** Removes all events. */
   void clear() {
     bins = 0;
     Arrays.fill(weight, 0);
@@ -47,7 +45,7 @@ final class BeatSpectrum {
     Arrays.fill(sumY, 0);
   }
 
-  /** Adds an event at a time after the beginning. */
+  /** Adds an event, at a time after the start. */
   void add(double timeS, double x, double y) {
     int bin = (int) (timeS / BIN_S);
     if (bin >= 0 && bin < BINS) {
@@ -61,7 +59,7 @@ final class BeatSpectrum {
   /**
    * Searches a range of frequencies.
    *
-   * @return false if there is too little to search in
+   * @return false if there are too few events
    */
   boolean search(double fromHz, double toHz) {
     if (!settle()) {
@@ -82,7 +80,7 @@ final class BeatSpectrum {
     return true;
   }
 
-  /** The frequency of an even series that explains most. */
+  /** The frequency of an even series with the largest explained share. */
   private double bestOf(double fromHz, double toHz, double stepHz) {
     double best = -1;
     double bestHz = fromHz;
@@ -96,21 +94,21 @@ final class BeatSpectrum {
     return bestHz;
   }
 
-  /** How much of the scatter sinusoids near a frequency explain, 0 to 1, after {@link #settle}. */
+  /** Explained share near a frequency, 0 to 1, after {@link #settle}. */
   double explainedNear(double hz) {
     return gain(bestOf(hz * (1 - NEAR_SHARE), hz * (1 + NEAR_SHARE) + 1e-9, hz * NEAR_STEP))
         / scatter;
   }
 
-  /** The same of the best frequency of a range, in steps of half the spectrum's resolution. */
+  /** Largest explained share of a range, in steps of half the resolution. */
   double mostExplained(double fromHz, double toHz) {
     return gain(bestOf(fromHz, toHz, 0.5 / (bins * BIN_S))) / scatter;
   }
 
   /**
-   * Ends adding: takes the mean place and the scatter about it.
+   * Computes the mean position and the variance about it.
    *
-   * @return false if there is too little to search in
+   * @return false if there are too few events
    */
   boolean settle() {
     double total = 0;
@@ -137,7 +135,7 @@ final class BeatSpectrum {
     return scatter > 0;
   }
 
-  /** How much of the scatter a sinusoid of a frequency explains at best. */
+  /** Variance explained by the best sinusoid of a frequency. */
   private double gain(double hz) {
     double turn = 2 * Math.PI * hz * BIN_S;
     double stepC = Math.cos(turn);

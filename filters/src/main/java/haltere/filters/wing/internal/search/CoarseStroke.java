@@ -1,9 +1,6 @@
 package haltere.filters.wing.internal.search;
 
-/**
- * Looks for the plain sinusoid that most events of a wing lie near to, where its hinge and
- * frequency are known about: for a {@link StrokeFit} to begin with.
- */
+/** Finds the sinusoid with the most events of a wing near it, as a start of {@link StrokeFit}. */
 final class CoarseStroke {
   private static final int EVENTS = 500;
   private static final int MIN_EVENTS = 40;
@@ -18,7 +15,7 @@ final class CoarseStroke {
   private final double[] sin = new double[angle.length];
   private int size;
 
-  /** What was found: the centre, and the terms of the sinusoid. */
+  /** Centre and terms of the sinusoid that was found. */
   double centre;
 
   double cosine;

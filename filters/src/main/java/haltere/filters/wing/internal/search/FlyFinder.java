@@ -11,11 +11,10 @@ import java.util.function.Consumer;
 import org.apache.commons.statistics.distribution.TDistribution;
 
 /**
- * Finds a fly in the events of a few beats. 2-means says roughly where the wings are; the beat and
- * the body axis follow from how the events swing to and fro; places where nothing follows the beat
- * are left out and it is looked for again; lines through the events of each wing give its hinge,
- * and a fit of the whole stroke makes all of it exact. The head is where the wings keep further
- * from the body's line.
+ * Finds a fly in the events of a few beats: 2-means for the wings, {@link BeatSpectrum} for beat
+ * and body axis (repeated without cells that do not follow the beat), {@link HingeLines} for the
+ * hinges, {@link StrokeFit} for the strokes. The head is where the wings stay further from the body
+ * line.
  */
 final class FlyFinder {
   private static final int MIN_SUPPORTED = 80;
@@ -24,15 +23,15 @@ final class FlyFinder {
   private static final double MIN_SHARE = 0.32;
   private static final double OTHER_AXIS_RAD = 0.35;
 
-  /** How far the hinge is from the middle of a lone wing's events, as a share of their reach. */
+  /** Distance of the hinge from the middle of a single wing's events, as a share of their reach. */
   private static final double ALONE_SHARE = 0.6;
 
   private static final double ALONE_INLIERS = 0.45;
 
-  /** Cosine of the most by which one wing may be behind the other. */
+  /** Cosine of the largest phase between the wings. */
   private static final double MIN_TOGETHER = 0.5;
 
-  /** Region of interest over the size of the fly. */
+  /** Radius of the region of interest over the size of the fly. */
   private static final double REGION_SLACK = 1.05;
 
   final StrokeSample sample;
@@ -60,7 +59,7 @@ final class FlyFinder {
     py = new double[capacity];
   }
 
-  /** Searches the last events for the fly up to the end of a window; null if there is none. */
+  /** Searches the events of the last window; null if there is no fly. */
   FoundFly find(RecentEvents events, long nowUs, WingSearchSettings settings) {
     sample.take(events, nowUs - settings.windowUs());
     if (sample.supportedCount < MIN_SUPPORTED) {
@@ -94,7 +93,7 @@ final class FlyFinder {
     return fly;
   }
 
-  /** Tells of a step before the hinges are found. */
+  /** Reports a step before the hinges are found. */
   private void say(long nowUs, Phase phase, double hz, double heading, double size) {
     double x = (means.firstX + means.secondX) / 2;
     double y = (means.firstY + means.secondY) / 2;
@@ -106,10 +105,7 @@ final class FlyFinder {
     steps.accept(WingTrackerState.of(nowUs, phase, sample.supportedCount, hz, g, confidence));
   }
 
-  /**
-   * Looks for the beat. A frequency that a person has given is taken for right unless another one
-   * explains clearly more.
-   */
+  /** Searches the beat. A given frequency is used unless another one explains clearly more. */
   private boolean look(WingSearchSettings settings) {
     int n = 0;
     spectrum.clear();
@@ -136,9 +132,7 @@ final class FlyFinder {
         || spectrum.search(leastHz, mostHz);
   }
 
-  /**
-   * Fits along the axis of the beat and, if 2-means says otherwise, along that; keeps the better.
-   */
+  /** Fits along the axis of the beat and, if it differs, of 2-means; keeps the better fit. */
   private boolean fitBest(double byMeans) {
     double axis = spectrum.axisRad;
     double score = fit(axis);
@@ -149,7 +143,7 @@ final class FlyFinder {
     return score > 0 && fitted[0] && fitted[1] || fitAlone();
   }
 
-  /** Takes all events for those of one wing, on either side of the axis. */
+  /** Fits all events as those of one wing, on either side of the axis. */
   private boolean fitAlone() {
     fittedAxis = spectrum.axisRad;
     split.along(fittedAxis);
@@ -183,7 +177,7 @@ final class FlyFinder {
         && amplitude < 1.8;
   }
 
-  /** Divides along an axis, finds hinges and strokes; tells how many events that explains. */
+  /** Divides along an axis, fits hinges and strokes; returns the number of explained events. */
   private double fit(double axis) {
     fittedAxis = axis;
     split.along(axis);
@@ -214,7 +208,7 @@ final class FlyFinder {
     return inliers / Math.max(1, sample.size);
   }
 
-  /** Two wings swing together; the two halves of one wing's stroke do not. */
+  /** Whether both wings are in phase, as the two halves of one stroke are not. */
   private boolean together() {
     double inPhase = fits[0].cosine(1) * fits[1].cosine(1) + fits[0].sine(1) * fits[1].sine(1);
     return inPhase > MIN_TOGETHER * fits[0].amplitude() * fits[1].amplitude();
@@ -235,7 +229,7 @@ final class FlyFinder {
         && isWing(fits[side]);
   }
 
-  /** The fly of what was fitted: of a lone wing, the head is where that wing keeps away from. */
+  /** The fly of the fits; the head by a single wing if there is only one. */
   private FoundFly conclude() {
     double confidence = headTailConfidence();
     StrokeFit first = fits[fitted[0] ? 0 : 1];
@@ -271,13 +265,13 @@ final class FlyFinder {
   }
 
   /**
-   * Keeps the likelier fits of both hypotheses of the head, and tells how sure that is.
+   * Keeps the likelier fits of both hypotheses of the head; returns the confidence.
    *
-   * <p>The log-likelihoods of both fits differ by D_g in a part g of the beat and by D in all. What
-   * the model lacks repeats from beat to beat, so that all events of a part are one draw: D over
+   * <p>The log-likelihoods of both fits differ by D_g in a part g of the beat and by D in all.
+   * Errors of the model repeat from beat to beat, so the events of a part are one sample: D over
    * the root of the sum of D_g² (Vuong, 1989, theorem 5.1, for models none of which need be true;
-   * Liang and Zeger, 1986, for draws of many events) is Student's t with (sum of D_g²)² / sum of
-   * D_g⁴ degrees of freedom (Satterthwaite, 1946). The confidence is its two-sided one.
+   * Liang and Zeger, 1986, for samples of many events) is Student's t with (sum of D_g²)² / sum of
+   * D_g⁴ degrees of freedom (Satterthwaite, 1946). The confidence is two-sided.
    */
   private double headTailConfidence() {
     double first = fits[fitted[0] ? 0 : 1].asymmetry();

@@ -6,8 +6,8 @@ import haltere.filters.wing.internal.stroke.StrokeSeed;
 /**
  * A fly that the search has found.
  *
- * @param geometry where it is
+ * @param geometry of the fly
  * @param regionPx radius of the region of interest about the hinges
- * @param seeds its strokes, left and right; null for a wing that was not found
+ * @param seeds left and right stroke; null for a wing that was not found
  */
 public record FoundFly(FlyGeometry geometry, double regionPx, StrokeSeed[] seeds) {}

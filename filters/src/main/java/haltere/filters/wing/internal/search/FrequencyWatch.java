@@ -4,16 +4,15 @@ import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingSearchSettings;
 
 /**
- * Notices estimators at another frequency than that of the beat, such as half or twice of it: a
- * frequency contradicts the running spectrum of the events' mean position if another one explains
- * more than twice as much of how that swings. Two frequencies within the half-power width of a peak
- * of the spectrum do not contradict each other.
+ * Detects estimators at another frequency than that of the beat, such as half or double: another
+ * frequency of the running spectrum of the events' mean position explains more than twice as much.
+ * Frequencies within the half-power width of a peak do not differ.
  */
 public final class FrequencyWatch {
   private static final int WINDOW_US = 30_000;
   private static final int MAX_EVENTS = 1000;
 
-  /** Share of the swing that a frequency has to explain to be the beat. */
+  /** Smallest explained share of a beat. */
   private static final double MIN_EXPLAINED = 0.25;
 
   private static final int LOOKS = 2;
@@ -22,22 +21,21 @@ public final class FrequencyWatch {
   private int wrong;
   private boolean right;
 
-  /** A watch that has seen nothing. */
+  /** A watch without events. */
   public FrequencyWatch() {}
 
-  /** Begins anew. */
+  /** Restarts. */
   public void launch() {
     wrong = 0;
     right = false;
   }
 
   /**
-   * Looks at the spectrum as it is now, about once in ten milliseconds, and judges the frequencies
-   * of the estimators.
+   * Compares the present spectrum with the frequencies of the estimators, about once in 10 ms.
    *
    * @param recent the newest events
-   * @param nowUs the end of the stretch that is looked at
-   * @param fly whose region of interest counts
+   * @param nowUs end of the time window, microseconds
+   * @param fly with the region of interest
    * @param settings the range of frequencies
    * @param hz frequencies of the wings' estimators; NaN for none
    */
@@ -80,12 +78,12 @@ public final class FrequencyWatch {
     wrong = right ? 0 : wrong + 1;
   }
 
-  /** {@return whether a frequency has contradicted the spectrum for two looks} */
+  /** {@return whether a frequency has differed from the spectrum twice in a row} */
   public boolean isWrong() {
     return wrong >= LOOKS;
   }
 
-  /** {@return whether all frequencies explained the events when that could last be told} */
+  /** {@return whether all frequencies agreed with the last usable spectrum} */
   public boolean isRight() {
     return right;
   }

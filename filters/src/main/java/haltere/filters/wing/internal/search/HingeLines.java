@@ -1,10 +1,9 @@
 package haltere.filters.wing.internal.search;
 
 /**
- * The point where a wing is hinged: at any instant the events of one wing lie on a line through it.
- * Lines go through pairs of events that came shortly after each other; the point is the one nearest
- * to all of them by least squares with weights that fall off with the distance (Cauchy), which
- * narrow down from round to round.
+ * The hinge of a wing: at any instant the events of the wing are on a line through it. Lines go
+ * through pairs of successive events; the hinge is the nearest point by iterated least squares with
+ * Cauchy weights of decreasing width.
  */
 final class HingeLines {
   private static final double MAX_APART_S = 100e-6;
@@ -12,7 +11,7 @@ final class HingeLines {
   private static final double[] SCALES_PX = {16, 12, 8, 6, 4, 3, 2, 2};
   private static final int MAX_PARTNERS = 4;
 
-  /** How freely the point may move from its start, standard deviation. */
+  /** Prior standard deviation of the hinge about its start. */
   private static final double SLACK_PX = 15;
 
   /** The hinge. */
@@ -24,7 +23,7 @@ final class HingeLines {
   private final double[] row = new double[2];
   private final double[] step = new double[2];
 
-  /** Searches from a point, among the events of a side; false if there are too few lines. */
+  /** Searches from a point in the events of a side; false if there are too few lines. */
   boolean search(SideSplit split, int side, double startX, double startY) {
     StrokeSample sample = split.sample;
     x = startX;
@@ -59,7 +58,7 @@ final class HingeLines {
     return true;
   }
 
-  /** Adds the line through two events; false if they are too near to each other. */
+  /** Adds the line through two events; false if they are too close. */
   private boolean add(
       StrokeSample sample, int i, int j, double scale, double startX, double startY) {
     double dx = sample.x[i] - sample.x[j];

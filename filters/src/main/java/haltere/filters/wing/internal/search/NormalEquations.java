@@ -9,10 +9,8 @@ import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /**
- * The normal equations A s = b of a weighted least-squares step: A gathers the information of
- * linearised measurements and of prior beliefs, b what they ask for.
- *
- * <p>Nothing is allocated by gathering. Thread rule: not safe for use by two threads at a time.
+ * Normal equations A s = b of a weighted least-squares step with priors: A is the information
+ * matrix and b the information vector. Adding allocates nothing.
  */
 final class NormalEquations {
   private final int n;
@@ -23,14 +21,14 @@ final class NormalEquations {
   private final DMatrixRMaj solution = new DMatrixRMaj(1, 1);
   private final LinearSolverDense<DMatrixRMaj> solver = LinearSolverFactory_DDRM.chol(1);
 
-  /** Equations without any information. */
+  /** Equations without information. */
   NormalEquations(int unknowns) {
     n = Require.atLeast("unknowns", 1, unknowns);
     a = new DMatrixRMaj(n, n);
     b = new double[n];
   }
 
-  /** Forgets everything. */
+  /** Sets all information to 0. */
   void clear() {
     Arrays.fill(a.data, 0);
     Arrays.fill(b, 0);
@@ -66,7 +64,7 @@ final class NormalEquations {
   }
 
   /**
-   * Adds the information of other equations, without what they ask for.
+   * Adds the information matrix of other equations.
    *
    * @param other of fewer unknowns
    * @param from the unknown here that is the first one there
@@ -81,11 +79,11 @@ final class NormalEquations {
   }
 
   /**
-   * Solves for the leading unknowns, the others held at 0.
+   * Solves for the first unknowns, with the others at 0.
    *
    * @param unknowns how many
    * @param out gets the step, {@code unknowns} entries
-   * @return false where A is not positive definite
+   * @return false if A is not positive definite
    */
   boolean solve(int unknowns, double[] out) {
     CommonOps_DDRM.extract(a, 0, unknowns, 0, unknowns, leading);

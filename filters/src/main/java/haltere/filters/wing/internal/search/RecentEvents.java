@@ -3,26 +3,23 @@ package haltere.filters.wing.internal.search;
 import haltere.core.event.EventPacket;
 import java.util.Arrays;
 
-/**
- * The events of the last few beats, thinned evenly where they come faster than one in {@link
- * #MIN_GAP_US}, so that a fixed store always reaches back far enough.
- */
+/** Events of the last few beats in a fixed store, at most one in {@link #MIN_GAP_US}. */
 public final class RecentEvents {
-  /** Events that follow another one sooner are not kept. */
+  /** Least time between two stored events. */
   static final int MIN_GAP_US = 5;
 
-  /** How many events are kept. */
+  /** Number of stored events. */
   static final int CAPACITY = 16384;
 
-  /** Those that are not kept any more are dropped all at once. */
+  /** Twice the capacity, so that old events are removed in one copy. */
   private final EventPacket events = new EventPacket(2 * CAPACITY);
 
   private long lastUs;
 
   /**
-   * Keeps an event, if it does not follow the last one too soon.
+   * Stores an event, unless it follows the last one too soon.
    *
-   * @param timeUs when, microseconds
+   * @param timeUs microseconds
    * @param address as in an event packet
    */
   public void add(long timeUs, int address) {
@@ -39,7 +36,7 @@ public final class RecentEvents {
     events.append(timeUs, address);
   }
 
-  /** Forgets all events. */
+  /** Removes all events. */
   public void clear() {
     events.clear();
   }
@@ -54,7 +51,7 @@ public final class RecentEvents {
   }
 
   /**
-   * When an event was.
+   * Time of an event.
    *
    * @param index 0 for the oldest event
    * @return microseconds
@@ -78,13 +75,13 @@ public final class RecentEvents {
     return events.isOn(first() + index);
   }
 
-  /** First event that is not before a time. */
+  /** First event at or after a time. */
   int indexAtOrAfter(long timeUs) {
     return events.indexAtOrAfter(timeUs, first()) - first();
   }
 
   /**
-   * Copies the events from a time on.
+   * Copies the events since a time.
    *
    * @param fromUs microseconds
    * @return addresses as in an event packet, the oldest event first

@@ -2,7 +2,7 @@ package haltere.filters.wing.internal.search;
 
 import java.util.Arrays;
 
-/** Divides events into those left and those right of a body axis. */
+/** Divides events into the two sides of a body axis. */
 final class SideSplit {
   private static final int ROUNDS = 20;
 
@@ -17,7 +17,7 @@ final class SideSplit {
 
   double middleY;
 
-  /** Of the events of a sample. */
+  /** A division of the events of a sample. */
   SideSplit(StrokeSample sample, int capacity) {
     this.sample = sample;
     classes = new byte[capacity];
@@ -59,7 +59,7 @@ final class SideSplit {
     return n;
   }
 
-  /** Radius about a point that holds nearly all supported events. */
+  /** Radius about a point that contains nearly all supported events. */
   double reach(double x, double y) {
     int n = 0;
     for (int i = 0; i < sample.size; i++) {
@@ -71,12 +71,12 @@ final class SideSplit {
     return Math.min(sorted[n * 9 / 10] + 4, sorted[n / 2] * 2);
   }
 
-  /** Says of all events that they lie on one side. */
+  /** Assigns all events to one side. */
   void classifyAll(int side) {
     Arrays.fill(classes, 0, sample.size, (byte) side);
   }
 
-  /** Says of each event on which side of the axis through a point it lies. */
+  /** Assigns each event to its side of the axis through a point. */
   void classify(double x, double y, double axis) {
     double cos = Math.cos(axis);
     double sin = Math.sin(axis);
@@ -86,7 +86,7 @@ final class SideSplit {
     }
   }
 
-  /** Whether an event lies on a side. */
+  /** Whether an event is on a side. */
   boolean isOn(int side, int event) {
     return classes[event] == side;
   }

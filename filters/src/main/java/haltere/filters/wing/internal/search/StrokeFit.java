@@ -5,14 +5,12 @@ import haltere.filters.wing.internal.stroke.StrokeSeed;
 import java.util.Arrays;
 
 /**
- * Fits the whole stroke of one wing to the events of a few beats at once: angles about the hinge
- * are a Fourier series of the beat, the two edges lie half a width before and behind it, ON events
- * come later than OFF events, and the hinge lies where it makes the angles agree. Gauss and Newton
- * with weights that take outliers out, and weak beliefs about sizes, so that what the events do not
- * say stays near what flies do.
+ * Fits the stroke of one wing to the events of a few beats by Gauss-Newton with robust weights and
+ * weak priors: hinge, Fourier series of the angle over the beat, half width between the edges, lag
+ * of ON behind OFF events.
  *
  * <p>Angles are measured from a direction (the heading or its opposite) counterclockwise for turn
- * 1, clockwise for turn -1. Thread rule: one thread at a time.
+ * 1, clockwise for turn -1.
  */
 final class StrokeFit {
   /** Harmonics in the fit. */
@@ -33,7 +31,7 @@ final class StrokeFit {
   private static final double LONGEST_STEP_PX = 1.5;
   private static final double FURTHEST_PX = 10;
 
-  /** How freely the hinge may move from where it is looked for, standard deviation. */
+  /** Prior standard deviation of the hinge about its start. */
   private static final double SLACK_PX = 3;
 
   private static final int QUICK_ROUNDS = 10;
@@ -44,7 +42,7 @@ final class StrokeFit {
   private static final double TIMING_S = 40e-6;
   private static final double[] SERIES_SD = {1, 0.08, 0.03, 0.012};
 
-  /** How far residuals go, in standard deviations, until a weight has fallen to a quarter. */
+  /** Residual with a weight of a quarter, in standard deviations. */
   private static final double WIDE = 2.5;
 
   static final double BOUND_SD_RAD = 1e-3;
@@ -59,12 +57,12 @@ final class StrokeFit {
   /** Centre, angular frequency, hinge, half width, lag of ON behind OFF, terms of the series. */
   final double[] p = new double[SIZE];
 
-  /** Events of the side, and the sum of the weights of those that fit. */
+  /** Number of events of the side, and the sum of their weights. */
   int events;
 
   double inliers;
 
-  /** Root mean square of the residuals of what fits, in standard deviations. */
+  /** Root mean square of the weighted residuals, in standard deviations. */
   double residual;
 
   /** Negative log-likelihood of the OFF and of the ON events in each part of a beat. */
@@ -163,14 +161,14 @@ final class StrokeFit {
    * Fits.
    *
    * @param events divided into sides
-   * @param own the side to take: 0 for angles counterclockwise of the reference, 1 for clockwise
+   * @param own the side: 0 for angles counterclockwise of the reference, 1 for clockwise
    * @param reference direction from which angles are measured
-   * @param hingeX where to look for the hinge
-   * @param hingeY where to look for the hinge
-   * @param farthestPx events further from the hinge are left out
-   * @param startOmega angular frequency to begin with
-   * @param quick whether the hinge to the nearest pixel is enough
-   * @return false if there is too little to fit
+   * @param hingeX initial hinge
+   * @param hingeY initial hinge
+   * @param farthestPx largest distance of an event from the hinge
+   * @param startOmega initial angular frequency
+   * @param quick whether the hinge to the nearest pixel is sufficient
+   * @return false if there are too few events
    */
   boolean fit(
       SideSplit events,
@@ -336,8 +334,8 @@ final class StrokeFit {
   }
 
   /**
-   * Adds the information of the fit to larger equations from an unknown on; so many repeating
-   * events count for one.
+   * Adds the information of the fit to larger equations from an unknown on, divided by a number of
+   * correlated events.
    */
   void addTo(NormalEquations equations, int from, double repeating) {
     equations.addInformation(normal, from, 1 / (repeating * Math.max(1, residual * residual)));

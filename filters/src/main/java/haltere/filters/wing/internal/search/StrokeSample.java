@@ -3,11 +3,10 @@ package haltere.filters.wing.internal.search;
 import java.util.Arrays;
 
 /**
- * Events of the last few beats, cleaned, as columns of numbers: what the search for a fly works on.
+ * Selected events of the last few beats, as columns of numbers, for the search.
  *
- * <p>Of a run of events of one polarity on a pixel the first alone is kept: it says when the edge
- * came, the others how slow the pixel is. Hot pixels are left out. An event is supported if another
- * pixel near by had one shortly before or after it.
+ * <p>Of a run of events of one polarity at a pixel only the first is used, the time of the edge.
+ * Hot pixels are left out. An event is supported if a near pixel fired shortly before or after it.
  */
 final class StrokeSample {
   private static final int SUPPORT_US = 300;
@@ -16,12 +15,12 @@ final class StrokeSample {
   private static final int HOT_COUNT = 24;
   private static final double HOT_TIMES_MEAN = 8;
 
-  /** A run of one polarity on a pixel ends after this time, whatever comes. */
+  /** Longest run of one polarity at a pixel. */
   private static final int LONGEST_RUN_US = 2500;
 
   private static final int HARMONICS = 4;
 
-  /** The power of chance is 4 on average and above this in two cells of a thousand. */
+  /** Smallest power of a cell; by chance it is 4 on average and above this in 0.2 % of cells. */
   private static final double MIN_POWER = 12;
 
   private final int width;
@@ -58,7 +57,7 @@ final class StrokeSample {
     supported = new boolean[capacity];
   }
 
-  /** Takes the events of a store from a time on. */
+  /** Selects the events of a store since a time. */
   void take(RecentEvents events, long fromUs) {
     Arrays.fill(lastOfPixel, Long.MIN_VALUE);
     Arrays.fill(countOfPixel, 0);
@@ -98,8 +97,8 @@ final class StrokeSample {
   }
 
   /**
-   * Takes the support from events in places where nothing follows the beat: in each cell of a grid,
-   * the first four harmonics of the times of its events tell whether they do.
+   * Removes the support of events in cells of a grid that do not follow the beat, by the power of
+   * the first four harmonics of their times.
    *
    * @param omega angular frequency of the beat
    */

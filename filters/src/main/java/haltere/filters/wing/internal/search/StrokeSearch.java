@@ -24,7 +24,7 @@ public final class StrokeSearch implements FlySearch {
    *
    * @param geometry of the sensor
    * @param recent the events that are searched
-   * @param steps takes what is found on the way
+   * @param steps receives each step
    */
   public StrokeSearch(
       SensorGeometry geometry, RecentEvents recent, Consumer<WingTrackerState> steps) {

@@ -1,9 +1,8 @@
 package haltere.filters.wing.internal.search;
 
 /**
- * Divides points into two classes, each nearest to the mean of its own (Lloyd 1982), from several
- * starts. The division with the least scatter is kept. A class never ends empty: it gets the point
- * that is furthest from the other's mean.
+ * Divides points into two classes by k-means (Lloyd 1982) from several starts; the division with
+ * the least scatter is kept. An empty class gets the point furthest from the other mean.
  */
 public final class TwoMeans {
   private static final int MAX_ROUNDS = 20;
@@ -75,8 +74,7 @@ public final class TwoMeans {
    * @param px columns
    * @param py rows
    * @param points how many of them
-   * @param starts columns and rows of both means: x, y, x, y; each is moved to what is found from
-   *     it
+   * @param starts initial means: x, y, x, y; each is overwritten by its result
    */
   public void divide(double[] px, double[] py, int points, double[]... starts) {
     x = px;
@@ -95,7 +93,7 @@ public final class TwoMeans {
     }
   }
 
-  /** Moves the two means until nothing changes; gives back the scatter. */
+  /** Iterates until the means do not change; returns the scatter. */
   private double converge(double[] means) {
     double before = Double.POSITIVE_INFINITY;
     for (int round = 0; round < MAX_ROUNDS; round++) {

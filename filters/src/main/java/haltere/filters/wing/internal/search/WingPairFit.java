@@ -3,39 +3,38 @@ package haltere.filters.wing.internal.search;
 import java.util.Arrays;
 
 /**
- * Brings the fits of both wings together: a fly's hinges are across its body line from each other,
- * and its wings stroke about the same centre on both sides. What a wing's events do not tell of its
- * own hinge, the other's do: the hinge along the body, the centre and the heading go together, and
- * all are moved by as much as their fits leave them free (least squares over both fits' normal
- * equations and the two beliefs).
+ * Adjusts the fits of both wings with two priors: the hinges are opposite each other across the
+ * body line, and both strokes have the same centre. Where the events of a wing leave its hinge,
+ * centre and the heading undetermined, the other wing determines them (least squares over the
+ * normal equations of both fits and the priors).
  */
 final class WingPairFit {
   private static final int TURN = 2 * StrokeFit.SIZE;
   private static final int SIZE = TURN + 1;
   private static final int ROUNDS = 4;
 
-  /** Events of one beat repeat each other's errors: so many of them count for one. */
+  /** Number of events of one beat that count as one, since their errors are correlated. */
   private static final double REPEATING = 3;
 
-  /** How far one hinge is before the other. */
+  /** Offset of the hinges along the body. */
   private static final double HINGES_SD_PX = 0.3;
 
-  /** Half of what the centres of both strokes differ by. */
+  /** Half of the difference of the centres. */
   private static final double SYMMETRY_SD_RAD = 0.03;
 
-  /** How far the body line is from the direction in which the wings swing together. */
+  /** Angle between body line and common direction of the wings. */
   private static final double TURN_SD_RAD = 0.5;
 
   private final NormalEquations normal = new NormalEquations(SIZE);
   private final double[] row = new double[SIZE];
   private final double[] moved = new double[SIZE];
 
-  /** By how much the heading is turned against the axis of the fits. */
+  /** Rotation of the heading against the axis of the fits. */
   double turnRad;
 
   /**
-   * Moves both fits, that of the wing counterclockwise of the axis first, to where they go
-   * together. False if the equations have no solution; nothing is moved then.
+   * Adjusts both fits, the wing counterclockwise of the axis first. False without a change if the
+   * equations have no solution.
    */
   boolean bring(StrokeFit[] fits, double axisRad) {
     Arrays.fill(moved, 0);
@@ -90,7 +89,7 @@ final class WingPairFit {
     believe(x * cos + y * sin - row[TURN] * moved[TURN], HINGES_SD_PX);
   }
 
-  /** That a value, which {@link #row} has the derivatives of, is 0 within a standard deviation. */
+  /** Adds the prior that a value with the derivatives {@link #row} is 0 within a deviation. */
   private void believe(double value, double sd) {
     normal.add(1 / (sd * sd), row, SIZE, -value);
   }

@@ -2,7 +2,7 @@ package haltere.filters.wing.internal.stroke;
 
 import haltere.filters.wing.WingPart;
 
-/** Tells of each beat as it ends: when the phase has passed 0. */
+/** Reports each beat at its end, when the phase passes 0. */
 final class BeatClock {
   private final WingPart side;
   private final BeatListener beats;
@@ -14,14 +14,14 @@ final class BeatClock {
     this.beats = beats;
   }
 
-  /** Begins at a phase. */
+  /** Starts at a phase. */
   void launch(double phase) {
     lastPhase = phase;
     lastCrossingUs = Double.NaN;
   }
 
-  /** Looks, several times a beat, at the phase in [0, 2 pi). */
-  void look(long timeUs, double phase, double omega, StrokeShape shape) {
+  /** Processes a phase in [0, 2 pi), several times a beat. */
+  void update(long timeUs, double phase, double omega, StrokeShape shape) {
     if (phase < lastPhase - Math.PI) {
       double crossingUs = timeUs - phase / omega * 1e6;
       beats.beat(side, crossingUs, crossingUs - lastCrossingUs, shape.least, shape.most);

@@ -1,35 +1,31 @@
 package haltere.filters.wing.internal.stroke;
 
 /**
- * Time from an edge's passage to the time stamp of its OFF event: a constant delay, which no event
- * tells, and what the photoreceptor adds. A pixel answers, if at all, while the wing is over it;
- * how late, ON events tell by how far they lag behind OFF events. A pixel without a lag is taken
- * for ideal. A fast wing makes ON events late for another reason: it has left the pixel before that
- * can make its next event.
+ * Time from the passage of an edge to the time stamp of its OFF event: a constant delay, which is
+ * not observable, and the delay of the photoreceptor, which the lag of ON behind OFF events shows.
+ * Without a lag, the pixel is assumed to be ideal. A fast wing delays ON events as well, since it
+ * leaves the pixel before its next event.
  */
 final class CameraLatency {
-  /** Width of a wing as seen from its hinge, radians, where it is best seen: in mid stroke. */
+  /** Width of a wing in mid stroke as seen from its hinge, radians. */
   private static final double WING_RAD = 0.05;
 
-  /** A slow pixel's delay as a share of the time that the wing is over it. */
+  /** Delay of a slow pixel as a share of the time for which the wing covers it. */
   private static final double SLOW_SHARE = 0.35;
 
-  /** Lag of ON events at which a pixel begins to be slow. */
+  /** Lag of ON events above which a pixel is slow. */
   private static final double SLOW_LAG_S = 18e-6;
 
   /**
-   * Lag of ON events, times the time that the wing is over a pixel, for which it is enough that a
-   * pixel is blind for some tens of microseconds after an event; as found on simulated flies.
+   * Lag of ON events due to the refractory time of a pixel, times the time for which the wing
+   * covers it; from simulated flies.
    */
   private static final double BLIND_S2 = 320e-12;
 
-  /**
-   * What is usually left of the delay, with what the stroke's shape is off by as the wing moves, as
-   * found on simulated flies; it is the same for slow and for fast wings.
-   */
+  /** Standard deviation of the delay and of the shape of the stroke; from simulated flies. */
   private static final double LEFT_S = 6e-6;
 
-  /** Uncertainty of a lag that events of one edge alone do not tell, as a share of it. */
+  /** Standard deviation of a lag that is held with events of one edge only, as a share of it. */
   private static final double HELD_SHARE = 0.1;
 
   /**
@@ -40,14 +36,14 @@ final class CameraLatency {
 
   private CameraLatency() {}
 
-  /** Time for which the wing is over a pixel, by its root mean square speed. */
+  /** Time for which the wing covers a pixel at its root mean square speed. */
   private static double overPixelS(double fullSpeed) {
     return WING_RAD * Math.sqrt(2) / Math.max(1, fullSpeed);
   }
 
   /**
-   * Lag of ON behind OFF events, seconds. Both wings are seen by the same pixels, so that what each
-   * of them says counts by how sure it is; the other wing is null if it is not tracked.
+   * Lag of ON behind OFF events, seconds: the mean of both wings weighted by their variances, since
+   * both have the same pixels. The other wing is null if it is not tracked.
    */
   static double lagS(StrokeEkf own, StrokeEkf other) {
     double lag = own.x[StrokeEkf.LAG];
@@ -60,8 +56,8 @@ final class CameraLatency {
   }
 
   /**
-   * Variance of {@link #lagS}, squared seconds. Wings that disagree by more than their variances
-   * explain raise it by that ratio (Birge 1932, equation 4).
+   * Variance of {@link #lagS}, squared seconds. It increases if the wings differ by more than their
+   * variances explain (Birge 1932, equation 4).
    */
   static double lagVariance(StrokeEkf own, StrokeEkf other) {
     double variance = own.belief.covariance(StrokeEkf.LAG, StrokeEkf.LAG);
@@ -75,9 +71,8 @@ final class CameraLatency {
   }
 
   /**
-   * Degree to which pixels are too fast to explain the lag of ON events by their own delay. The
-   * time that a pixel takes to its threshold spreads with the threshold: its delay is the spread of
-   * the times over the mismatch.
+   * Degree to which the delay of pixels is too short to explain the lag of ON events. The delay is
+   * the standard deviation of the times over the relative mismatch of thresholds.
    *
    * @param lagS of ON behind OFF events, seconds
    * @param timingSdS standard deviation of the time of an event, seconds
@@ -90,8 +85,8 @@ final class CameraLatency {
   }
 
   /**
-   * Whether OFF events spread in time by more than a narrow wing explains: by half of its passage
-   * at most (Popoviciu 1935), and by as much through noise of the times.
+   * Whether the times of OFF events scatter by more than those of a narrow wing: by half of its
+   * passage at most (Popoviciu 1935), and by as much due to noise.
    */
   static boolean isWide(double timingSdS, double fullSpeed) {
     return timingSdS > overPixelS(fullSpeed) * Math.sqrt(0.5);
@@ -112,8 +107,8 @@ final class CameraLatency {
   }
 
   /**
-   * Variance of {@link #seconds}, seconds squared, where the constant delay is known or does not
-   * matter. The held lag is one that is not told by events of both edges, else 0.
+   * Variance of {@link #seconds} with a known constant delay, squared seconds. The held lag is 0 if
+   * there are events of both edges.
    */
   static double variance(double heldLagS) {
     double held = HELD_SHARE * heldLagS;

@@ -7,8 +7,8 @@ import haltere.filters.wing.WingTrackerSettings;
 /**
  * The weighted running average of an edge (Cardinale 2006): each event moves the edge by a share of
  * the difference. A beat ends when the edge has passed its centre, the mean of the events of the
- * beat before, towards the tail by more than a hysteresis; the time of the passage is interpolated
- * between the two events around it. It lags, and never reaches the extremes.
+ * previous beat, towards the tail by more than a hysteresis; the time of the passage is
+ * interpolated. The average lags and underestimates the extremes.
  */
 final class EdgeAverage extends EdgeEstimator {
   private static final double LONGEST_SILENCE_US = 30_000;

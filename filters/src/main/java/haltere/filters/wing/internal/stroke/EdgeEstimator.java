@@ -5,18 +5,15 @@ import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingTrackerSettings;
 import java.util.Optional;
 
-/**
- * Estimates the stroke of one edge of a wing from the edge's own events. Times in microseconds,
- * angles in radians.
- */
+/** Estimates the stroke of one edge from its events. Microseconds, radians. */
 abstract class EdgeEstimator {
-  /** Events taken in since the launch. */
+  /** Events used since the launch. */
   long taken;
 
   /** Time of the last event, of the launch before the first. */
   long lastEventUs;
 
-  /** Angle that was expected of the last event. */
+  /** Expected angle of the last event. */
   double expected;
 
   /** Mean angle of a beat, half of peak to peak, and angular frequency in radians a second. */
@@ -30,10 +27,10 @@ abstract class EdgeEstimator {
 
   double most;
 
-  /** Normalised innovation squared of the last event, NaN where the method has none. */
+  /** Normalised innovation squared of the last event, NaN if the method has none. */
   double nis = Double.NaN;
 
-  /** Begins with a stroke. */
+  /** Starts with a stroke. */
   void launch(long atUs, StrokeSeed seed) {
     taken = 0;
     lastEventUs = atUs;
@@ -42,7 +39,7 @@ abstract class EdgeEstimator {
     omega = seed.omega();
   }
 
-  /** Takes an event; returns whether it ends a beat of the edge. */
+  /** Processes an event; returns whether it ends a beat of the edge. */
   abstract boolean event(long timeUs, double measured);
 
   abstract double angle(double atUs);
@@ -50,12 +47,12 @@ abstract class EdgeEstimator {
   /** Phase at a time, not wrapped. */
   abstract double phase(double atUs);
 
-  /** Variance of the angle, NaN where the method gives none. */
+  /** Variance of the angle, NaN if the method has none. */
   double angleVariance(double atUs) {
     return Double.NaN;
   }
 
-  /** Variance of the angular frequency, NaN where the method gives none. */
+  /** Variance of the angular frequency, NaN if the method has none. */
   double omegaVariance() {
     return Double.NaN;
   }
@@ -69,6 +66,6 @@ abstract class EdgeEstimator {
   }
 
   void edit(WingFilterEdit edit) {
-    throw new IllegalArgumentException("the running average has no filter to change");
+    throw new IllegalArgumentException("the running average has no filter to edit");
   }
 }

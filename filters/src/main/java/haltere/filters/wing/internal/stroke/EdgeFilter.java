@@ -16,7 +16,7 @@ import java.util.Optional;
 
 /**
  * The extended Kalman filter of one edge of a wing: centre a, amplitude M, phase ξ, angular
- * frequency ω, with h = a + M sin ξ (Cardinale 2006, eq. 11 to 14, whose Jacobian is mended).
+ * frequency ω, with h = a + M sin ξ (Cardinale 2006, eq. 11 to 14, with a corrected Jacobian).
  * Several events may be averaged before an update.
  */
 final class EdgeFilter extends EdgeEstimator {
@@ -30,7 +30,7 @@ final class EdgeFilter extends EdgeEstimator {
   private static final int LOST_AFTER = 400;
   private static final double WIDEST_GATE_SD = 30;
 
-  /** Variance of a measurement where the settings give none, squared radians. */
+  /** Variance of a measurement if the settings give none, squared radians. */
   private static final double USUAL_MEASUREMENT = 0.006;
 
   /** Units of the process noise of an update. */
@@ -39,7 +39,7 @@ final class EdgeFilter extends EdgeEstimator {
 
   final GaussianState belief = new GaussianState(SIZE);
 
-  /** Innovations outside the gate since the last one within. */
+  /** Consecutive innovations outside the gate. */
   private int gated;
 
   private final WingPart part;
@@ -54,12 +54,12 @@ final class EdgeFilter extends EdgeEstimator {
   private int averaged;
   private long stateUs;
 
-  /** How late the edge's events are against those of the leading edge. */
+  /** Lag of the events of this edge behind those of the leading edge. */
   private double lagUs;
 
   private double sum;
 
-  /** Sum of the times of the events that are averaged, since the state's own. */
+  /** Sum of the times of the averaged events, relative to the state. */
   private long ages;
 
   private int count;
@@ -140,7 +140,7 @@ final class EdgeFilter extends EdgeEstimator {
     most = centre + amplitude;
   }
 
-  /** The phase turns on; its error gathers that of the frequency. */
+  /** Predicts phase and covariance. */
   private void predict(long atUs) {
     double dtS = (atUs - stateUs) * US;
     if (dtS > 0) {
@@ -150,7 +150,7 @@ final class EdgeFilter extends EdgeEstimator {
     }
   }
 
-  /** Takes in an angle, unless it lies outside the gate. */
+  /** Updates with an angle inside the gate. */
   void update(double angle) {
     double phase = Angles.wrapPi(belief.mean(PHASE));
     double sine = Math.sin(phase);
@@ -172,7 +172,7 @@ final class EdgeFilter extends EdgeEstimator {
     }
   }
 
-  /** Keeps the phase small, so that it stays exact, and the amplitude positive. */
+  /** Wraps the phase, for precision, and keeps the amplitude positive. */
   private void mend() {
     double phase = belief.mean(PHASE);
     if (belief.mean(AMPLITUDE) < 0) {

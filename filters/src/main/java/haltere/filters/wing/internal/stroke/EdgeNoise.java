@@ -4,9 +4,8 @@ import haltere.filters.estimation.GaussianState;
 import haltere.filters.wing.WingNoiseSettings;
 
 /**
- * How unsure the filter of an edge is at its launch and how its process noise gathers: as a density
- * per second, unless an implementation says otherwise. Entries of the state: centre, amplitude,
- * phase, angular frequency.
+ * Initial covariance and process noise of the filter of an edge: a spectral density, unless an
+ * implementation overrides it. Entries of the state: centre, amplitude, phase, angular frequency.
  */
 public interface EdgeNoise {
   /** Process noise as a density. */
@@ -16,8 +15,8 @@ public interface EdgeNoise {
    * Process noise by the settings.
    *
    * @param noise the settings
-   * @return of each entry, in its unit squared a second; angular frequency with a twentieth of the
-   *     noise in manoeuvres, for a filter of an edge does not notice them
+   * @return of each entry, in its unit squared a second; the frequency with a twentieth of the
+   *     noise of manoeuvres, which a filter of an edge does not detect
    */
   default double[] of(WingNoiseSettings noise) {
     double frequency = noise.frequency() + 0.05 * noise.manoeuvre();
@@ -27,7 +26,7 @@ public interface EdgeNoise {
   /**
    * Adds the process noise of a prediction.
    *
-   * @param belief predicted without noise
+   * @param belief predicted state, without noise
    * @param q of each entry
    * @param dtS time step, seconds, positive
    */
@@ -49,8 +48,8 @@ public interface EdgeNoise {
   }
 
   /**
-   * {@return whether the process noise is that of a second, so that the mean of several events is
-   * of the mean of their times; that of an update is of the last one's}
+   * {@return whether the process noise is a density, so that an average of events has the mean of
+   * their times; with noise per update it has the last time}
    */
   default boolean isDensity() {
     return true;

@@ -1,6 +1,6 @@
 package haltere.filters.wing.internal.stroke;
 
-/** Events of an edge that go into one update of its wing's filter. */
+/** Events of an edge for one update of the filter of its wing. */
 final class EdgeSums {
   private final int edge;
   private double weight;
@@ -20,7 +20,7 @@ final class EdgeSums {
     sin = 0;
   }
 
-  /** Takes a residual with its weight and the phase that it is of. */
+  /** Adds a residual with its weight and phase. */
   void add(double w, double y, double c, double s) {
     weight += w;
     residual += w * y;
@@ -29,8 +29,8 @@ final class EdgeSums {
   }
 
   /**
-   * Updates a filter and begins anew. Returns the variance that the filter expected, or what is
-   * given if there was no event.
+   * Updates a filter and clears the sums. Returns the variance that the filter expected, or the
+   * argument if there was no event.
    */
   double update(StrokeEkf filter, double otherwise) {
     if (!(weight > 0)) {

@@ -11,16 +11,11 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 
-/**
- * An estimator for each edge of a wing. The wing is the mean of the edges that have events: one
- * that is switched off, or has been silent for long, does not count.
- */
+/** An estimator for each edge. The wing is the mean of the enabled edges with recent events. */
 public final class EdgesEstimator implements SideEstimator {
   private static final double US = 1e-6;
 
-  /**
-   * Time without events after which an edge does not count, microseconds: two of the longest beats.
-   */
+  /** Time without events after which an edge does not count, µs: two of the longest beats. */
   private static final long SILENT_US = 30_000;
 
   private final WingPart side;
@@ -37,9 +32,9 @@ public final class EdgesEstimator implements SideEstimator {
   /**
    * Estimators that have to be {@link #launch launched}.
    *
-   * @param frame where the wing is hinged
+   * @param frame hinge and direction of the wing
    * @param settings of the tracker
-   * @param beats takes the beats
+   * @param beats receives the beats
    * @param noise of a Kalman filter of a plain sinusoid for each edge (Cardinale 2006); empty for
    *     running averages, without standard deviations
    */
@@ -85,12 +80,12 @@ public final class EdgesEstimator implements SideEstimator {
   }
 
   /**
-   * Takes an event whose stroke angle is known.
+   * Processes an event with a known stroke angle.
    *
-   * @param timeUs when, microseconds
+   * @param timeUs microseconds
    * @param on its polarity
-   * @param angle stroke angle, of whichever turn
-   * @return stroke angle that was expected
+   * @param angle stroke angle, not wrapped
+   * @return expected stroke angle
    */
   public double event(long timeUs, boolean on, double angle) {
     nowUs = timeUs;
@@ -102,7 +97,7 @@ public final class EdgesEstimator implements SideEstimator {
     return edge.expected;
   }
 
-  /** The leading edge's beat is the wing's, the trailing edge's where the other has no events. */
+  /** The beat of the leading edge, or of the trailing edge if the other has no events. */
   private void endBeat() {
     double omega = Math.max(1, mean(edge -> edge.omega));
     double passedUs = nowUs - Angles.wrapPi(wingPhase(nowUs)) / omega / US;
@@ -116,7 +111,7 @@ public final class EdgesEstimator implements SideEstimator {
     return taken[edge] && nowUs - e.lastEventUs <= SILENT_US && !e.isLost(nowUs);
   }
 
-  /** The only edge that counts, or null if both count as much. */
+  /** The only edge that counts, or null if both count. */
   private EdgeEstimator alone() {
     boolean leading = counts(LEADING);
     return leading == counts(TRAILING) ? null : edges[leading ? LEADING : TRAILING];
@@ -129,7 +124,7 @@ public final class EdgesEstimator implements SideEstimator {
         : (value.applyAsDouble(edges[0]) + value.applyAsDouble(edges[1])) / 2;
   }
 
-  /** The same for an angle, of whichever turn. */
+  /** The same for an angle, not wrapped. */
   private double meanAngle(ToDoubleFunction<EdgeEstimator> value) {
     EdgeEstimator alone = alone();
     double from = value.applyAsDouble(alone != null ? alone : edges[0]);

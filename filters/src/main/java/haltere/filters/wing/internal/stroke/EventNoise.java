@@ -1,16 +1,15 @@
 package haltere.filters.wing.internal.stroke;
 
 /**
- * Variance of an event's angle, estimated from the residuals. It is the sum of the wing's variance,
- * of the pixel's size as seen from the hinge, and of the times at the wing's present speed.
- * Outliers lie anywhere; an event counts by its probability to be none.
+ * Variance of the angle of an event, estimated from residuals: the sum of the variance of the wing,
+ * of the pixel size as seen from the hinge, and of the times at the present speed of the wing.
+ * Outliers are uniform; the weight of an event is its probability of being an inlier.
  *
- * <p>Near the reversals the wing is slow, and residuals tell the wing's variance; in the middle of
- * the stroke they tell that of the times. Residuals far from the wing tell the outliers' density.
- * Thread rule: one thread at a time.
+ * <p>Residuals near the reversals determine the variance of the wing, those in mid stroke that of
+ * the times, those far from the wing the density of outliers.
  */
 final class EventNoise {
-  /** Variance of the place of an event in a pixel, squared pixels; 1/12 for a square one. */
+  /** Variance of the position of an event in a pixel, squared pixels; 1/12 for a square one. */
   private static final double PIXEL_VARIANCE = 0.12;
 
   private static final double LEARN = 0.004;
@@ -19,7 +18,7 @@ final class EventNoise {
   private static final double MIN_SCALE = 0.02;
   private static final double MAX_SCALE = 4;
 
-  /** Of the mean NIS, slow enough that a beat of few or of many events is one of many. */
+  /** Weight of a beat in the mean NIS. */
   private static final double NIS_SHARE = 0.125;
 
   private static final double FAR_FROM = 0.45;
@@ -38,8 +37,7 @@ final class EventNoise {
   private double varianceNow = 1e-3;
 
   /**
-   * Noise of events of which nothing is known yet: innovations beyond the gate are refused, a fixed
-   * variance of 0 is learnt.
+   * Initial noise. Innovations beyond the gate are rejected; a fixed variance of 0 is estimated.
    */
   EventNoise(double gateSd, double fixed) {
     apply(gateSd, fixed);
@@ -50,7 +48,7 @@ final class EventNoise {
     this.fixed = fixed;
   }
 
-  /** Variance of an event's angle. */
+  /** Variance of the angle of an event. */
   double variance(double radiusSquare, double speed) {
     varianceNow =
         fixed > 0
@@ -63,10 +61,10 @@ final class EventNoise {
    * Judges a residual whose {@link #variance} was just asked for.
    *
    * @param y the residual
-   * @param expected variance of what was expected of it
+   * @param expected variance of its expectation
    * @param speed of the wing, radians a second
-   * @param fullSpeed in the middle of the stroke
-   * @return how far it is believed to be the wing's, 0 to 1; 0 if it is refused
+   * @param fullSpeed speed in mid stroke, radians a second
+   * @return probability of being an inlier, 0 to 1; 0 if it is rejected
    */
   double judge(double y, double expected, double speed, double fullSpeed) {
     double square = y * y;
@@ -96,12 +94,12 @@ final class EventNoise {
     return belief;
   }
 
-  /** Variance of a measurement that is set, 0 where it is learnt. */
+  /** Fixed variance of a measurement, 0 if it is estimated. */
   double fixed() {
     return fixed;
   }
 
-  /** Variance of the event that was looked at last. */
+  /** Variance of the last event. */
   double present() {
     return varianceNow;
   }
@@ -111,19 +109,17 @@ final class EventNoise {
     return Math.sqrt(scale * timing);
   }
 
-  /** Mean normalised innovation squared of late. */
+  /** Recent mean normalised innovation squared. */
   double nis() {
     return nis;
   }
 
-  /**
-   * Share of the events near the wing that chance does not explain, about 0 if all are outliers.
-   */
+  /** Share of the events near the wing beyond chance; about 0 if all are outliers. */
   double excess() {
     return near - outliers * 2 * NEAR_SD * Math.sqrt(varianceNow);
   }
 
-  /** Strays a radian, as a share of the events. */
+  /** Density of outliers per radian, as a share of the events. */
   double outliers() {
     return outliers;
   }

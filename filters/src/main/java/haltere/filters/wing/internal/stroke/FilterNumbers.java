@@ -3,7 +3,7 @@ package haltere.filters.wing.internal.stroke;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** Names and units of the numbers of a wing's filter, for a person. */
+/** Names and units of the entries of the filter of a wing, for display. */
 final class FilterNumbers {
   /** Name, unit and unit of the density of the process noise of each entry before the harmonics. */
   private static final String[][] ENTRIES = {

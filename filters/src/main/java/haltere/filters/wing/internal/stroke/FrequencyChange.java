@@ -1,22 +1,18 @@
 package haltere.filters.wing.internal.stroke;
 
 /**
- * How much more than usual the frequency has changed within some milliseconds, against what its
- * rate of change let expect. A frequency that begins to change faster than the filter is ready for
- * is followed late, so that it is then off by about as much as it has changed: that is seen sooner
- * than the phases run away ({@link RunAway}).
- *
- * <p>A fly's wings are driven as one: the mean change of both counts. Thread rule: one thread at a
- * time.
+ * Excess of the change of the frequency within some milliseconds over its baseline. If the
+ * frequency changes faster than the filter follows, its error is about this change. This is visible
+ * before the phase diverges ({@link ManoeuvreDetector}). The mean change of both wings counts.
  */
 final class FrequencyChange {
-  /** Looks, of about a millisecond, over which a change counts. */
-  private static final int LOOKS = 6;
+  /** Samples, about 1 ms apart, over which a change counts. */
+  private static final int SAMPLES = 6;
 
-  /** A square so many times the usual one is no more than usual. */
+  /** Multiple of the mean square up to which a square is usual. */
   private static final double USUAL_TIMES = 2;
 
-  /** Mean square, as a share of what the filter thinks of its frequency, before any was seen. */
+  /** Initial mean square, as a share of the variance of the filter. */
   private static final double FIRST_SHARE = 0.2;
 
   private static final double FIRST_WEIGHT = 30;
@@ -26,19 +22,16 @@ final class FrequencyChange {
   private double usual;
   private double weight;
 
-  /** Square of the change beyond what is usual, squared radians a squared second. */
+  /** Excess of the squared change over the usual one, squared radians a squared second. */
   double excess;
 
-  /**
-   * Looks, about once in a millisecond; in calm flight, the change counts as usual. The other wing
-   * is the one that is driven together with this one; null if none is known.
-   */
-  void look(FrequencyHistory history, boolean calm, FrequencyChange other) {
+  /** Update about once a millisecond; in calm flight the change counts as usual. Other: or null. */
+  void update(FrequencyHistory history, boolean calm, FrequencyChange other) {
     if (weight == 0) {
       usual = FIRST_SHARE * history.variance[history.ago(0)];
       weight = FIRST_WEIGHT;
     }
-    change = history.change(LOOKS);
+    change = history.change(SAMPLES);
     double mean = other == null ? change : (change + other.change) / 2;
     double clearly = USUAL_TIMES * usual;
     excess = Math.max(0, mean * mean - clearly);

@@ -1,57 +1,54 @@
 package haltere.filters.wing.internal.stroke;
 
 /**
- * How far off the frequency was, as seen in hindsight: the phases some beats before and after a
- * time tell the frequency at that time far better than it could be told then, and without lag. The
- * mean square of what both differ by says how sure the frequency really is: it holds what noise
- * does and what the filter lags behind the fly's own changes alike, which its covariance, made for
- * manoeuvres, does not.
- *
- * <p>Manoeuvres are left out here: in them the frequency changes too fast to be told by a line.
+ * Estimates the true variance of the frequency in steady flight, where the covariance of the
+ * filter, tuned for manoeuvres, is too large. The slope of the phases some beats before and after a
+ * time is its frequency without lag; the mean squared difference to the filtered frequency is the
+ * variance.
  */
 final class FrequencyHindsight {
-  /** Looks of about a millisecond before and after the one that is judged. */
-  private static final int HALF = FrequencyHistory.LOOKS / 2;
+  /** Samples, about 1 ms apart, before and after the evaluated one. */
+  private static final int HALF = FrequencyHistory.SAMPLES / 2;
 
-  private static final int LOOKS = FrequencyHistory.LOOKS;
+  private static final int SAMPLES = FrequencyHistory.SAMPLES;
 
-  /** A stretch with a gap of so much tells nothing. */
+  /** Gap that invalidates an interval, seconds. */
   private static final double GAP_S = 0.02;
 
-  /** Variance, as a share of what the filter thinks, before anything was judged. */
+  /** Initial variance, as a share of that of the filter. */
   private static final double FIRST_SHARE = 0.2;
 
   private static final double FIRST_WEIGHT = 30;
   private static final double MAX_WEIGHT = 120;
 
-  /** Looks since the last one that tells nothing. */
+  /** Samples since the last invalid one. */
   private int steady;
 
   private double share = FIRST_SHARE;
   private double weight = FIRST_WEIGHT;
 
-  /** Looks, about once in a millisecond. */
-  void look(double dtS, FrequencyHistory history, boolean calm) {
+  /** Update, about once a millisecond. */
+  void update(double dtS, FrequencyHistory history, boolean calm) {
     steady = !calm ? 0 : dtS > GAP_S ? 1 : steady + 1;
-    if (steady >= LOOKS) {
-      judge(history);
+    if (steady >= SAMPLES) {
+      compare(history);
     }
   }
 
-  /** Holds the frequency in the middle against the slope of the line through all phases. */
-  private void judge(FrequencyHistory history) {
+  /** Compares the frequency in the middle with the slope of a line through all phases. */
+  private void compare(FrequencyHistory history) {
     double[] timeS = history.timeS;
     double[] phase = history.phase;
     int middle = history.ago(HALF);
     double meanTime = 0;
     double meanPhase = 0;
-    for (int i = 0; i < LOOKS; i++) {
-      meanTime += (timeS[i] - timeS[middle]) / LOOKS;
-      meanPhase += (phase[i] - phase[middle]) / LOOKS;
+    for (int i = 0; i < SAMPLES; i++) {
+      meanTime += (timeS[i] - timeS[middle]) / SAMPLES;
+      meanPhase += (phase[i] - phase[middle]) / SAMPLES;
     }
     double squares = 0;
     double products = 0;
-    for (int i = 0; i < LOOKS; i++) {
+    for (int i = 0; i < SAMPLES; i++) {
       double t = timeS[i] - timeS[middle] - meanTime;
       squares += t * t;
       products += t * (phase[i] - phase[middle] - meanPhase);
@@ -61,10 +58,7 @@ final class FrequencyHindsight {
     share += (off * off / history.variance[middle] - share) / weight;
   }
 
-  /**
-   * Variance in steady flight as a share of what a filter thinks, as both wings tell it, or this
-   * one alone.
-   */
+  /** Variance in steady flight as a share of that of the filter, from both wings or this one. */
   double share(FrequencyHindsight other) {
     return other == null
         ? share

@@ -1,28 +1,25 @@
 package haltere.filters.wing.internal.stroke;
 
-/**
- * What a wing's filter has said of its phase and frequency at the last looks, about a millisecond
- * apart.
- */
+/** Last estimates of phase and frequency of a wing, about a millisecond apart. */
 final class FrequencyHistory {
-  /** Looks that are kept. */
-  static final int LOOKS = 51;
+  /** Number of samples. */
+  static final int SAMPLES = 51;
 
-  final double[] timeS = new double[LOOKS];
+  final double[] timeS = new double[SAMPLES];
 
   /** Phase, not wrapped. */
-  final double[] phase = new double[LOOKS];
+  final double[] phase = new double[SAMPLES];
 
-  final double[] omega = new double[LOOKS];
-  final double[] rate = new double[LOOKS];
+  final double[] omega = new double[SAMPLES];
+  final double[] rate = new double[SAMPLES];
 
-  /** Variance of omega by the filter. */
-  final double[] variance = new double[LOOKS];
+  /** Variance of omega in the filter. */
+  final double[] variance = new double[SAMPLES];
 
   private int last = -1;
   private int size;
 
-  /** Looks at a filter, some time after the last look. */
+  /** Adds the present estimate of a filter, a time after the last one. */
   void add(double dtS, StrokeEkf filter) {
     double nowS = 0;
     double turned = filter.x[StrokeEkf.PHASE];
@@ -31,8 +28,8 @@ final class FrequencyHistory {
       double expected = phase[last] + filter.x[StrokeEkf.OMEGA] * dtS;
       turned += 2 * Math.PI * Math.rint((expected - turned) / (2 * Math.PI));
     }
-    last = (last + 1) % LOOKS;
-    size = Math.min(LOOKS, size + 1);
+    last = (last + 1) % SAMPLES;
+    size = Math.min(SAMPLES, size + 1);
     timeS[last] = nowS;
     phase[last] = turned;
     omega[last] = filter.x[StrokeEkf.OMEGA];
@@ -40,17 +37,17 @@ final class FrequencyHistory {
     variance[last] = filter.belief.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
   }
 
-  /** Place of the look so many looks before the last one. */
-  int ago(int looks) {
-    return (last + LOOKS - looks) % LOOKS;
+  /** Index of an earlier sample. */
+  int ago(int samples) {
+    return (last + SAMPLES - samples) % SAMPLES;
   }
 
-  /** How far the frequency is from what was expected of it some looks ago; 0 if none is known. */
-  double change(int looks) {
-    if (size <= looks) {
+  /** Frequency minus its prediction some samples ago; 0 if there is none. */
+  double change(int samples) {
+    if (size <= samples) {
       return 0;
     }
-    int then = ago(looks);
+    int then = ago(samples);
     return omega[last] - omega[then] - rate[then] * (timeS[last] - timeS[then]);
   }
 }

@@ -1,72 +1,69 @@
 package haltere.filters.wing.internal.stroke;
 
 /**
- * The noise of a wing's frequency: how much process noise the filter gets, more in a manoeuvre
- * ({@link RunAway}), and how sure the frequency really is, which the filter, ready for manoeuvres,
- * puts too low in steady flight ({@link FrequencyHindsight}) and too high just before a manoeuvre
- * is noticed ({@link FrequencyChange}, and how far it was off when manoeuvres were noticed of
- * late).
+ * Process noise of the frequency, larger in a manoeuvre ({@link ManoeuvreDetector}), and its
+ * variance. That of the filter is too large in steady flight ({@link FrequencyHindsight}) and too
+ * small just before a manoeuvre is detected ({@link FrequencyChange}, and the changes at recent
+ * detections).
  */
 final class FrequencyNoise {
   private static final double CALM_SHARE = 0.02;
 
-  /** What hindsight is off by as the filter is cannot be seen in what both differ by. */
-  private static final double UNSEEN = 1.05;
+  /** Factor for the part of the error that hindsight shares with the filter. */
+  private static final double HINDSIGHT_FACTOR = 1.05;
 
-  /** What is right of the variance that the filter gains in a manoeuvre: it is ready for more. */
+  /** True share of the variance that the filter gains in a manoeuvre. */
   private static final double MANOEUVRE_SHARE = 0.27;
 
-  /** What is added for each square of what the frequency has changed by more than usual. */
+  /** Share of the excess change that is added to the variance. */
   private static final double CHANGE_SHARE = 0.75;
 
-  /** Looks, of about a millisecond, that it takes to notice a manoeuvre. */
-  private static final int SURPRISE_LOOKS = 12;
+  /** Samples, about 1 ms apart, until a manoeuvre is detected. */
+  private static final int DETECTION_SAMPLES = 12;
 
-  private static final double SURPRISE_S = 1.5;
+  private static final double DETECTION_MEMORY_S = 1.5;
 
-  /** What is added for the mean square of the changes that manoeuvres are noticed by. */
-  private static final double SURPRISE_SHARE = 0.028;
+  /** Share of the mean squared change at detections that is added to the variance. */
+  private static final double DETECTION_SHARE = 0.028;
 
-  private final RunAway runAway = new RunAway();
+  private final ManoeuvreDetector detector = new ManoeuvreDetector();
   private final FrequencyHistory history = new FrequencyHistory();
   private final FrequencyChange changes = new FrequencyChange();
   private final FrequencyHindsight hindsight = new FrequencyHindsight();
   private FrequencyNoise other;
 
-  /** Variance of the angular frequency in steady flight, as the filter thinks. */
+  /** Variance of the angular frequency in steady flight, in the filter. */
   private double calmVariance = Double.MAX_VALUE;
 
-  /** Mean square of the changes that were surprises, over the last seconds. */
-  private double surprise;
+  /** Mean squared change at detections, over the last seconds. */
+  private double detectedChange;
 
   private double sinceS;
 
-  /** Says whose wing is driven together with this one; null if there is none. */
+  /** Sets the other wing of the fly, or null. */
   void besides(FrequencyNoise wing) {
     other = wing;
   }
 
-  /** Takes a residual, its weight times the slope, and the slope. */
+  /** Adds a residual, its weight times the slope, and the slope. */
   void add(double residual, double weight, double slope) {
-    runAway.add(residual, weight, slope);
+    detector.add(residual, weight, slope);
   }
 
-  /**
-   * Looks, about once in a millisecond, and adds no more than the most to the density of the noise.
-   */
-  void look(double dtS, StrokeEkf filter, double most) {
+  /** Update, about once a millisecond, with the largest added density. */
+  void update(double dtS, StrokeEkf filter, double most) {
     double omega = filter.x[StrokeEkf.OMEGA];
-    runAway.look(dtS, omega, most, other == null ? null : other.runAway);
+    detector.update(dtS, omega, most, other == null ? null : other.detector);
     boolean calm = isCalm();
     history.add(dtS, filter);
-    // a fly that has surprised does so again
-    double change = calm ? 0 : history.change(SURPRISE_LOOKS);
-    sinceS = Math.min(SURPRISE_S, sinceS + dtS);
-    surprise += dtS / sinceS * (change * change - surprise);
-    hindsight.look(dtS, history, calm);
+    // manoeuvres come in series
+    double change = calm ? 0 : history.change(DETECTION_SAMPLES);
+    sinceS = Math.min(DETECTION_MEMORY_S, sinceS + dtS);
+    detectedChange += dtS / sinceS * (change * change - detectedChange);
+    hindsight.update(dtS, history, calm);
     double p = filter.belief.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
     boolean isCalmFly = calm && (other == null || other.isCalm());
-    changes.look(history, isCalmFly, other == null ? null : other.changes);
+    changes.update(history, isCalmFly, other == null ? null : other.changes);
     if (p < calmVariance) {
       calmVariance = p;
     } else if (calm) {
@@ -74,23 +71,23 @@ final class FrequencyNoise {
     }
   }
 
-  /** What is to be added to the density of the angular frequency's noise. */
+  /** Added density of the process noise of the angular frequency. */
   double added() {
-    return runAway.density();
+    return detector.density();
   }
 
-  /** Whether the fly flies steadily. */
+  /** Whether the flight is steady. */
   private boolean isCalm() {
-    return runAway.density() == 0;
+    return detector.density() == 0;
   }
 
-  /** Variance of the angular frequency, from what the filter thinks it is. */
+  /** Variance of the angular frequency, from that of the filter. */
   double variance(double p) {
     double manoeuvre = isCalm() ? 0 : Math.max(0, p - calmVariance);
-    double share = UNSEEN * hindsight.share(other == null ? null : other.hindsight);
+    double share = HINDSIGHT_FACTOR * hindsight.share(other == null ? null : other.hindsight);
     return share * (p - manoeuvre)
         + MANOEUVRE_SHARE * manoeuvre
-        + SURPRISE_SHARE * surprise
+        + DETECTION_SHARE * detectedChange
         + CHANGE_SHARE * changes.excess;
   }
 }

@@ -6,21 +6,20 @@ import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /**
- * Follows a wing's hinge as the body sways. The stroke's filter explains the angles; what it cannot
- * explain, as it differs between near and far events, is a shift of the hinge. Residuals gather in
- * normal equations of the shift beside the filter's own centre, amplitude and phase, which are
- * eliminated (Schur complement); the shift is a random walk that is estimated every few
- * milliseconds.
+ * Tracks the hinge of a wing as the body sways: a shift of the hinge makes residuals that differ
+ * between near and far events. They are summed in normal equations of the shift and of centre,
+ * amplitude and phase, which are eliminated (Schur complement). The shift is a random walk,
+ * estimated every few milliseconds.
  */
 final class HingeTracker {
-  /** Number of the first entry of the shift, after centre, amplitude and phase. */
+  /** Index of the shift, after centre, amplitude and phase. */
   private static final int SHIFT = 3;
 
-  /** Number of the right side, after the shift. */
+  /** Index of the right side, after the shift. */
   private static final int RIGHT = 5;
 
-  /** Estimates that tell what events say against a hinge that is set by hand. */
-  private static final int USUAL_LOOKS = 10;
+  /** Estimates from which the offset of a manual hinge is averaged. */
+  private static final int OFFSET_SAMPLES = 10;
 
   /** Upper triangle of the normal equations with their right side. */
   private final DMatrixRMaj sums = new DMatrixRMaj(RIGHT + 1, RIGHT + 1);
@@ -40,10 +39,10 @@ final class HingeTracker {
   /** The last shift, pixels. */
   final DMatrixRMaj shift = new DMatrixRMaj(2, 1);
 
-  /** What the last shift adds to centre, amplitude and phase. */
+  /** Change of centre, amplitude and phase by the last shift. */
   final DMatrixRMaj stroke = new DMatrixRMaj(SHIFT, 1);
 
-  /** Begins with an uncertainty of the hinge, pixels. */
+  /** Starts with a standard deviation of the hinge, pixels. */
   void launch(double sdPx) {
     CommonOps_DDRM.setIdentity(p);
     CommonOps_DDRM.scale(sdPx * sdPx, p);
@@ -53,12 +52,12 @@ final class HingeTracker {
   }
 
   /**
-   * Takes a residual.
+   * Adds a residual.
    *
    * @param weight one over its variance
    * @param y the residual, radians
-   * @param gx by how much it falls when the hinge moves to the right, radians a pixel
-   * @param gy by how much it falls when the hinge moves up
+   * @param gx its decrease by a shift of the hinge to the right, radians a pixel
+   * @param gy its decrease by a shift upwards, radians a pixel
    * @param sin sine of the phase
    * @param slope derivative of the angle with respect to the phase
    */
@@ -91,10 +90,10 @@ final class HingeTracker {
   }
 
   /**
-   * Estimates the shift since the last time; false where there is none.
+   * Estimates the shift since the last time; false if there is none.
    *
-   * @param byHand whether a person has put the hinge where it is; what the events say against that
-   *     at first is no shift, then or later
+   * @param byHand whether the hinge was set manually; its initial offset from the events is then
+   *     subtracted from all shifts
    */
   boolean solve(double dtS, double walkPx2PerS, double inflation, boolean byHand) {
     p.add(0, 0, walkPx2PerS * dtS);
@@ -114,7 +113,7 @@ final class HingeTracker {
     solver.solve(coupled, taken);
     CommonOps_DDRM.multAddTransA(-1, coupled, taken, seen);
     CommonOps_DDRM.scale(1 / inflation, seen);
-    if (byHand && usualLooks < USUAL_LOOKS) {
+    if (byHand && usualLooks < OFFSET_SAMPLES) {
       usualLooks++;
       CommonOps_DDRM.addEquals(usual, seen);
       return false;
@@ -141,7 +140,7 @@ final class HingeTracker {
     return true;
   }
 
-  /** Takes the equations of a shift apart. */
+  /** Splits the equations of a shift. */
   private void split(DMatrixRMaj equations) {
     CommonOps_DDRM.extract(equations, 0, 2, 0, 2, information);
     CommonOps_DDRM.extract(equations, 0, 2, 2, 3, right);

@@ -1,23 +1,19 @@
 package haltere.filters.wing.internal.stroke;
 
 /**
- * Residuals of the events of a wing in mid stroke over the distance from the hinge, in rings of
- * equal area. Tells whether the distance between the edges is that of a chord or that of a lag: the
- * angle of a chord falls towards the tip (Ellington 1984, part II, section 3), a lag is the same at
- * all distances.
- *
- * <p>The mean residual of a ring is a time: the regression of its residuals on the wing's speed.
+ * Residuals of the events of a wing in mid stroke, in rings of equal area about the hinge. They
+ * show whether the distance between the edges is a chord, whose angle decreases towards the tip
+ * (Ellington 1984, part II, section 3), or a lag, which is constant. The mean residual of a ring is
+ * a time: the regression of its residuals on the speed of the wing.
  */
 final class RadialResiduals {
   private static final int RINGS = 8;
   private static final double MEMORY_S = 0.25;
 
-  /**
-   * Variation over the radius, as a share of the distance, at which chord and lag are as likely.
-   */
+  /** Variation over the radius, as a share of the distance, with equal odds of chord and lag. */
   private static final double AMBIGUOUS_VARIATION = 0.1;
 
-  /** 95 % quantile of chi-square over its degrees of freedom, 7: more than noise explains. */
+  /** 95 % quantile of χ² over its 7 degrees of freedom. */
   private static final double SIGNIFICANT = 2.01;
 
   private static final double FREEDOM = RINGS - 1;
@@ -27,29 +23,22 @@ final class RadialResiduals {
   private final double ringsPerSquarePx;
   private double wideTime = 0.5;
 
-  /**
-   * Degree, 0 to 1, to which the distance of the edges varies over the radius as a chord's does.
-   */
+  /** Degree, 0 to 1, to which the distance of the edges varies over the radius like a chord. */
   double chordShare;
 
-  /**
-   * Degree, 0 to 1, to which passages are answered at both edges beyond what chance pairs; slow
-   * pixels and blind ones miss an edge.
-   */
+  /** Degree, 0 to 1, to which passages have events of both edges; slow pixels miss an edge. */
   double answeredShare;
 
-  /**
-   * Share of the time, 0 to 1, in which radius or times tell of a wide wing; even odds at first.
-   */
+  /** Share of the time, 0 to 1, in which radius or times show a wide wing; 0.5 at first. */
   double wideShare = 0.5;
 
-  /** Share of the time, 0 to 1, in which radius and times do not tell that the wing is narrow. */
+  /** Share of the time, 0 to 1, in which radius and times do not show a narrow wing. */
   double notNarrowShare = 1;
 
-  /** Variance over the radius of the middle between the edges in mid stroke, squared seconds. */
+  /** Variance over the radius of the middle between the edges, squared seconds. */
   double bendVariance;
 
-  /** Of a wing whose region of interest ends at a distance from the hinge, squared pixels. */
+  /** Residuals up to a distance from the hinge, squared pixels. */
   RadialResiduals(double outerSquarePx) {
     ringsPerSquarePx = RINGS / outerSquarePx;
   }
@@ -69,15 +58,15 @@ final class RadialResiduals {
   }
 
   /**
-   * Compares the rings, about once in a millisecond.
+   * Compares the rings, about once a millisecond.
    *
    * @param dtS since the last time
    * @param apartS half of the mean time between the edges in mid stroke, seconds
-   * @param variances of the angle of an event of each edge, squared radians, inflated where errors
-   *     repeat
-   * @param isSpread whether the times of events tell of a wide wing
+   * @param variances of the angle of an event of each edge, squared radians, inflated for repeating
+   *     errors
+   * @param isSpread whether the times of events show a wide wing
    */
-  void look(double dtS, double apartS, double[] variances, boolean isSpread) {
+  void update(double dtS, double apartS, double[] variances, boolean isSpread) {
     double[] sum = new double[2];
     RingMoments apart = new RingMoments();
     RingMoments middle = new RingMoments();
@@ -132,7 +121,7 @@ final class RadialResiduals {
       return all == 0 ? 0 : Math.max(0, (second - first * first / all - SIGNIFICANT * noise) / all);
     }
 
-    /** Probability that the rings vary by that much more than noise; even odds before. */
+    /** Probability that the rings vary by this variance beyond noise; prior 0.5. */
     double probability(double variance) {
       if (all == 0) {
         return 0.5;

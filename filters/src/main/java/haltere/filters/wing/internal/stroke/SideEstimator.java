@@ -7,8 +7,8 @@ import haltere.filters.wing.WingTrackerSettings;
 import java.util.List;
 
 /**
- * Estimates the stroke of one wing from its events. Times never go back. Angles in radians: stroke
- * angles are measured in the wing's {@link StrokeFrame}.
+ * Estimates the stroke of one wing from its events, whose times ascend. Stroke angles are radians
+ * in the {@link StrokeFrame} of the wing.
  */
 public interface SideEstimator {
   /** Number of the leading edge (OFF events). */
@@ -21,25 +21,24 @@ public interface SideEstimator {
   int WING = 2;
 
   /**
-   * Begins with a stroke.
+   * Starts with a stroke.
    *
-   * @param atUs when, microseconds
+   * @param atUs microseconds
    * @param seed the stroke
    */
   void launch(long atUs, StrokeSeed seed);
 
   /**
-   * Takes an event of the wing's side that lies in the region of interest; the frame has just
-   * looked at it.
+   * Processes an event in the region of interest, for which the frame was just asked.
    *
-   * @param timeUs when, microseconds
+   * @param timeUs microseconds
    * @param on its polarity
-   * @return stroke angle that was expected, before latency is taken out; NaN if it was refused
+   * @return expected stroke angle, before the latency is removed; NaN if the event was rejected
    */
   double event(long timeUs, boolean on);
 
   /**
-   * Brings the estimate to a time before which no event comes any more.
+   * Predicts the estimate to a time; later events are not earlier than this.
    *
    * @param timeUs microseconds
    */
@@ -49,20 +48,19 @@ public interface SideEstimator {
    * The estimate of an edge or of the wing at the time of the last {@link #advance}.
    *
    * @param part {@link #LEADING}, {@link #TRAILING} or {@link #WING}
-   * @return standard deviations are NaN where the method gives none
+   * @return standard deviations are NaN if the method has none
    */
   WingEstimate estimate(int part);
 
   /**
-   * The way of both edges over the beat that follows the last {@link #advance}.
+   * Angles of both edges over the beat after the last {@link #advance}.
    *
-   * @param steps how many angles, at even steps of the phase, the first one of now
-   * @return stroke angles of the {@link #LEADING} and the {@link #TRAILING} edge, radians, not
-   *     wrapped
+   * @param steps number of angles, at even steps of the phase from now on
+   * @return angles of the {@link #LEADING} and the {@link #TRAILING} edge, radians, not wrapped
    */
   double[][] beat(int steps);
 
-  /** {@return the Kalman filters of the wing or of its edges as they are now; none without} */
+  /** {@return the present Kalman filters of the wing or of its edges, if there are any} */
   default List<WingFilterState> filters() {
     return List.of();
   }
@@ -70,26 +68,26 @@ public interface SideEstimator {
   /**
    * Changes a number of a filter.
    *
-   * @param edit which number
-   * @throws IllegalArgumentException with a line for a person if it cannot be that number
+   * @param edit the change
+   * @throws IllegalArgumentException if the value is not possible
    */
   void edit(WingFilterEdit edit);
 
-  /** {@return the stroke as it is now, for another estimator to begin with} */
+  /** {@return the present stroke, to start another estimator} */
   StrokeSeed seed();
 
   /**
-   * Takes settings that do not change what the estimator is.
+   * Applies settings that need no other estimator.
    *
    * @param changed valid settings
    */
   void apply(WingTrackerSettings changed);
 
   /**
-   * Whether the wing is no longer where the estimate says.
+   * Whether lock is lost.
    *
    * @param timeUs now, microseconds
-   * @return true if the wing has to be searched for
+   * @return true if the wing must be searched again
    */
   boolean isLost(long timeUs);
 }

@@ -12,11 +12,9 @@ import java.util.Arrays;
  *
  * An OFF event measures h(xi) + w sgn(h'), an ON event h(xi - omega lag) - w sgn(h').
  *
- * <p>Sine and cosine of the phase are kept and turned by small angles, not computed anew. Process
- * noise is a density per second. Harmonics, width and lag forget slowly (Ornstein and Uhlenbeck),
- * so that what events do not show returns to what is likely.
- *
- * <p>Times in seconds, angles in radians. Thread rule: one thread at a time.
+ * <p>Sine and cosine of the phase are rotated by small angles. Process noise is a spectral density.
+ * Harmonics, width and lag are Ornstein-Uhlenbeck processes, so that unobserved ones return to
+ * their usual values. Times in seconds, angles in radians.
  */
 final class StrokeEkf {
   static final int CENTRE = 0;
@@ -32,7 +30,7 @@ final class StrokeEkf {
   final int size;
   final GaussianState belief;
 
-  /** The belief's mean itself. */
+  /** Mean of the state, not a copy. */
   final double[] x;
 
   private final double[] h;
@@ -44,7 +42,7 @@ final class StrokeEkf {
 
   double sin;
 
-  /** Derivative of the stroke angle where {@link #angle} was asked for it last. */
+  /** Derivative of the stroke angle at the last phase of {@link #angle}. */
   double slopeThere;
 
   /** Cosine and sine of omega times the lag. */
@@ -61,7 +59,7 @@ final class StrokeEkf {
     marked = new double[size];
   }
 
-  /** Begins anew: a state with independent errors. */
+  /** Restarts with a state with independent errors. */
   void launch(double[] state, double[] sd) {
     double[] variances = new double[size];
     for (int i = 0; i < size; i++) {
@@ -84,7 +82,7 @@ final class StrokeEkf {
     return angle - 2 * Math.PI * Math.floor(angle / (2 * Math.PI));
   }
 
-  /** Turns the phase on; the covariance stays behind until {@link #predictCovariance}. */
+  /** Advances the phase; the covariance follows in {@link #predictCovariance}. */
   void turn(double angle) {
     if (Math.abs(angle) > 0.3) {
       x[PHASE] += angle;
@@ -103,7 +101,7 @@ final class StrokeEkf {
     x[PHASE] = phase >= 2 * Math.PI ? phase - 2 * Math.PI : phase < 0 ? phase + 2 * Math.PI : phase;
   }
 
-  /** Whether another state of as many numbers has the same stroke at each phase. */
+  /** Whether another state of equal size has the same stroke. */
   boolean hasSeries(double[] other) {
     return other.length == size
         && other[CENTRE] == x[CENTRE]
@@ -138,7 +136,7 @@ final class StrokeEkf {
     return value;
   }
 
-  /** Stroke angle when the phase has turned on; {@link #slopeThere} keeps its slope. */
+  /** Stroke angle at an advanced phase; {@link #slopeThere} keeps its slope. */
   double angleAfter(double turn) {
     double c = Math.cos(turn);
     double s = Math.sin(turn);
@@ -146,8 +144,7 @@ final class StrokeEkf {
   }
 
   /**
-   * Takes the covariance on by a time: the phase gathers the error of the frequency. The densities
-   * are those of the process noise of the first entries.
+   * Predicts the covariance by a time step with the process noise densities of the first entries.
    */
   void predictCovariance(double dtS, double[] density) {
     belief.shearCovariance(PHASE, OMEGA, dtS);
@@ -157,10 +154,7 @@ final class StrokeEkf {
     }
   }
 
-  /**
-   * Makes the row of derivatives for an event at a phase: edge 1 for OFF, -1 for ON, 0 for the
-   * middle of the wing.
-   */
+  /** Sets the measurement Jacobian at a phase: edge 1 for OFF, -1 for ON, 0 for the middle. */
   void look(double c1, double s1, int edge) {
     double slope = slope(c1, s1);
     double ahead = slope >= 0 ? edge : -edge;
@@ -184,7 +178,7 @@ final class StrokeEkf {
     expectedVariance = belief.project(h);
   }
 
-  /** Variance of the present angle of the wing's middle, 0, or of the edge on one of its sides. */
+  /** Variance of the present angle of the middle, 0, or of an edge on one of its sides. */
   double angleVariance(int at) {
     look(cos, sin, 0);
     if (at != 0) {
@@ -194,12 +188,12 @@ final class StrokeEkf {
     return expectedVariance;
   }
 
-  /** Variance of what {@link #look} expects. */
+  /** Variance of the expected measurement of {@link #look}. */
   double expectedVariance() {
     return expectedVariance;
   }
 
-  /** What {@link #look} looks at has moved by, since {@link #mark}. */
+  /** Change of the expected measurement of {@link #look} since {@link #mark}. */
   double movedBy() {
     double sum = 0;
     for (int i = 0; i < size; i++) {
@@ -213,12 +207,12 @@ final class StrokeEkf {
     System.arraycopy(x, 0, marked, 0, size);
   }
 
-  /** Takes in a measurement of what {@link #look} looks at. */
+  /** Updates with the measurement of {@link #look}. */
   void update(double innovation, double variance) {
     belief.correct(innovation, variance);
   }
 
-  /** Ends a round of updates: what follows from the state is computed anew. */
+  /** Ends a series of updates: recomputes derived values. */
   void settle() {
     double turned = x[PHASE] - marked[PHASE];
     if (turned != 0) {

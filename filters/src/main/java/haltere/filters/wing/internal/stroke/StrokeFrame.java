@@ -2,7 +2,7 @@ package haltere.filters.wing.internal.stroke;
 
 import haltere.filters.wing.WingPart;
 
-/** Where a wing is hinged and from where its stroke angle is measured; turns pixels into angles. */
+/** Hinge and reference direction of a wing; converts pixels to stroke angles. */
 public final class StrokeFrame {
   private static final double MIN_RADIUS_PX = 1;
 
@@ -17,7 +17,7 @@ public final class StrokeFrame {
   private double outerSquare;
   private boolean byHand;
 
-  /** Of the event last looked at: from the hinge, and the square of the distance. */
+  /** Offset of the last event from the hinge, and its squared distance. */
   double dx;
 
   double dy;
@@ -37,7 +37,7 @@ public final class StrokeFrame {
     return side;
   }
 
-  /** {@return which way stroke angles grow on the sensor: 1 for the left wing, -1 for the right} */
+  /** {@return the sense of stroke angles on the sensor: 1 for the left wing, -1 for the right} */
   public double turn() {
     return turn;
   }
@@ -49,7 +49,7 @@ public final class StrokeFrame {
    * @param y row of the hinge
    * @param heading from tail to head, counterclockwise from +x, radians
    * @param innerPx pixels nearer to the hinge are outside the region of interest
-   * @param outerPx and pixels further off
+   * @param outerPx pixels farther from the hinge as well
    */
   public void place(double x, double y, double heading, double innerPx, double outerPx) {
     hingeX = x;
@@ -61,9 +61,9 @@ public final class StrokeFrame {
   }
 
   /**
-   * Says whether a person has put the hinge where it is.
+   * Sets whether the hinge was set manually.
    *
-   * @param said true if so
+   * @param said true if it was
    */
   public void setByHand(boolean said) {
     byHand = said;
@@ -78,7 +78,7 @@ public final class StrokeFrame {
   }
 
   /**
-   * Turns the direction that stroke angles refer to.
+   * Sets the reference direction of stroke angles.
    *
    * @param heading from tail to head, counterclockwise from +x, radians
    */
@@ -109,16 +109,13 @@ public final class StrokeFrame {
     return hingeY;
   }
 
-  /**
-   * {@return the direction that stroke angles refer to: from tail to head, counterclockwise from
-   * +x}
-   */
+  /** {@return the reference direction, from tail to head, radians counterclockwise from +x} */
   public double headingRad() {
     return headingRad;
   }
 
   /**
-   * Looks at a pixel.
+   * Computes the offset of a pixel from the hinge.
    *
    * @param x column
    * @param y row
@@ -131,10 +128,7 @@ public final class StrokeFrame {
     return square >= innerSquare && square <= outerSquare;
   }
 
-  /**
-   * {@return the stroke angle of the pixel last looked at, in (-pi, pi]; just beyond the tail is
-   * near -pi}
-   */
+  /** {@return the stroke angle of the last pixel, in (-pi, pi]; just beyond the tail near -pi} */
   public double angle() {
     double along = dx * headingCos + dy * headingSin;
     double across = dy * headingCos - dx * headingSin;

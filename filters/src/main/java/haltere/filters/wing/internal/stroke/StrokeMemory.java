@@ -1,8 +1,8 @@
 package haltere.filters.wing.internal.stroke;
 
 /**
- * What a filter forgets: what events do not show returns to what is likely of flies (a process of
- * Ornstein and Uhlenbeck, whose process noise has a density of 2 sd²/τ).
+ * Return of unobserved parameters to usual values of flies: an Ornstein-Uhlenbeck process with a
+ * process noise density of 2 sd²/τ.
  */
 final class StrokeMemory {
   private static final double FORGET_S = 1;
@@ -15,7 +15,7 @@ final class StrokeMemory {
 
   private StrokeMemory() {}
 
-  /** Sets the densities of the entries that are forgotten. */
+  /** Sets the densities of these entries. */
   static void setDensities(double[] q, double rateSd) {
     q[StrokeEkf.RATE] = 2 * rateSd * rateSd / RATE_S;
     q[StrokeEkf.WIDTH] = 2 * WIDTH_SD * WIDTH_SD / FORGET_S;
@@ -26,10 +26,7 @@ final class StrokeMemory {
     }
   }
 
-  /**
-   * Forgets. Events of one edge alone do not tell width and lag, which then stay as they are, for
-   * sure.
-   */
+  /** Decays the entries. Without events of both edges, width and lag are held, without variance. */
   static void forget(StrokeEkf filter, double dtS, double[] q, boolean both) {
     double share = 1 - Math.exp(-dtS / FORGET_S);
     decay(filter, StrokeEkf.RATE, 0, 1 - Math.exp(-dtS / RATE_S), q[StrokeEkf.RATE] * RATE_S);

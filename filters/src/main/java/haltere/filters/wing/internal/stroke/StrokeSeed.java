@@ -1,10 +1,9 @@
 package haltere.filters.wing.internal.stroke;
 
 /**
- * A stroke as the search found it, or as another estimator leaves it: what an estimator begins
- * with.
+ * Initial stroke of an estimator, from the search or from another estimator.
  *
- * @param timeUs when the phase is what it is, microseconds
+ * @param timeUs time of the phase, microseconds
  * @param centre mean stroke angle
  * @param amplitude of the first harmonic
  * @param phase of the first harmonic: the angle is centre + amplitude sin(phase) + harmonics
@@ -41,7 +40,7 @@ public record StrokeSeed(
     return x;
   }
 
-  /** Standard deviations of the state that {@link #state} gives. */
+  /** Standard deviations of {@link #state}. */
   static double[] sd(int harmonics) {
     double[] sd = new double[StrokeEkf.SERIES + 2 * (harmonics - 1)];
     sd[StrokeEkf.CENTRE] = 0.05;
@@ -57,10 +56,7 @@ public record StrokeSeed(
     return sd;
   }
 
-  /**
-   * {@return the same stroke measured from the opposite direction, that of a wing on the other
-   * side}
-   */
+  /** {@return the same stroke in the opposite direction, as of a wing on the other side} */
   public StrokeSeed mirrored() {
     double[] c = cosines.clone();
     double[] s = sines.clone();
@@ -95,12 +91,12 @@ public record StrokeSeed(
   }
 
   /**
-   * A plain sinusoid of a wing of usual width.
+   * A sinusoid of a wing of usual width.
    *
-   * @param timeUs when the phase is what it is, microseconds
+   * @param timeUs time of the phase, microseconds
    * @param centre mean stroke angle
    * @param amplitude half of peak to peak
-   * @param phase 0 where the wing passes its centre towards the tail
+   * @param phase 0 at the passage of the centre towards the tail
    * @param omega angular frequency
    * @param lagS of ON behind OFF events, seconds
    * @return the stroke

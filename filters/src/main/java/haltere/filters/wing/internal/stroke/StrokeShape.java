@@ -1,6 +1,6 @@
 package haltere.filters.wing.internal.stroke;
 
-/** The extremes of a stroke and the phase at which it passes its centre towards the tail. */
+/** Extremes of a stroke and phase of its passage of the centre towards the tail. */
 final class StrokeShape {
   private static final int STEPS = 32;
   private static final double[] COS = new double[STEPS];
@@ -15,15 +15,15 @@ final class StrokeShape {
 
   private final double[] value = new double[STEPS];
 
-  /** State of the filter that was looked at last. */
+  /** State of the last stroke. */
   private double[] seen = new double[0];
 
-  /** Least and largest stroke angle. */
+  /** Smallest and largest stroke angle. */
   double least;
 
   double most;
 
-  /** Phase of the filter at which the wing passes its centre towards the tail. */
+  /** Phase of the passage of the centre towards the tail. */
   double crossingRad;
 
   /** Half of peak to peak. */
@@ -31,7 +31,7 @@ final class StrokeShape {
     return (most - least) / 2;
   }
 
-  /** Looks at the stroke of a filter, unless it has the same centre, amplitude and harmonics. */
+  /** Sets the stroke of a filter; repeated if centre, amplitude or harmonics have changed. */
   void of(StrokeEkf filter) {
     if (filter.hasSeries(seen)) {
       return;

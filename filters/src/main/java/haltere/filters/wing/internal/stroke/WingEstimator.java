@@ -14,10 +14,10 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Estimates the stroke of a wing with one {@link StrokeEkf} over both its edges: gathers events for
- * a few tens of microseconds into one update for each edge, learns what events are worth ({@link
- * WingEventNoise}), follows the hinge ({@link HingeTracker}), lets the frequency run in manoeuvres,
- * and takes the latency out of what it says.
+ * Estimates the stroke of a wing with one {@link StrokeEkf} over both edges: combines the events of
+ * some tens of microseconds into one update for each edge, estimates their noise ({@link
+ * WingEventNoise}), tracks the hinge ({@link HingeTracker}), adapts the noise of the frequency to
+ * manoeuvres ({@link FrequencyNoise}) and removes the latency.
  */
 public final class WingEstimator implements SideEstimator {
   private static final int SLOW_US = 1000;
@@ -26,10 +26,10 @@ public final class WingEstimator implements SideEstimator {
   /** Time without events after which an edge does not count: two of the longest beats. */
   private static final int SILENT_US = 30_000;
 
-  /** Events of one beat repeat each other's errors: so many of them count for one. */
+  /** Number of events of one beat that count as one, since their errors are correlated. */
   private static final double REPEATING = 3;
 
-  /** What a wing's estimate is usually wrong by from the heading that its angles refer to. */
+  /** Standard deviation of an angle from errors of the heading and of the stroke's shape. */
   private static final double SYSTEMATIC_RAD = 0.0092;
 
   final StrokeEkf filter;
@@ -44,13 +44,13 @@ public final class WingEstimator implements SideEstimator {
   private final HingeTracker hinge = new HingeTracker();
   private RadialResiduals radial = new RadialResiduals(1);
   private final double[] eventVariances = new double[2];
-  private LockJudge judge = new LockJudge();
+  private LockMonitor lock = new LockMonitor();
   private FrequencyNoise frequencyNoise = new FrequencyNoise();
   private WingEstimator other;
   private boolean followsHinge;
   private final boolean[] takes = new boolean[2];
 
-  /** Process noise of each entry, by the settings or by hand; the filter's own in a manoeuvre. */
+  /** Process noise of each entry, from the settings or edited. */
   private final double[] q;
 
   private final boolean[] byHand;
@@ -72,9 +72,9 @@ public final class WingEstimator implements SideEstimator {
   /**
    * An estimator that has to be {@link #launch launched}.
    *
-   * @param frame where the wing is hinged; follows the events if the settings say so
+   * @param frame hinge and direction of the wing; follows the events if set so
    * @param settings of the tracker
-   * @param beats takes the beats
+   * @param beats receives the beats
    */
   public WingEstimator(StrokeFrame frame, WingTrackerSettings settings, BeatListener beats) {
     side = frame.side();
@@ -111,7 +111,7 @@ public final class WingEstimator implements SideEstimator {
     noise.apply(options.gateSd(), settings.measurement());
   }
 
-  /** Process noise by the settings, but for what is by hand. */
+  /** Process noise from the settings, except for edited entries. */
   private void takeNoise() {
     double[] set = new double[q.length];
     set[StrokeEkf.CENTRE] = settings.centre();
@@ -126,7 +126,7 @@ public final class WingEstimator implements SideEstimator {
   }
 
   /**
-   * Says which wing is of the same fly, seen by the same camera.
+   * Sets the other wing of the same fly and camera.
    *
    * @param wing the other one; null if none is tracked
    */
@@ -135,7 +135,7 @@ public final class WingEstimator implements SideEstimator {
     frequencyNoise.besides(wing == null ? null : wing.frequencyNoise);
   }
 
-  /** As sure of the stroke as a search is. */
+  /** {@inheritDoc} The initial covariance is that of a search. */
   @Override
   public void launch(long atUs, StrokeSeed seed) {
     filter.launch(seed.state(filter.harmonics, atUs), StrokeSeed.sd(filter.harmonics));
@@ -152,7 +152,7 @@ public final class WingEstimator implements SideEstimator {
     pending = 0;
     Arrays.fill(expected, 0);
     frequencyNoise = new FrequencyNoise();
-    judge = new LockJudge();
+    lock = new LockMonitor();
     hinge.launch(0.3);
     radial = new RadialResiduals(frame.outerSquare());
     shape.of(filter);
@@ -192,7 +192,7 @@ public final class WingEstimator implements SideEstimator {
     noise.count(edge, y, belief > 0);
     if (belief == 0) {
       if (noise.isOneOfTooMany(y)) {
-        // the phase has run away so far that only events that happen to agree are taken in
+        // a diverged phase accepts only events that agree by chance
         double most = options.gateSd() * Math.sqrt(variance + expected[edge]);
         frequencyNoise.add(Math.max(-most, Math.min(most, y)), slope / variance, slope);
       }
@@ -207,7 +207,7 @@ public final class WingEstimator implements SideEstimator {
       eventVariances[edge] = REPEATING * variance;
     }
     if (followsHinge) {
-      // the residual counts by its distance on the sensor, which changes with the hinge as well
+      // the distance on the sensor changes with the hinge as well
       double gx = (y * frame.dx - frame.turn() * frame.dy) / frame.square;
       double gy = (y * frame.dy + frame.turn() * frame.dx) / frame.square;
       hinge.add(w, y, gx, gy, s, slope);
@@ -260,37 +260,36 @@ public final class WingEstimator implements SideEstimator {
     }
   }
 
-  /** Does what is due each millisecond and looks at the other wing, which is as far advanced. */
+  /** Update of each millisecond, with the other wing at the same time. */
   public void step() {
     if (timeUs - slowUs < SLOW_US) {
       return;
     }
     double dtS = (timeUs - slowUs) * 1e-6;
     slowUs = timeUs;
-    frequencyNoise.look(dtS, filter, settings.manoeuvre());
+    frequencyNoise.update(dtS, filter, settings.manoeuvre());
     density[StrokeEkf.OMEGA] =
         q[StrokeEkf.OMEGA] + (byHand[StrokeEkf.OMEGA] ? 0 : frequencyNoise.added());
     boolean both = hasBothEdges();
     StrokeMemory.forget(filter, dtS, q, both);
     boolean spread = CameraLatency.isWide(noise.of(LEADING).timingSdS(), fullSpeed());
-    radial.look(dtS, apartS(filter.x[StrokeEkf.LAG]), eventVariances, spread);
+    radial.update(dtS, apartS(filter.x[StrokeEkf.LAG]), eventVariances, spread);
     if (!both) {
       takeFromOther();
     }
-    judge.look(
+    lock.update(
         dtS,
         taken[0] + taken[1],
         filter.x[StrokeEkf.OMEGA],
         filter.x[StrokeEkf.AMPLITUDE],
         noise.excess());
     shape.of(filter);
-    clock.look(timeUs, phase(), filter.x[StrokeEkf.OMEGA], shape);
+    clock.update(timeUs, phase(), filter.x[StrokeEkf.OMEGA], shape);
   }
 
   /**
-   * Takes from the other wing, where that has both edges, what one edge does not tell: the lag of
-   * ON events, which the same pixels make, and for ON events alone, which come later the faster the
-   * wing is, the waveform as well.
+   * Copies unobservable parameters from the other wing if that has events of both edges and this
+   * one of one only: the lag of ON events, and for ON events alone also the waveform.
    */
   private void takeFromOther() {
     if (other == null || !other.hasBothEdges()) {
@@ -309,7 +308,7 @@ public final class WingEstimator implements SideEstimator {
     }
   }
 
-  /** Whether events of both edges are taken and come. */
+  /** Whether both edges are enabled and have recent events. */
   private boolean hasBothEdges() {
     return takes[0] && takes[1] && Math.abs(lastTakenUs[0] - lastTakenUs[1]) < SILENT_US;
   }
@@ -317,7 +316,7 @@ public final class WingEstimator implements SideEstimator {
   @Override
   public boolean isLost(long atUs) {
     double periodUs = 2e6 * Math.PI / Math.max(100, filter.x[StrokeEkf.OMEGA]);
-    return judge.isLost()
+    return lock.isLost()
         || atUs - Math.max(lastTakenUs[0], lastTakenUs[1]) > Math.max(12_000, 3 * periodUs);
   }
 
@@ -353,7 +352,7 @@ public final class WingEstimator implements SideEstimator {
   }
 
   /**
-   * Turns the frame; the centre stays where it is on the sensor.
+   * Rotates the frame; the centre keeps its direction on the sensor.
    *
    * @param by counterclockwise, radians
    */
@@ -371,7 +370,7 @@ public final class WingEstimator implements SideEstimator {
   }
 
   /**
-   * Phase by which estimates are ahead of the events. Of a wide wing on slow pixels OFF events come
+   * Phase by which estimates are ahead of the events. OFF events of a wide wing on slow pixels come
    * between the middle of the passage and its end.
    */
   private double ahead() {
@@ -389,15 +388,15 @@ public final class WingEstimator implements SideEstimator {
   }
 
   /**
-   * Probability that the lag of ON events is a passage of the chord over fast pixels: odds of the
-   * distance over the radius times odds of the times.
+   * Probability that the lag of ON events is the passage of a chord over fast pixels: odds by
+   * radius times odds by times.
    */
   private double passageShare(double lagS) {
     if (!hasBothEdges()) {
       return 0;
     }
     double chord = radial.chordShare;
-    // a slow pixel spreads the times of both edges, the shape of a wing those of one
+    // slow pixels scatter the times of both edges, the shape of a wing those of one
     double fast = CameraLatency.fastShare(lagS, timingSdS());
     double both = chord * fast;
     return both == 0 ? 0 : radial.answeredShare * both / (both + (1 - chord) * (1 - fast));
@@ -408,10 +407,10 @@ public final class WingEstimator implements SideEstimator {
   }
 
   /**
-   * Variance of the time from the middle of the wing to its events, which lies within half of the
-   * time between the edges. Of a fast pixel it is a second moment about the end of that interval,
-   * of a slow one the bound by mean and interval (Bhatia and Davis 2000). The choice between both,
-   * the spread of OFF events (Popoviciu 1935) and a middle that is not straight add to it.
+   * Variance of the time from the middle of the wing to its events, which is within half of the
+   * time between the edges. For fast pixels it is the second moment about the end of this interval,
+   * for slow ones the bound by mean and interval (Bhatia and Davis 2000). Added: the choice between
+   * both, the scatter of OFF events (Popoviciu 1935) and the curvature of the middle.
    */
   private double passageVariance(double lagS) {
     if (!hasBothEdges()) {
@@ -472,7 +471,7 @@ public final class WingEstimator implements SideEstimator {
     return Angles.wrapTwoPi(filter.x[StrokeEkf.PHASE] + ahead() - shape.crossingRad);
   }
 
-  /** Standard deviation of the angle of the wing's middle, 0, or of an edge on one of its sides. */
+  /** Standard deviation of the angle of the middle, 0, or of an edge on one of its sides. */
   private double sdAngle(int at) {
     double variance = filter.angleVariance(at);
     double speed = filter.slope(filter.cos, filter.sin) * filter.x[StrokeEkf.OMEGA];

@@ -1,21 +1,20 @@
 package haltere.filters.wing.internal.stroke;
 
 /**
- * What the events of a wing are worth, those of each edge by themselves: a slow pixel's OFF events
- * come while the wing is over it or not at all, its ON events when its light has come back, at
- * times that spread over hundreds of microseconds.
+ * Noise of the events of a wing, for each edge: OFF events of a slow pixel come while the wing
+ * covers it or not at all, its ON events when the light returns, with a scatter of hundreds of
+ * microseconds.
  *
- * <p>Tells as well when a filter no longer is where its wing is: more events near the wing are
- * refused than outliers explain. Those that are taken in then say that all is well.
+ * <p>Also detects divergence: more events near the wing are rejected than outliers explain.
  */
 final class WingEventNoise {
-  /** Residuals below this, radians, lie near the wing. */
+  /** Largest residual near the wing, radians. */
   private static final double NEAR_RAD = 0.45;
 
   private static final double FOLLOW = 0.002;
 
   /**
-   * Share of the events that is refused near a wing, beyond outliers, if the filter is not there.
+   * Share of events near the wing rejected beyond outliers, above which the filter has diverged.
    */
   private static final double TOO_MANY = 0.1;
 
@@ -24,8 +23,7 @@ final class WingEventNoise {
   private double refused;
 
   /**
-   * Noise of events of which nothing is known yet: innovations beyond the gate are refused, a fixed
-   * variance of 0 is learnt.
+   * Initial noise. Innovations beyond the gate are rejected; a fixed variance of 0 is estimated.
    */
   WingEventNoise(double gateSd, double fixed) {
     edges = new EventNoise[] {new EventNoise(gateSd, fixed), new EventNoise(gateSd, fixed)};
@@ -41,13 +39,13 @@ final class WingEventNoise {
     return edges[edge];
   }
 
-  /** Counts an event of an edge that was judged. */
+  /** Counts an event of an edge. */
   void count(int edge, double y, boolean taken) {
     judged[edge]++;
     refused += FOLLOW * ((taken || Math.abs(y) >= NEAR_RAD ? 0 : 1) - refused);
   }
 
-  /** Whether a residual that was refused is one of too many near the wing. */
+  /** Whether a rejected residual is one of too many near the wing. */
   boolean isOneOfTooMany(double y) {
     double outliers = 2 * NEAR_RAD * mean(edges[0].outliers(), edges[1].outliers());
     return Math.abs(y) < NEAR_RAD && refused > TOO_MANY + outliers;
@@ -58,24 +56,22 @@ final class WingEventNoise {
     return all == 0 ? leading : (judged[0] * leading + judged[1] * trailing) / all;
   }
 
-  /** Variance of a measurement that is set, 0 where it is learnt. */
+  /** Fixed variance of a measurement, 0 if it is estimated. */
   double fixed() {
     return edges[0].fixed();
   }
 
-  /** Variance of the leading edge's event that was looked at last. */
+  /** Variance of the last event of the leading edge. */
   double present() {
     return edges[0].present();
   }
 
-  /** Mean normalised innovation squared of late, of the events of both edges. */
+  /** Recent mean normalised innovation squared of both edges. */
   double nis() {
     return mean(edges[0].nis(), edges[1].nis());
   }
 
-  /**
-   * Share of the events near the wing that chance does not explain, about 0 if all are outliers.
-   */
+  /** Share of the events near the wing beyond chance; about 0 if all are outliers. */
   double excess() {
     return mean(edges[0].excess(), edges[1].excess());
   }

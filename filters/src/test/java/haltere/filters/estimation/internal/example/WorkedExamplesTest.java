@@ -173,7 +173,7 @@ class WorkedExamplesTest {
   }
 
   @Test
-  void believedAsTheyDeserveMeasurementsLeadAPlainFilterAstrayFromThatStart() {
+  void withTheTrueNoiseAnExtendedFilterDivergesFromThisInitialState() {
     int found = 0;
     int within = 0;
     for (int seed = 0; seed < RUNS; seed++) {

@@ -34,7 +34,7 @@ class EventNoiseTest {
   }
 
   @Test
-  void beyondTheGateAnEventIsRefusedAndNearItIsBelievedTheLessTheMoreStraysThereAre() {
+  void anEventBeyondTheGateIsRejectedAndItsWeightFallsWithTheShareOfOutliers() {
     EventNoise noise = new EventNoise(4, 0);
     double sd = Math.sqrt(noise.variance(FAR_SQUARE, 0));
     assertEquals(0, noise.judge(4.1 * sd, 0, 0, 1500));

@@ -25,7 +25,7 @@ class FrequencyChangeTest {
     for (int side = 0; side < 2; side++) {
       filter.x[StrokeEkf.OMEGA] = both[side];
       histories[side].add(DT_S, filter);
-      wings[side].look(histories[side], true, wings[1 - side]);
+      wings[side].update(histories[side], true, wings[1 - side]);
     }
   }
 

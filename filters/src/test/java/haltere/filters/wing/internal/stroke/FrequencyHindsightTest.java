@@ -27,7 +27,7 @@ class FrequencyHindsightTest {
       filter.set(StrokeEkf.PHASE, OMEGA * t + rate * t * t / 2);
       filter.set(StrokeEkf.OMEGA, saidOmega.applyAsDouble(t));
       history.add(DT_S + gapS, filter);
-      hindsight.look(DT_S + gapS, history, calm);
+      hindsight.update(DT_S + gapS, history, calm);
     }
     return hindsight;
   }

@@ -34,7 +34,7 @@ class RadialResidualsTest {
       }
     }
     double variance = NOISE_RAD * NOISE_RAD;
-    radial.look(1e-3, HALF_APART_S, new double[] {variance, variance}, isSpread);
+    radial.update(1e-3, HALF_APART_S, new double[] {variance, variance}, isSpread);
   }
 
   @Test
@@ -57,7 +57,7 @@ class RadialResidualsTest {
   }
 
   @Test
-  void aMiddleThatIsNotStraightIsTold() {
+  void aCurvedMiddleIsDetected() {
     double bendS = 200e-6;
     look(4000, 1, share -> HALF_APART_S, bendS);
     // the share of the length has a variance of 1/18 over a disc
@@ -75,7 +75,7 @@ class RadialResidualsTest {
   }
 
   @Test
-  void aWideWingIsToldByTheRadiusOrByTheTimes() {
+  void aWideWingIsDetectedByTheRadiusOrByTheTimes() {
     look(4000, 1, share -> HALF_APART_S, 0);
     assertEquals(0, radial.wideShare);
     look(4000, 1, share -> 300e-6 * (1 - share), 0);

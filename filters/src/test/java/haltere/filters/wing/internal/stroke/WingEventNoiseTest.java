@@ -33,7 +33,7 @@ class WingEventNoiseTest {
   }
 
   @Test
-  void strayEventsAllAroundAreNotTooMany() {
+  void outliersAllAroundAreNotTooMany() {
     for (int i = 0; i < 20_000; i++) {
       event(i % 2, i % 5 < 2 ? random.nextDouble(-1.3, 1.3) : 0.02 * random.nextGaussian());
     }
@@ -41,7 +41,7 @@ class WingEventNoiseTest {
   }
 
   @Test
-  void aWingNextToWhereTheFilterIsIsNoticedThoughItsEventsAreRefused() {
+  void aWingNextToWhereTheFilterIsIsDetectedThoughItsEventsAreRefused() {
     for (int i = 0; i < 10_000; i++) {
       event(i % 2, 0.02 * random.nextGaussian());
     }

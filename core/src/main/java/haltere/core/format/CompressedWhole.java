@@ -1,0 +1,36 @@
+package haltere.core.format;
+
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Files that are compressed as a whole, which no format reads: events must be found in them by
+ * time.
+ */
+final class CompressedWhole {
+  private static final Map<String, String> PROGRAMS =
+      Map.of(
+          "\u0028\u00b5\u002f\u00fd", "zstd -d",
+          "\u001f\u008b", "gunzip",
+          "BZh", "bunzip2",
+          "\u00fd7zXZ", "unxz",
+          "\u0004\"M\u0018", "lz4 -d",
+          "7z\u00bc\u00af", "7z x",
+          "Rar!", "unrar x",
+          "PK\u0003\u0004", "unzip");
+
+  private CompressedWhole() {}
+
+  /**
+   * What decompresses a file.
+   *
+   * @param head its start
+   * @return a command without the file's name, or empty if it is not compressed as far as is known
+   */
+  static Optional<String> program(FileHead head) {
+    return PROGRAMS.entrySet().stream()
+        .filter(entry -> head.startsWith(entry.getKey()))
+        .map(Map.Entry::getValue)
+        .findFirst();
+  }
+}

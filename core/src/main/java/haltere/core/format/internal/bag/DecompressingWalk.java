@@ -1,0 +1,137 @@
+package haltere.core.format.internal.bag;
+
+import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.compression.LittleEndian;
+import haltere.core.format.internal.compression.Payload;
+import haltere.core.format.internal.compression.ZstdPayload;
+import java.io.IOException;
+
+/**
+ * A walk whose messages are decompressed where they are compressed one by one ({@code
+ * compression_mode: message} of rosbag2). A message of ROS 2 begins with the name of its
+ * serialisation, which is never what a Zstandard frame begins with.
+ */
+final class DecompressingWalk implements MessageWalk {
+  private static final int FRAME = 0xfd2f_b528;
+  private static final int NAME_BYTES = 4;
+
+  /** Size of a message with unknown size. */
+  private static final long ANY_SIZE = Long.MAX_VALUE / 2;
+
+  private final MessageWalk walk;
+  private final MessageBody compressed = new MessageBody();
+  private ZstdPayload frame;
+  private boolean decompressing;
+
+  /**
+   * A walk.
+   *
+   * @param walk through the messages as they are; closed with this one
+   */
+  DecompressingWalk(MessageWalk walk) {
+    this.walk = walk;
+  }
+
+  @Override
+  public boolean find() throws IOException {
+    while (walk.find()) {
+      try {
+        decompressing = walk.topic().cdr() && isFrame(walk.payload(), walk.size());
+        if (decompressing) {
+          open();
+        }
+        return true;
+      } catch (DamagedPacketException e) {
+        damaged(e);
+      }
+    }
+    decompressing = false;
+    return false;
+  }
+
+  private static boolean isFrame(Payload payload, long size)
+      throws IOException, DamagedPacketException {
+    return size >= NAME_BYTES
+        && payload.gather(NAME_BYTES)
+        && LittleEndian.getInt(payload.data(), payload.from()) == FRAME;
+  }
+
+  private void open() throws IOException, DamagedPacketException {
+    frame = frame == null ? new ZstdPayload(compressed) : frame;
+    compressed.open(walk.payload(), walk.size());
+    frame.open(0, walk.size());
+  }
+
+  @Override
+  public BagTopic topic() {
+    return walk.topic();
+  }
+
+  @Override
+  public Payload payload() {
+    return decompressing ? frame : walk.payload();
+  }
+
+  @Override
+  public long size() {
+    if (!decompressing) {
+      return walk.size();
+    }
+    return frame.claimedBytes() < 0 ? ANY_SIZE : frame.claimedBytes();
+  }
+
+  @Override
+  public String compression() {
+    return decompressing ? "zstd" : walk.compression();
+  }
+
+  @Override
+  public long recordedNs() {
+    return walk.recordedNs();
+  }
+
+  @Override
+  public long offset(long done) {
+    if (!decompressing) {
+      return walk.offset(done);
+    }
+    double part = Math.min(1.0, done / Math.max(1.0, size()));
+    return walk.offset((long) (part * walk.size()));
+  }
+
+  @Override
+  public long position() {
+    return walk.position();
+  }
+
+  @Override
+  public void pass(long unused) throws IOException {
+    walk.pass(decompressing ? compressed.left() : unused);
+    decompressing = false;
+  }
+
+  @Override
+  public void damaged(DamagedPacketException damage) throws IOException {
+    decompressing = false;
+    walk.damaged(damage);
+  }
+
+  @Override
+  public void save(long[] state, int at) {
+    walk.save(state, at);
+  }
+
+  @Override
+  public void restore(long[] state, int at) throws IOException {
+    decompressing = false;
+    walk.restore(state, at);
+  }
+
+  @Override
+  public void close() throws IOException {
+    if (frame != null) {
+      frame.close();
+    }
+    walk.close();
+  }
+}

@@ -1,0 +1,28 @@
+package haltere.core.format.internal.compression;
+
+import java.io.IOException;
+
+/**
+ * Where compressed bytes come from, stretch by stretch.
+ *
+ * <p>Thread rule: one thread.
+ */
+public interface ByteSource {
+  /**
+   * Makes some bytes available in {@link #bytes()}.
+   *
+   * @param offset of the first; not before that of the last call
+   * @param count number of bytes, few enough for memory
+   * @return index of the first, or -1 if there are fewer
+   * @throws IOException if they cannot be read
+   * @throws DamagedPacketException if their container is damaged
+   */
+  int require(long offset, int count) throws IOException, DamagedPacketException;
+
+  /**
+   * The bytes.
+   *
+   * @return borrowed array, another one after each {@link #require}
+   */
+  byte[] bytes();
+}

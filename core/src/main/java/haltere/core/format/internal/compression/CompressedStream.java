@@ -1,0 +1,81 @@
+package haltere.core.format.internal.compression;
+
+import java.io.IOException;
+import java.io.InputStream;
+
+/**
+ * Packed bytes as a stream, for libraries that read one. It ends where its source does.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class CompressedStream extends InputStream {
+  private static final int MAX_STEP_BYTES = 64 * 1024;
+
+  private final ByteSource source;
+  private final long end;
+  private long next;
+  private IOException failure;
+
+  /**
+   * A stream over a stretch.
+   *
+   * @param source holds the bytes; it is not closed with the stream
+   * @param offset where the stretch starts
+   * @param size its bytes
+   */
+  public CompressedStream(ByteSource source, long offset, long size) {
+    this.source = source;
+    next = offset;
+    end = offset + size;
+  }
+
+  /**
+   * The position of the next byte.
+   *
+   * @return offset in the source
+   */
+  public long position() {
+    return next;
+  }
+
+  /**
+   * Throws again what the source threw, which is no damage of the bytes.
+   *
+   * @throws IOException if the source could not be read
+   */
+  public void rethrow() throws IOException {
+    if (failure != null) {
+      throw failure;
+    }
+  }
+
+  @Override
+  public int read() throws IOException {
+    int at = require(1);
+    return at < 0 ? -1 : source.bytes()[at] & 0xff;
+  }
+
+  @Override
+  public int read(byte[] target, int offset, int length) throws IOException {
+    int count = (int) Math.min(Math.min(length, MAX_STEP_BYTES), end - next);
+    int at = require(count);
+    if (at < 0) {
+      return -1;
+    }
+    System.arraycopy(source.bytes(), at, target, offset, count);
+    return count;
+  }
+
+  private int require(int count) throws IOException {
+    try {
+      int at = count < 1 || next >= end ? -1 : source.require(next, count);
+      next += at < 0 ? 0 : count;
+      return at;
+    } catch (DamagedPacketException e) {
+      return -1;
+    } catch (IOException e) {
+      failure = e;
+      throw e;
+    }
+  }
+}

@@ -1,0 +1,94 @@
+package haltere.core.format.internal.compression;
+
+import haltere.core.format.RecordingFile;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+
+/**
+ * A stretch of a file in memory, moved to where bytes are asked for.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class FileWindow implements ByteSource {
+  private static final int USUAL_BYTES = 64 * 1024;
+
+  /** Asking for more than this at once is a fault of the caller. */
+  public static final int MAX_BYTES = 8 * 1024 * 1024;
+
+  private final RecordingFile file;
+  private final int usualBytes;
+  private byte[] bytes = new byte[0];
+  private ByteBuffer buffer = ByteBuffer.wrap(bytes);
+  private long start;
+  private int length;
+
+  /**
+   * A window that holds nothing yet.
+   *
+   * @param file the file; it is not closed with the window
+   */
+  public FileWindow(RecordingFile file) {
+    this(file, USUAL_BYTES);
+  }
+
+  /**
+   * A window that holds nothing yet.
+   *
+   * @param file the file; it is not closed with the window
+   * @param usualBytes least number of bytes per read, at least 1
+   */
+  public FileWindow(RecordingFile file, int usualBytes) {
+    this.file = file;
+    this.usualBytes = usualBytes;
+  }
+
+  /**
+   * Makes some bytes of the file available in {@link #bytes()}.
+   *
+   * @param offset where they start in the file
+   * @param count how many, at most {@link #MAX_BYTES}
+   * @return index of the first, or -1 if the file ends before the last
+   * @throws IOException if the file cannot be read
+   */
+  @Override
+  public int require(long offset, int count) throws IOException {
+    if (offset >= start && offset + count <= start + length) {
+      return (int) (offset - start);
+    }
+    if (count > MAX_BYTES) {
+      throw new IllegalArgumentException(count + " bytes at once");
+    }
+    if (offset < 0 || offset + count > file.size()) {
+      return -1;
+    }
+    int wanted = (int) Math.min(Math.max(usualBytes, count), file.size());
+    if (bytes.length < wanted) {
+      bytes = new byte[Math.max(wanted, bytes.length)];
+      buffer = ByteBuffer.wrap(bytes);
+    }
+    length = 0;
+    file.read(buffer, offset);
+    start = offset;
+    length = buffer.limit();
+    return length >= count ? 0 : -1;
+  }
+
+  /**
+   * The bytes.
+   *
+   * @return borrowed array, another one after each {@link #require}
+   */
+  @Override
+  public byte[] bytes() {
+    return bytes;
+  }
+
+  /**
+   * Where the bytes end that are there.
+   *
+   * @return index in {@link #bytes()}
+   */
+  public int end() {
+    return length;
+  }
+}

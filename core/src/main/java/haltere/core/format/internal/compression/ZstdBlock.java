@@ -1,0 +1,44 @@
+package haltere.core.format.internal.compression;
+
+import com.github.luben.zstd.ZstdDecompressCtx;
+import com.github.luben.zstd.ZstdException;
+import java.io.Closeable;
+
+/**
+ * Decompresses Zstandard frames from one array to another.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class ZstdBlock implements Closeable {
+  private final ZstdDecompressCtx context = new ZstdDecompressCtx();
+
+  /** Takes some memory outside of the heap until it is closed. */
+  public ZstdBlock() {}
+
+  /**
+   * Decompresses a frame.
+   *
+   * @param in holds it
+   * @param from its start
+   * @param to its end
+   * @param out receives the bytes
+   * @param outFrom where
+   * @param outTo where they must end at the latest
+   * @return end of the bytes
+   * @throws DamagedPacketException if it is none, or larger than the room for it
+   */
+  public int unpack(byte[] in, int from, int to, byte[] out, int outFrom, int outTo)
+      throws DamagedPacketException {
+    try {
+      return outFrom
+          + context.decompressByteArray(out, outFrom, outTo - outFrom, in, from, to - from);
+    } catch (ZstdException e) {
+      throw new DamagedPacketException(e.getMessage());
+    }
+  }
+
+  @Override
+  public void close() {
+    context.close();
+  }
+}

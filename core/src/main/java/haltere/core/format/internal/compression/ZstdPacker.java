@@ -1,0 +1,51 @@
+package haltere.core.format.internal.compression;
+
+import com.github.luben.zstd.Zstd;
+import com.github.luben.zstd.ZstdCompressCtx;
+import java.io.Closeable;
+
+/**
+ * Compresses bytes as one Zstandard frame each.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class ZstdPacker implements Closeable {
+  private final ZstdCompressCtx context = new ZstdCompressCtx();
+
+  /**
+   * A compressor.
+   *
+   * @param level 1 (fast) to 22 (small)
+   */
+  public ZstdPacker(int level) {
+    context.setLevel(level);
+  }
+
+  /**
+   * Bytes that compressed bytes need at the worst.
+   *
+   * @param bytes how many are compressed
+   * @return bytes
+   */
+  public static int bound(int bytes) {
+    return (int) Zstd.compressBound(bytes);
+  }
+
+  /**
+   * Compresses bytes.
+   *
+   * @param bytes what to pack, from index 0
+   * @param count how many
+   * @param target receives the frame, with room for {@link #bound}
+   * @param at where
+   * @return bytes of the frame
+   */
+  public int pack(byte[] bytes, int count, byte[] target, int at) {
+    return context.compressByteArray(target, at, target.length - at, bytes, 0, count);
+  }
+
+  @Override
+  public void close() {
+    context.close();
+  }
+}

@@ -1,0 +1,66 @@
+package haltere.core.format.internal.decoding;
+
+import haltere.core.format.RecordingClock;
+import haltere.core.format.internal.clock.AscendingTimes;
+import haltere.core.format.internal.clock.EventTimes;
+
+/**
+ * A cursor over events in numbered rows of columns. Its state is the next row and the last time.
+ *
+ * <p>Thread rule: one thread.
+ */
+public abstract class RowCursor implements EventCursor {
+  /** Times of the rows. */
+  protected final AscendingTimes times = new AscendingTimes();
+
+  /** The next row, from 0. */
+  protected long row;
+
+  /**
+   * The number of rows.
+   *
+   * @return as the file states it
+   */
+  protected abstract long rows();
+
+  /**
+   * The size of the file.
+   *
+   * @return bytes
+   */
+  protected abstract long fileBytes();
+
+  @Override
+  public RecordingClock clock() {
+    return RecordingClock.wide(RecordingClock.Zero.WRITERS_CHOICE);
+  }
+
+  @Override
+  public EventTimes times() {
+    return times;
+  }
+
+  /** {@inheritDoc} A share of the file, as of the rows. */
+  @Override
+  public long positionBytes() {
+    long rows = rows();
+    return row >= rows ? fileBytes() : (long) (fileBytes() * ((double) row / rows));
+  }
+
+  @Override
+  public int stateLongs() {
+    return 2;
+  }
+
+  @Override
+  public void save(long[] state, int at) {
+    state[at] = row;
+    times.save(state, at + 1);
+  }
+
+  @Override
+  public void restore(long[] state, int at) {
+    row = state[at];
+    times.restore(state, at + 1);
+  }
+}

@@ -1,0 +1,45 @@
+package haltere.filters.orientation.internal.axis;
+
+/**
+ * What a step of time does to rates that decay and are driven by white noise, and to the angle that
+ * they add up to: closed integrals (Bar-Shalom, Li and Kirubarajan 2001, section 8.2.3,
+ * exponentially correlated). With h = Δt/τ and d = e^(−h) a rate goes to d times itself and adds τ
+ * (1 − d) times itself to the angle; the noises are per unit of the rate's own variance. Reused.
+ */
+final class RateDecay {
+  private final double tauS;
+
+  /** d = e^(−h), and τ (1 − d), seconds. */
+  double left = 1;
+
+  double reachS;
+
+  /** Variance of the angle, covariance of angle and rate, variance of the rate. */
+  double angleNoise;
+
+  double jointNoise;
+  double rateNoise;
+
+  RateDecay(double tauS) {
+    this.tauS = tauS;
+  }
+
+  /** A step of so many seconds, from 0 on. */
+  void step(double dtS) {
+    double h = dtS / tauS;
+    double gone = -Math.expm1(-h);
+    left = 1 - gone;
+    reachS = tauS * gone;
+    rateNoise = gone * (2 - gone);
+    jointNoise = tauS * gone * gone;
+    angleNoise = tauS * tauS * angleNoise(h, gone);
+  }
+
+  /** 2h − 3 + 4e^(−h) − e^(−2h), by its series where the terms cancel. */
+  private static double angleNoise(double h, double gone) {
+    if (h > 0.05) {
+      return 2 * (h - gone) - gone * gone;
+    }
+    return h * h * h * (2.0 / 3 + h * (-0.5 + h * (7.0 / 30 + h * (-1.0 / 12 + h * 31.0 / 1260))));
+  }
+}
