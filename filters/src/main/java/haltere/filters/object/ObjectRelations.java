@@ -57,6 +57,10 @@ final class ObjectRelations {
   private final double alarmNat;
 
   private double scalePx;
+
+  /** Usual size of a component, pixels: geometric mean by their events; 0 without events. */
+  private double usualSize;
+
   private MotionModel motion;
 
   ObjectRelations(double alarmNat) {
@@ -92,6 +96,7 @@ final class ObjectRelations {
     for (int i = 0; i < components.size(); i++) {
       components.get(i).watch(WATCH_S, EVIDENCE_S);
     }
+    usualSize = usualSize(components);
     for (int i = 0; i < components.size(); i++) {
       Component a = components.get(i);
       for (int j = i + 1; j < components.size(); j++) {
@@ -110,6 +115,8 @@ final class ObjectRelations {
           double windowS = ticks * ObjectTracker.TICK_S;
           if (windowS > FIRST_S) {
             sum += motionLog(a, b, ticks) * seconds / Math.max(WATCH_S, windowS);
+            // motion alone is never surer than two decisions
+            sum = Math.max(-2 * DECISIVE_NAT, Math.min(2 * DECISIVE_NAT, sum));
           }
         }
         gap[a.slot][b.slot] = prior;
@@ -126,8 +133,24 @@ final class ObjectRelations {
     return squares > FAR_SQUARES ? FAR : TOUCH_NAT - Math.log1p(squares);
   }
 
+  private static double usualSize(List<Component> components) {
+    double logs = 0;
+    double weights = 0;
+    for (int i = 0; i < components.size(); i++) {
+      double weight = components.get(i).activeRate();
+      logs += weight * Math.log(components.get(i).shape.size());
+      weights += weight;
+    }
+    return weights > 0 ? Math.exp(logs / weights) : 0;
+  }
+
+  /**
+   * Size of the object that two components would be: at least theirs, for they are its parts, and
+   * as far as that of others in the picture is larger, between both.
+   */
   private double sizeOf(Component a, Component b) {
-    return scalePx > 0 ? scalePx : Math.sqrt(a.shape.size() * b.shape.size());
+    double theirs = Math.sqrt(a.shape.size() * b.shape.size());
+    return scalePx > 0 ? scalePx : Math.max(theirs, Math.sqrt(theirs * usualSize));
   }
 
   static double outside(double distance, double reach) {

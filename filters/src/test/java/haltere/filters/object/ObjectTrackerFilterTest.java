@@ -159,6 +159,17 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
+  void smallPartsThatMoveTogetherAreOneObjectWhereOthersAreLarge() {
+    MovingShapes shapes =
+        shapes(6)
+            .box(18, 18, 60_000, along(25, 108, 20, 0))
+            .box(3, 3, 8_000, along(15, 28, 30, 0))
+            .box(3, 3, 8_000, along(15, 4, 30, 0));
+    run(shapes, 1.5);
+    assertEquals(2, byIdentity().size());
+  }
+
+  @Test
   void objectsThatPassOneAnotherKeepTheirIdentities() {
     int kept = 0;
     for (int seed = 0; seed < 10; seed++) {
