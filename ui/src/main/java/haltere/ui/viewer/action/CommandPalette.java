@@ -21,8 +21,6 @@ import javafx.stage.Stage;
 /**
  * All commands in one list that a few letters make short. Enter or a click does the chosen one,
  * Escape does nothing.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class CommandPalette {
   private static final double WIDTH = 520;

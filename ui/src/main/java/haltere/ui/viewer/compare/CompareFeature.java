@@ -35,8 +35,6 @@ import javafx.scene.layout.VBox;
  * Two chains side by side on the same events: the second one begins as a copy of the first, has its
  * own settings in a tab at the side, its own picture, and its published numbers beside those of the
  * first.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class CompareFeature implements ViewerFeature {
   private static final long NUMBERS_NANOS = 1_000_000_000;

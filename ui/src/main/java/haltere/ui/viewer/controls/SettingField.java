@@ -21,8 +21,6 @@ import javafx.scene.layout.VBox;
 /**
  * One setting: its name, a control for its type, a button back to the default, and a line for what
  * is wrong with an entry.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class SettingField extends VBox {
   /** Takes a value that a person has set. */

@@ -20,8 +20,6 @@ import javafx.scene.layout.Priority;
 /**
  * The bottom line: what is wrong or late, or what is open, at the left; time, rate, speed, frames
  * and losses at the right.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class StatusLine extends HBox {
   private static final PseudoClass ERROR = PseudoClass.getPseudoClass("error");

@@ -25,8 +25,6 @@ import javafx.stage.Stage;
 /**
  * What a {@link ViewerFeature} may use of the window.
  *
- * <p>Thread rule: JavaFX thread only.
- *
  * @param stage the window itself
  * @param sessions what is open
  * @param actions where to add what a person can do

@@ -14,11 +14,7 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 
-/**
- * Says over the picture which share of the events the filters hide, and shows them on request.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Says over the picture which share of the events the filters hide, and shows them on request. */
 public final class HiddenEvents extends HBox {
   /** Time over which the share is measured, real time. */
   public static final long BETWEEN_NANOS = 500_000_000;

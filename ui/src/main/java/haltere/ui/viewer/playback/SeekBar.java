@@ -29,8 +29,6 @@ import javafx.scene.shape.Rectangle;
  * The whole recording at a glance: its event rate over time, the place that is shown, the loop and
  * the marks, over a ruler of times. A click or a drag seeks, a drag of an end of the loop moves it,
  * the wheel zooms. Of a camera or a scene it shows the moments that are kept.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class SeekBar extends Region {
   /** Colours that a canvas cannot take from the style sheet, for dark and light. */

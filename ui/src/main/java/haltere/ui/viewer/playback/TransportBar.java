@@ -20,11 +20,7 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 
-/**
- * Buttons of playback: transport, speed, slices, loop, marks, and the time.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Buttons of playback: transport, speed, slices, loop, marks, and the time. */
 public final class TransportBar extends HBox {
   /** What is nearer to the newest events than this is shown as it comes. */
   private static final long NOW_US = 100_000;

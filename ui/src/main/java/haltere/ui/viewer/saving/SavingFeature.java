@@ -14,8 +14,6 @@ import java.nio.file.Path;
 /**
  * Saves and loads chains, saves pictures, records. A file that is there is replaced; the file
  * dialog has asked.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class SavingFeature implements ViewerFeature {
 
