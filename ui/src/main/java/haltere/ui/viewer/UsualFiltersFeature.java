@@ -2,6 +2,7 @@ package haltere.ui.viewer;
 
 import atlantafx.base.theme.Styles;
 import haltere.core.chain.ChainStage;
+import haltere.core.chain.FilterChain;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.chain.UsualFilter;
@@ -18,7 +19,9 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.geometry.Pos;
 import javafx.scene.control.ContentDisplay;
+import javafx.scene.control.Label;
 import javafx.scene.control.ToggleButton;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import javafx.scene.text.TextAlignment;
 
@@ -29,6 +32,8 @@ import javafx.scene.text.TextAlignment;
 final class UsualFiltersFeature implements ViewerFeature {
 
   private final Map<UsualFilter, BooleanProperty> on = new EnumMap<>(UsualFilter.class);
+  private final Label note =
+      Controls.named(Controls.paragraph("", "readout"), "filter-status", "filter-status");
   private ViewerContext window;
   private HiddenEvents hidden;
   private List<StageState> stages = List.of();
@@ -40,7 +45,9 @@ final class UsualFiltersFeature implements ViewerFeature {
     hidden = new HiddenEvents(all);
     VBox strip = Controls.named(new VBox(), "filter-strip", "filter-strip");
     window.panels().addBesidePicture(strip);
-    window.panels().addOverPicture(hidden, Pos.TOP_LEFT);
+    VBox notes = new VBox(4, hidden, note);
+    notes.setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
+    window.panels().addOverPicture(notes, Pos.TOP_LEFT);
     for (UsualFilter filter : UsualFilter.values()) {
       BooleanProperty property = new SimpleBooleanProperty();
       on.put(filter, property);
@@ -115,5 +122,11 @@ final class UsualFiltersFeature implements ViewerFeature {
 
   private void measure() {
     hidden.update(stages.stream().map(StageState::stage).filter(ChainStage::isEnabled).toList());
+    window.read(FilterChain::status, this::showStatus);
+  }
+
+  private void showStatus(String status) {
+    note.setText(status);
+    Controls.show(!status.isEmpty(), note);
   }
 }

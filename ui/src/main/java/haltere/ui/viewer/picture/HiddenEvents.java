@@ -79,7 +79,7 @@ public final class HiddenEvents extends HBox {
 
   private void say() {
     boolean any = percent.orElse(0) > 0;
-    setVisible(any);
+    Controls.show(any, this);
     if (any) {
       int all = percent.getAsInt();
       share.setText(
