@@ -24,8 +24,6 @@ import javafx.beans.property.SimpleBooleanProperty;
 /**
  * The transport as buttons, keys and the seek bar use it: speed, slices and loop stay the same from
  * one recording to the next, the rest goes to the player that is open.
- *
- * <p>Thread rule: JavaFX thread only; nothing here waits.
  */
 public final class PlaybackController {
   /** Speeds that are offered: 1, 2 and 5 times powers of ten. */

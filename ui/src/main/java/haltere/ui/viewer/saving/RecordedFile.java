@@ -19,6 +19,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 
 /**
  * A file that takes what comes out of the chain while it plays, as AEDAT-4 that can be read
@@ -31,14 +32,8 @@ import java.util.Optional;
  * @param sink what it gets of the stream
  * @param ending ends it, as {@link #finish()}
  */
-record RecordedFile(Path file, StreamHandler sink, Ending ending) implements PlayedOutput.Output {
-  /** Ends a file; what came of it, in words. */
-  @FunctionalInterface
-  interface Ending {
-    /** Ends it. */
-    String finish() throws IOException;
-  }
-
+record RecordedFile(Path file, StreamHandler sink, Callable<String> ending)
+    implements PlayedOutput.Output {
   private static final String UNTIL_JUMP = ", until playback jumped";
 
   /** A file for what is open. */
@@ -54,8 +49,8 @@ record RecordedFile(Path file, StreamHandler sink, Ending ending) implements Pla
   }
 
   @Override
-  public String finish() throws IOException {
-    return ending.finish();
+  public String finish() throws Exception {
+    return ending.call();
   }
 
   private static RecordedFile ofRecording(Path file, SensorGeometry geometry) throws IOException {
