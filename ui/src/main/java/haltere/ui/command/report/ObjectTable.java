@@ -14,11 +14,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 
-/**
- * The objects of a tracker as rows of a table, one for each identity, in bounded memory.
- *
- * <p>Thread rule: one thread.
- */
+/** The objects of a tracker as rows of a table, one for each identity, in bounded memory. */
 final class ObjectTable {
   private static final int MAX_ROWS = 100;
   private static final int MAX_KEPT = 20_000;
