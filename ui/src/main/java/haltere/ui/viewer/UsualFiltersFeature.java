@@ -17,6 +17,7 @@ import java.util.Map;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
 import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.Label;
@@ -31,6 +32,11 @@ import javafx.scene.text.TextAlignment;
  */
 final class UsualFiltersFeature implements ViewerFeature {
 
+  /** Height, pixels, from which on the buttons have room for their words. */
+  private static final double WORDS_PX = 200;
+
+  private static final double ICONS_PX = 112;
+
   private final Map<UsualFilter, BooleanProperty> on = new EnumMap<>(UsualFilter.class);
   private final Label note =
       Controls.named(Controls.paragraph("", "readout"), "filter-status", "filter-status");
@@ -44,6 +50,15 @@ final class UsualFiltersFeature implements ViewerFeature {
     BooleanProperty all = window.display().allEventsProperty();
     hidden = new HiddenEvents(all);
     VBox strip = Controls.named(new VBox(), "filter-strip", "filter-strip");
+    strip.setMinHeight(ICONS_PX);
+    ObservableValue<ContentDisplay> words =
+        strip
+            .heightProperty()
+            .map(
+                high ->
+                    high.doubleValue() < WORDS_PX
+                        ? ContentDisplay.GRAPHIC_ONLY
+                        : ContentDisplay.TOP);
     window.panels().addBesidePicture(strip);
     VBox notes = new VBox(4, hidden, note);
     notes.setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
@@ -51,7 +66,9 @@ final class UsualFiltersFeature implements ViewerFeature {
     for (UsualFilter filter : UsualFilter.values()) {
       BooleanProperty property = new SimpleBooleanProperty();
       on.put(filter, property);
-      strip.getChildren().add(button(filter, property));
+      ToggleButton button = button(filter, property);
+      button.contentDisplayProperty().bind(words);
+      strip.getChildren().add(button);
       window
           .actions()
           .add(
@@ -88,7 +105,6 @@ final class UsualFiltersFeature implements ViewerFeature {
     ToggleButton button = Controls.toggle(id(filter), filter.icon(), filter.help());
     button.setText(filter.words().replace(' ', '\n'));
     button.setTextAlignment(TextAlignment.CENTER);
-    button.setContentDisplay(ContentDisplay.TOP);
     button.setMaxWidth(Double.MAX_VALUE);
     button.getStyleClass().remove(Styles.BUTTON_ICON);
     button.setAccessibleText(filter.words());
