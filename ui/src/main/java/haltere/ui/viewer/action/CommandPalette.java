@@ -5,7 +5,6 @@ import haltere.ui.viewer.controls.Controls;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
@@ -128,8 +127,7 @@ public final class CommandPalette {
       menu.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
       key.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
       Region space = Controls.growing(new Region());
-      line = new HBox(10, words, menu, space, key);
-      line.setAlignment(Pos.CENTER_LEFT);
+      line = Controls.row(10, words, menu, space, key);
     }
 
     @Override

@@ -108,11 +108,7 @@ public final class TransportBar extends HBox {
             Controls.place(markOut),
             Controls.button("mark", Icons.MARK, "Set a mark here (M)", playback::mark),
             separator(),
-            Controls.button(
-                "reset-filters",
-                Icons.RESET,
-                "Let all filters forget what they have seen (Z)",
-                playback::reset),
+            Controls.button("reset-filters", Icons.RESET, "Reset all filters (Z)", playback::reset),
             tools,
             space,
             elapsed,
