@@ -33,7 +33,7 @@ final class ComparisonTable extends ScrollPane {
     Controls.named(this, "comparison", "comparison");
     ColumnConstraints names = new ColumnConstraints();
     names.setHgrow(Priority.ALWAYS);
-    names.setMinWidth(60);
+    names.setMinWidth(72);
     ColumnConstraints numbers = new ColumnConstraints(46, 62, 62);
     numbers.setHalignment(HPos.RIGHT);
     grid.getColumnConstraints().addAll(names, numbers, numbers, numbers);

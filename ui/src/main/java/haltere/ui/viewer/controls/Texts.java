@@ -219,7 +219,7 @@ public final class Texts {
     };
   }
 
-  /** What went wrong in one line, without the wrapping of futures. */
+  /** What went wrong in one line, without the wrapping of futures and options of commands. */
   public static String oneLine(Throwable problem) {
     Throwable cause = problem;
     while ((cause instanceof CompletionException || cause instanceof ExecutionException)
@@ -228,7 +228,7 @@ public final class Texts {
     }
     String message = cause.getMessage();
     String text = message == null || message.isBlank() ? cause.getClass().getSimpleName() : message;
-    return text.lines().findFirst().orElse(text).strip();
+    return text.lines().findFirst().orElse(text).replaceAll(" \\(--[^)]*\\)", "").strip();
   }
 
   /** All that is known of what went wrong, for who reports it. */
