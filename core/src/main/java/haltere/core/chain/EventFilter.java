@@ -115,6 +115,15 @@ public interface EventFilter {
   }
 
   /**
+   * Why the filter has no results yet, such as the time it needs first.
+   *
+   * @return sentences for a person, or an empty text
+   */
+  default String status() {
+    return "";
+  }
+
+  /**
    * Is told who does its work, between packets. A filter whose work has pieces that do not touch
    * each other overrides this.
    *

@@ -17,6 +17,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.Collectors;
 
 /**
  * A sequence of filters: each packet passes the enabled ones in order, and each notification goes
@@ -429,6 +430,16 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
       outlets.addAll(stage.filter().outlets());
     }
     return outlets;
+  }
+
+  /** {@inheritDoc} A line for each filter that is on and has something to say. */
+  @Override
+  public String status() {
+    return stages.stream()
+        .filter(ChainStage::isEnabled)
+        .map(stage -> stage.filter().status())
+        .filter(line -> !line.isEmpty())
+        .collect(Collectors.joining("\n"));
   }
 
   /**

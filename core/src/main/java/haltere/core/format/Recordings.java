@@ -201,7 +201,7 @@ public final class Recordings {
         file,
         (surest.isEmpty() ? "no known format (" : "several formats fit (")
             + formats
-            + "); name one with --format");
+            + ") (--format NAME reads it as one of them)");
   }
 
   /**

@@ -444,6 +444,7 @@ final class SliceRunner {
     // Whoever is told of the end may ask at once.
     board.publish();
     runner.notified(cursor.end());
+    hold();
     board.publish();
     awaited.endSteps();
   }

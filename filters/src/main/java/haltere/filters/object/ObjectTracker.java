@@ -93,6 +93,11 @@ final class ObjectTracker {
     return settings;
   }
 
+  /** Whether an object was confirmed since the start. */
+  boolean hasObjects() {
+    return isStarted && decided > 0;
+  }
+
   void apply(ObjectTrackerSettings newSettings) {
     settings = newSettings;
     relations.apply(newSettings);

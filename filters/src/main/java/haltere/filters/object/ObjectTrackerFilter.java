@@ -15,6 +15,7 @@ import haltere.filters.trail.internal.TrailOverlay;
 import haltere.filters.trail.internal.TrailSnapshot;
 import haltere.filters.trail.internal.Trails;
 import java.util.Comparator;
+import java.util.Locale;
 
 /**
  * Tracks what moves, of any shape: an object is one track from its first to its last event, also
@@ -93,6 +94,16 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
   @Override
   public boolean bridgesGaps() {
     return true;
+  }
+
+  @Override
+  public String status() {
+    return tracker.hasObjects()
+        ? ""
+        : String.format(
+            Locale.ROOT,
+            "No objects yet: an object is confirmed after %.1f s of motion.",
+            settings().confirmS());
   }
 
   /** {@return the outlet of the objects, a result for each object at each report} */

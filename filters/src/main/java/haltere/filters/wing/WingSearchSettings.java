@@ -6,23 +6,25 @@ import haltere.core.settings.Unit;
 
 /** How the fly is searched for. */
 public record WingSearchSettings(
-    @Help("Length of the stretch of events that the fly is searched in.")
+    @Help(value = "The fly is searched in the events of this duration.", label = "Search window")
         @Range(min = 25_000, max = 100_000)
         @Unit("us")
         int windowUs,
-    @Help("The search begins when it has this many events.")
+    @Help(value = "The search starts with this many events.", label = "Minimum events")
         @Range(min = 100, max = 10_000, logarithmic = true)
         @Unit("events")
         int leastEvents,
-    @Help("Slowest wing beat that is looked for.")
+    @Help(value = "Slower wing beats are not found.", label = "Minimum frequency")
         @Range(min = 40, max = 400, logarithmic = true)
         @Unit("Hz")
         double leastFrequencyHz,
-    @Help("Fastest wing beat that is looked for.")
+    @Help(value = "Faster wing beats are not found.", label = "Maximum frequency")
         @Range(min = 100, max = 1000, logarithmic = true)
         @Unit("Hz")
         double mostFrequencyHz,
-    @Help("Wing beat frequency if it is known, else 0: it is found then.")
+    @Help(
+            value = "Wing beat frequency, if it is known; 0: it is estimated.",
+            label = "Known frequency")
         @Range(min = 0, max = 1000)
         @Unit("Hz")
         double startFrequencyHz) {}

@@ -71,6 +71,23 @@ class ObjectTrackerFilterTest extends EventFilterContract {
     return byId;
   }
 
+  @Test
+  void theStatusExplainsAnEmptyResultUntilAnObjectIsConfirmed() {
+    EventPacket events = stream(SENSOR, 1);
+    EventPacket early = new EventPacket(events.size());
+    early.append(events, 0, events.indexAtOrAfter(200_000));
+    EventPacket later = new EventPacket(events.size());
+    later.append(events, early.size(), events.size());
+    String waiting = "No objects yet: an object is confirmed after 0.3 s of motion.";
+    assertEquals(waiting, filter.status());
+    filter.process(early);
+    assertEquals(waiting, filter.status());
+    filter.process(later);
+    assertEquals("", filter.status());
+    filter.reset();
+    assertEquals(waiting, filter.status());
+  }
+
   private static MovingShapes shapes(long seed) {
     return new MovingShapes(SENSOR, seed).noise(0.5);
   }

@@ -7,6 +7,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.pipeline.ChainRunner;
 import haltere.core.pipeline.OnFailure;
 import haltere.core.pipeline.PipelineCounters;
+import haltere.core.sink.internal.Daemon;
 import haltere.core.stream.DeviceLost;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
@@ -50,8 +51,7 @@ final class LiveRun {
         new ChainRunner(chain, new PipelineCounters(), OnFailure.STOP, failure -> {});
     runner.addSink(new Plugs(), true);
     sinks.forEach(sink -> runner.addSink(sink, false));
-    thread = new Thread(() -> work(runner), "haltere-" + camera.info().id());
-    thread.setDaemon(true);
+    thread = Daemon.thread(() -> work(runner), "haltere-" + camera.info().id());
   }
 
   private void work(ChainRunner runner) {

@@ -1,5 +1,6 @@
 package haltere.ui.export;
 
+import haltere.core.sink.internal.Daemon;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
@@ -49,7 +50,8 @@ public final class Mp4Writer implements FilmWriter {
   private Process process;
 
   /** Of its own, so that a program that takes nothing keeps nobody from giving up. */
-  private final ExecutorService feeder = Executors.newSingleThreadExecutor(Mp4Writer::thread);
+  private final ExecutorService feeder =
+      Executors.newSingleThreadExecutor(work -> Daemon.thread(work, "haltere-film"));
 
   private Future<?> handed = CompletableFuture.completedFuture(null);
 
@@ -120,12 +122,6 @@ public final class Mp4Writer implements FilmWriter {
     builder.redirectErrorStream(true);
     builder.redirectOutput(said.toFile());
     process = builder.start();
-  }
-
-  private static Thread thread(Runnable work) {
-    Thread thread = new Thread(work, "haltere-film");
-    thread.setDaemon(true);
-    return thread;
   }
 
   private String lastWords() throws IOException {

@@ -9,8 +9,6 @@ import java.util.Arrays;
  *
  * <p>Where two samples are much further apart than those before, the curve has a gap. A time that
  * goes back means that the recording is played anew: the curve starts again.
- *
- * <p>Thread rule: one thread.
  */
 public final class Curve {
   /** Takes the parts of a curve that fall into a window, oldest first. */

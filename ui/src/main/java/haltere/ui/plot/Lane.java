@@ -13,8 +13,6 @@ import java.util.stream.IntStream;
  * One plot under others: the curves of one or more fields with the same vertical axis. A curve for
  * each key that a field's rows bear; the one that has been silent for longest makes room for a new
  * one.
- *
- * <p>Thread rule: one thread.
  */
 public final class Lane {
   /** More curves than this cannot be told apart. */

@@ -3,8 +3,6 @@ package haltere.ui.plot;
 /**
  * Which stretch of time all lanes show: it follows the newest samples, or stands still where a
  * person looks around.
- *
- * <p>Thread rule: one thread.
  */
 public final class TimeWindow {
   /** Shortest span that can be shown. */

@@ -20,21 +20,23 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * Pictures of a stream at up to eight moments. The moments are spread evenly over the stream,
- * however long it is: where there are too many, each second one is dropped. Events fade so that a
- * picture shows some percent of the pixels. Objects that are reported after their moment are drawn
- * in its picture all the same.
+ * Pictures of a stream at up to eight moments. The moments are at equal distances, however long the
+ * stream is: where there are too many, each second one is dropped, and of those that are kept at
+ * its end each second, third or fourth is drawn. Events fade so that a picture shows some percent
+ * of the pixels. Objects that are reported after their moment are drawn in its picture all the
+ * same.
  *
  * <p>Thread rule: one thread at a time. Needs no display.
  */
 public final class ContactSheet implements StreamHandler {
   private static final int PANELS = 8;
+  private static final int CANDIDATES = 4 * PANELS;
   private static final int COLUMNS = 4;
   private static final int PANEL_PX = 420;
   private static final int GAP_PX = 4;
 
   /** Distance of the first moments; a recording that is shorter gets fewer pictures. */
-  private static final long FIRST_STEP_US = 10_000;
+  private static final long FIRST_STEP_US = 5_000;
 
   /** Share of the pixels that have an event within the time constant of the fading. */
   private static final double VISIBLE_SHARE = 0.04;
@@ -71,6 +73,7 @@ public final class ContactSheet implements StreamHandler {
 
   private long elapsedUs;
   private long panelElapsedUs;
+  private long dueUs = FIRST_STEP_US;
   private long events;
 
   /** A sheet without pictures, over each of which the marks of a chain are drawn. */
@@ -100,7 +103,7 @@ public final class ContactSheet implements StreamHandler {
       if (baseUs == StreamNotification.NO_TIME_US) {
         baseUs = packet.firstTimeUs() - elapsedUs;
       }
-      int due = packet.indexAtOrAfter(baseUs + panelElapsedUs + stepUs, from);
+      int due = packet.indexAtOrAfter(baseUs + dueUs, from);
       boolean whole = packet.lastTimeUs() - packet.timeUs(from) <= SHORT_US;
       int to = whole ? packet.size() : Math.min(packet.size(), due + 1);
       piece.clear();
@@ -109,15 +112,16 @@ public final class ContactSheet implements StreamHandler {
       elapsedUs = piece.lastTimeUs() - baseUs;
       events += to - from;
       from = to;
-      if (elapsedUs - panelElapsedUs >= stepUs) {
+      if (elapsedUs >= dueUs) {
         add();
-        if (panels.size() == 2 * PANELS) {
-          for (int i = PANELS - 1; i >= 0; i--) {
+        if (panels.size() == CANDIDATES) {
+          for (int i = CANDIDATES / 2 - 1; i >= 0; i--) {
             panels.remove(2 * i);
           }
           ended /= 2;
           stepUs *= 2;
         }
+        dueUs = (elapsedUs / stepUs + 1) * stepUs;
       }
     }
   }
@@ -166,9 +170,9 @@ public final class ContactSheet implements StreamHandler {
       add();
     }
     List<BufferedImage> pictures = new ArrayList<>();
-    int shown = Math.min(PANELS, panels.size());
-    for (int i = 0; i < shown; i++) {
-      pictures.add(finished(panels.get((int) ((i + 0.5) * panels.size() / shown))));
+    int distance = (panels.size() + PANELS - 1) / PANELS;
+    for (int i = (panels.size() - 1) % distance / 2; i < panels.size(); i += distance) {
+      pictures.add(finished(panels.get(i)));
     }
     return join(pictures, PANEL_PX);
   }

@@ -9,8 +9,6 @@ import java.util.Arrays;
  * For each pixel the sum of all its events, each of which fades exponentially with age: s = Σ p
  * exp((t - now) / τ), with p = 1 or the polarity. The sums are kept relative to a time of reference
  * and brought to the present when they are painted, so an event costs one addition.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class EventSums implements Gathered {
   /** Steps of the colours. */

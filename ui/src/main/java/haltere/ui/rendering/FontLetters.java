@@ -1,5 +1,6 @@
 package haltere.ui.rendering;
 
+import haltere.core.sink.internal.Daemon;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
@@ -56,9 +57,7 @@ public final class FontLetters implements Letters {
 
   /** Loads the fonts, a fraction of a second, on a thread of its own before words are drawn. */
   public static void prepare() {
-    Thread thread = new Thread(() -> OF_PICTURES.width("0"), "haltere-letters");
-    thread.setDaemon(true);
-    thread.start();
+    Daemon.thread(() -> OF_PICTURES.width("0"), "haltere-letters").start();
   }
 
   private Face face() {

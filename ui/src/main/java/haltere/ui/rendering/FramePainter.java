@@ -9,8 +9,6 @@ import java.util.Objects;
  * event and the event's age give it.
  *
  * <p>That is read from a table by age, so a picture costs about a nanosecond a pixel.
- *
- * <p>Thread rule: one thread at a time.
  */
 public final class FramePainter {
   /** Ages beyond this many time constants are painted as background (a share of 0.2 %). */

@@ -8,8 +8,6 @@ import haltere.filters.frequency.FrequencyMapSettings;
 /**
  * Paints the frequency of each pixel, on a logarithmic scale from the lowest to the highest that
  * the map tells.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class FrequencyPicture implements Gathered {
   /** Bits of a period's mantissa that make entries of the table: 128 in each octave. */

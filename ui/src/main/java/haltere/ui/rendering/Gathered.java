@@ -2,11 +2,7 @@ package haltere.ui.rendering;
 
 import haltere.core.event.EventPacket;
 
-/**
- * What a style needs of events beyond the last one of each pixel.
- *
- * <p>Thread rule: one thread at a time.
- */
+/** What a style needs of events beyond the last one of each pixel. */
 interface Gathered {
   /** Changes what the next picture looks like. */
   void configure(PictureStyle style);

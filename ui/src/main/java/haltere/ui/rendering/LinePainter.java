@@ -7,7 +7,7 @@ package haltere.ui.rendering;
  * as long.
  *
  * <p>Places are in pixels from the left top corner of the picture, 0.5 is the middle of the first.
- * What lies outside of the picture is left out. Thread rule: one thread at a time.
+ * What lies outside of the picture is left out.
  */
 public final class LinePainter {
   /** Whatever is larger than this is no mark that anybody could see. */

@@ -7,8 +7,6 @@ package haltere.ui.rendering;
  *
  * <p>Where the screen is drawn without a graphics card this is several times faster than having the
  * toolkit do it.
- *
- * <p>Thread rule: one thread at a time.
  */
 public final class PictureScaler {
   private static final int OPAQUE = 0xFF000000;

@@ -3,11 +3,7 @@ package haltere.ui.rendering;
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.OverlayCanvas;
 
-/**
- * Draws marks straight into the pixels of a picture that is as large as on the screen.
- *
- * <p>Thread rule: one thread at a time.
- */
+/** Draws marks straight into the pixels of a picture that is as large as on the screen. */
 public final class PixelOverlayCanvas implements OverlayCanvas {
   /** Most corners of an ellipse. */
   private static final int CORNERS = 64;

@@ -3,11 +3,7 @@ package haltere.ui.rendering;
 import haltere.core.event.EventAddress;
 import java.util.Arrays;
 
-/**
- * Paints events in space and time. Of two events at one place the nearer one is seen.
- *
- * <p>Thread rule: one thread at a time.
- */
+/** Paints events in space and time. Of two events at one place the nearer one is seen. */
 public final class SpaceTimePainter {
   private static final int SHADES = 64;
   private static final double OLDEST_SHADE = 0.35;

@@ -12,7 +12,7 @@ import java.util.List;
  * room within two lines, the label of one of several objects is left out and other words are drawn
  * where they want to be.
  *
- * <p>Lengths are pixels, rows count from the top. Thread rule: one thread at a time.
+ * <p>Lengths are pixels, rows count from the top.
  */
 public final class TextPositions {
   /** Beside the wanted place: widths to the left, then lines up. */

@@ -2,14 +2,15 @@ package haltere.ui.viewer;
 
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.session.FirstView;
 import haltere.ui.viewer.session.ViewerSession;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
-import javafx.geometry.Pos;
 import javafx.scene.control.Button;
+import javafx.scene.control.ContentDisplay;
 
 /**
  * Begins a tethered fly in slow motion, in which single strokes are seen, once its wings have been
@@ -23,7 +24,8 @@ final class FlyStartFeature implements ViewerFeature {
   private static final long SEARCH_US = 80_000;
 
   private final BooleanProperty captionWanted = new SimpleBooleanProperty(true);
-  private final Button caption = Controls.named(new Button(), "fly-caption", "readout", "caption");
+  private final Button caption =
+      Controls.named(new Button("", Icons.REMOVE.node()), "fly-caption", "caption");
   private ViewerContext window;
   private boolean searching;
   private boolean isFly;
@@ -33,9 +35,14 @@ final class FlyStartFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     caption.setWrapText(true);
-    caption.setVisible(false);
+    caption.setContentDisplay(ContentDisplay.RIGHT);
+    // the picture's column gets room for as many lines as there are at its width
+    caption
+        .widthProperty()
+        .subscribe(wide -> caption.setMinHeight(caption.prefHeight(wide.doubleValue())));
     caption.setOnAction(event -> captionWanted.set(false));
-    window.panels().addOverPicture(caption, Pos.BOTTOM_CENTER);
+    window.panels().addAbovePicture(caption);
+    showCaption();
     window.settings().keep("flyCaption", captionWanted);
     window.onSession(this::begin);
     // a speed that is chosen during the search stays, also where it is the same
@@ -66,7 +73,7 @@ final class FlyStartFeature implements ViewerFeature {
   }
 
   private void showCaption() {
-    caption.setVisible(isFly && captionWanted.get());
+    Controls.show(isFly && captionWanted.get(), caption);
     ColourMap colours = window.display().coloursProperty().get();
     caption.setText(
         "Simulated tethered fly, seen from above"

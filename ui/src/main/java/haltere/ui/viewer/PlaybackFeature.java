@@ -57,8 +57,7 @@ final class PlaybackFeature implements ViewerFeature {
     actions.add("mark-before", () -> playback.toMark(false), this::noMarks);
     actions.add("mark-after", () -> playback.toMark(true), this::noMarks);
     actions.add("clear-marks", playback::clearMarks, this::noMarks);
-    add("forget", playback::reset);
-    add("menu-reset", playback::reset);
+    add("reset-filters", playback::reset);
   }
 
   private String noWayBack() {

@@ -23,8 +23,6 @@ import javafx.scene.control.SeparatorMenuItem;
 /**
  * Chains that a user keeps under a name: chain files in the folder {@code presets} beside the
  * settings, which can be copied there and given to others.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class PresetFeature implements ViewerFeature {
   private static final String MENU = "Chain/Presets";

@@ -17,11 +17,7 @@ import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 
-/**
- * Looking closely: the pixel under the mouse, a region of interest, the measuring tape, zoom.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Looking closely: the pixel under the mouse, a region of interest, the measuring tape, zoom. */
 public final class SeeingFeature implements ViewerFeature {
   private static final double ZOOM_STEP = 1.5;
   private static final double PAN_STEP = 0.1;

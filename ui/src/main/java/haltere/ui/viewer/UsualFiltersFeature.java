@@ -2,6 +2,7 @@ package haltere.ui.viewer;
 
 import atlantafx.base.theme.Styles;
 import haltere.core.chain.ChainStage;
+import haltere.core.chain.FilterChain;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.chain.UsualFilter;
@@ -16,9 +17,12 @@ import java.util.Map;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
 import javafx.scene.control.ContentDisplay;
+import javafx.scene.control.Label;
 import javafx.scene.control.ToggleButton;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import javafx.scene.text.TextAlignment;
 
@@ -28,7 +32,14 @@ import javafx.scene.text.TextAlignment;
  */
 final class UsualFiltersFeature implements ViewerFeature {
 
+  /** Height, pixels, from which on the buttons have room for their words. */
+  private static final double WORDS_PX = 200;
+
+  private static final double ICONS_PX = 112;
+
   private final Map<UsualFilter, BooleanProperty> on = new EnumMap<>(UsualFilter.class);
+  private final Label note =
+      Controls.named(Controls.paragraph("", "readout"), "filter-status", "filter-status");
   private ViewerContext window;
   private HiddenEvents hidden;
   private List<StageState> stages = List.of();
@@ -39,12 +50,25 @@ final class UsualFiltersFeature implements ViewerFeature {
     BooleanProperty all = window.display().allEventsProperty();
     hidden = new HiddenEvents(all);
     VBox strip = Controls.named(new VBox(), "filter-strip", "filter-strip");
+    strip.setMinHeight(ICONS_PX);
+    ObservableValue<ContentDisplay> words =
+        strip
+            .heightProperty()
+            .map(
+                high ->
+                    high.doubleValue() < WORDS_PX
+                        ? ContentDisplay.GRAPHIC_ONLY
+                        : ContentDisplay.TOP);
     window.panels().addBesidePicture(strip);
-    window.panels().addOverPicture(hidden, Pos.TOP_LEFT);
+    VBox notes = new VBox(4, hidden, note);
+    notes.setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
+    window.panels().addOverPicture(notes, Pos.TOP_LEFT);
     for (UsualFilter filter : UsualFilter.values()) {
       BooleanProperty property = new SimpleBooleanProperty();
       on.put(filter, property);
-      strip.getChildren().add(button(filter, property));
+      ToggleButton button = button(filter, property);
+      button.contentDisplayProperty().bind(words);
+      strip.getChildren().add(button);
       window
           .actions()
           .add(
@@ -81,7 +105,6 @@ final class UsualFiltersFeature implements ViewerFeature {
     ToggleButton button = Controls.toggle(id(filter), filter.icon(), filter.help());
     button.setText(filter.words().replace(' ', '\n'));
     button.setTextAlignment(TextAlignment.CENTER);
-    button.setContentDisplay(ContentDisplay.TOP);
     button.setMaxWidth(Double.MAX_VALUE);
     button.getStyleClass().remove(Styles.BUTTON_ICON);
     button.setAccessibleText(filter.words());
@@ -115,5 +138,11 @@ final class UsualFiltersFeature implements ViewerFeature {
 
   private void measure() {
     hidden.update(stages.stream().map(StageState::stage).filter(ChainStage::isEnabled).toList());
+    window.read(FilterChain::status, this::showStatus);
+  }
+
+  private void showStatus(String status) {
+    note.setText(status);
+    Controls.show(!status.isEmpty(), note);
   }
 }

@@ -1,6 +1,7 @@
 package haltere.ui.viewer;
 
 import haltere.core.format.ReadOptions;
+import haltere.core.sink.internal.Daemon;
 import haltere.ui.user.ConfigFolder;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.controls.Theme;
@@ -78,9 +79,7 @@ public final class ViewerApplication {
     Optional<String> ownChain = memory.chain(request);
     // the first session is made ready while JavaFX starts
     FutureTask<ViewerSession> first = new FutureTask<>(() -> request.firstSession(ownChain));
-    Thread ahead = new Thread(first, "haltere-first");
-    ahead.setDaemon(true);
-    ahead.start();
+    Daemon.thread(first, "haltere-first").start();
     String name = file.map(Path::toString).orElse("the fly scene");
     return run(
         settings,

@@ -37,8 +37,6 @@ import javafx.util.Duration;
 /**
  * The viewer's window: holds the session that is open and joins the parts that open and show. What
  * a person can do beyond that its {@link ViewerFeatures features} bring.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class ViewerWindow {
   /** Size at first, where the screen has room for it. */

@@ -5,7 +5,7 @@
  * in packages of their own. From below: {@code controls}; {@code action}, {@code chain}, {@code
  * picture} and {@code playback}; {@code plots} and {@code session}; {@code feature}, which holds
  * the panels and what features may use; the features {@code wings}, {@code space}, {@code cameras},
- * {@code compare}, {@code saving} and {@code road}; this package.
+ * {@code compare}, {@code saving}, {@code road}, {@code file} and {@code start}; this package.
  *
  * <p>Thread rule, for all of these packages: nodes are touched on the JavaFX thread only, and a
  * type of a package that names no rule of its own belongs to that thread; values may go anywhere.

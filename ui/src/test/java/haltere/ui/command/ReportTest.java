@@ -5,6 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.format.RecordingReader;
+import haltere.core.format.Recordings;
+import haltere.testing.Recorded;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
@@ -121,6 +124,7 @@ class ReportTest {
     Path dots = scene("dots.aedat", "dots", "0.5");
     String track = page("track", dots, "--out", folder.resolve("tracks.csv"));
     assertPlots(track, "objects: x", "objects: y");
+    assertTrue(track.contains("<h2>Objects</h2>") && track.contains("mean speed (px/s)"));
     Path chain =
         Files.writeString(
             folder.resolve("chain.json"),
@@ -131,6 +135,46 @@ class ReportTest {
     String run = page("run", dots, "--chain", chain, "--overwrite");
     assertTrue(run.contains("correlationUs = 7000"));
     assertTrue(run.contains("refractory"));
+  }
+
+  @Test
+  void eachObjectHasARowInATableOfBoundedLength() throws Exception {
+    Path dots = scene("dots.aedat", "dots", "1");
+    Path out = folder.resolve("tracks.csv");
+    String page = page("track", dots, "--out", out);
+    List<String[]> rows = Files.lines(out).skip(1).map(line -> line.split(",")).toList();
+    List<String[]> first = rows.stream().filter(row -> row[1].equals(rows.get(0)[1])).toList();
+    double fromS = (Long.parseLong(first.get(0)[0]) - firstUs(dots)) * 1e-6;
+    double toS = (Long.parseLong(first.get(first.size() - 1)[0]) - firstUs(dots)) * 1e-6;
+    double speed =
+        first.stream()
+            .mapToDouble(row -> Math.hypot(Double.parseDouble(row[4]), Double.parseDouble(row[5])))
+            .average()
+            .orElseThrow();
+    String wanted =
+        "<tr><td>%s</td><td>%.3f</td><td>%.3f</td><td>%.3f</td><td>%s</td><td>%.1f</td>"
+            .formatted(
+                first.get(0)[1],
+                fromS,
+                toS,
+                toS - fromS,
+                "%,d".formatted(Long.parseLong(first.get(first.size() - 1)[10])),
+                speed);
+    assertTrue(page.contains(wanted), wanted);
+    Path box = Recorded.file("dvs128-moving-dark-box.aedat");
+    Path clusters = folder.resolve("clusters.csv");
+    String many = page("track", box, "--out", clusters, "--preset", "original", "--overwrite");
+    long tracks = Files.lines(clusters).skip(1).map(line -> line.split(",")[1]).distinct().count();
+    assertTrue(tracks > 100, tracks + " tracks");
+    assertTrue(many.contains("The 100 with the most events of " + tracks + "."));
+    String table = many.substring(many.indexOf("<h2>Tracks</h2>"), many.indexOf("<h2>Pictures"));
+    assertEquals(101, table.split("<tr>").length - 1);
+  }
+
+  private static long firstUs(Path recording) throws IOException {
+    try (RecordingReader reader = Recordings.open(recording)) {
+      return reader.segments().get(0).firstUs();
+    }
   }
 
   @Test

@@ -9,7 +9,9 @@ import java.util.List;
 import java.util.Optional;
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
+import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.SplitPane;
+import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.Region;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -143,5 +145,43 @@ class LayoutTest {
     assertTrue(viewer.onFx(() -> plots.getScene().getWindow().isShowing()));
     viewer.run(() -> plots.getScene().getWindow().hide());
     viewer.waitFor("plots below the events", () -> isInWindow("plots"));
+  }
+
+  @Test
+  void theCaptionOfTheFlyCoversNothingOfItAndNamesOfButtonsAreWholeOrAbsent() {
+    viewer = new ViewerHarness();
+    run("open-scene");
+    viewer.waitUntilOpen("Fly scene");
+    for (double[] size : new double[][] {{700, 500}, {1024, 700}, {1280, 820}}) {
+      viewer.run(
+          () -> {
+            viewer.stage.setWidth(size[0]);
+            viewer.stage.setHeight(size[1]);
+          });
+      viewer.waitFor(
+          "the picture below bar and caption at " + size[0],
+          () ->
+              top("event-view") >= bottom("fly-caption") - 0.5
+                  && top("fly-caption") >= bottom("show-as") - 0.5
+                  && top("show-as") >= bottom("menu") - 0.5);
+      ToggleButton objects = viewer.node("usual-objects", ToggleButton.class);
+      viewer.waitFor(
+          "both words, or the icon alone, at " + size[0],
+          () ->
+              objects.getContentDisplay() == ContentDisplay.GRAPHIC_ONLY
+                  || objects.getHeight() >= objects.prefHeight(-1) - 0.5);
+    }
+  }
+
+  private double top(String id) {
+    return viewer.onFx(() -> onScreen(viewer.node(id, Node.class)).getMinY());
+  }
+
+  private double bottom(String id) {
+    return viewer.onFx(() -> onScreen(viewer.node(id, Node.class)).getMaxY());
+  }
+
+  private static Bounds onScreen(Node node) {
+    return node.localToScene(node.getLayoutBounds());
   }
 }

@@ -3,6 +3,7 @@ package haltere.ui.viewer;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.format.ReadOptions;
 import haltere.testing.Recorded;
 import haltere.ui.plot.InertialFeed;
 import haltere.ui.plot.Lane;
@@ -11,6 +12,7 @@ import java.util.List;
 import javafx.scene.Node;
 import javafx.scene.image.PixelReader;
 import javafx.scene.image.WritableImage;
+import javafx.scene.paint.Color;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -31,6 +33,24 @@ class SamplesTest {
     if (viewer != null) {
       viewer.close();
     }
+  }
+
+  @Test
+  void theOnlyFrameOfARecordingWithoutEventsIsDrawn() {
+    Path file = Recorded.file("gray16-frame.aedat4");
+    viewer.run(() -> viewer.window.context().sessions().open(file, ReadOptions.DEFAULT));
+    // of 2 by 2 pixels with 10 bits, in 16, the right lower one alone is bright
+    viewer.waitFor("the frame", () -> colour(0.6, 0.75).getBrightness() > 0.4);
+    assertTrue(colour(0.4, 0.25).getBrightness() < 0.1);
+  }
+
+  private Color colour(double across, double down) {
+    return viewer.onFx(
+        () -> {
+          WritableImage picture = viewer.picture("event-view");
+          int x = (int) (across * picture.getWidth());
+          return picture.getPixelReader().getColor(x, (int) (down * picture.getHeight()));
+        });
   }
 
   /** Mean of red, green and blue in the middle of the picture, 0 to 1. */

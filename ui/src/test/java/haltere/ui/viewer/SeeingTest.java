@@ -144,6 +144,11 @@ class SeeingTest {
     int before = viewer.onFx(() -> hash(panel.snapshot(null, null)));
     viewer.run(() -> turn.setValue(-120));
     viewer.waitFor("another view", () -> hash(panel.snapshot(null, null)) != before);
+    viewer.waitFor("its value", () -> viewer.text("space-time-turn-value").equals("-120°"));
+    assertEquals("100 ms", viewer.text("space-time-span-value"));
+    assertEquals("now", viewer.text("space-time-slice-value"));
+    viewer.run(() -> viewer.node("space-time-slice", Slider.class).setValue(0.2));
+    viewer.waitFor("its value", () -> viewer.text("space-time-slice-value").equals("-20.0 ms"));
     viewer.run(() -> viewer.window.context().actions().run("show-space-time"));
     viewer.waitFor("it is gone", () -> !viewer.isThere("space-time"));
   }

@@ -11,6 +11,7 @@ import haltere.ui.viewer.feature.UserSettings;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import javafx.scene.control.Label;
 import javafx.scene.control.ToggleButton;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -99,6 +100,25 @@ class UsualFiltersTest {
     viewer.run(() -> viewer.window.context().editor().replaceAll(refractory));
     viewer.waitFor(
         "the share", () -> viewer.text("hidden-share").endsWith("of the events hidden,"));
+  }
+
+  @Test
+  void aPauseBeforeTheFirstObjectIsConfirmedSaysWhenThatIs() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, 4_000_000);
+    viewer.pause();
+    viewer.run(() -> ViewerHarness.join(viewer.session().player().seek(100_000)));
+    viewer.click("usual-objects");
+    Label note = viewer.node("filter-status", Label.class);
+    viewer.waitFor("the note", note::isVisible);
+    assertEquals(
+        "No objects yet: an object is confirmed after 0.3 s of motion.",
+        viewer.text("filter-status"));
+    viewer.run(() -> ViewerHarness.join(viewer.session().player().seek(1_500_000)));
+    viewer.waitFor("an object", () -> !note.isVisible());
+    viewer.click("usual-objects");
+    viewer.click("usual-wings");
+    viewer.waitFor("another note", note::isVisible);
+    assertEquals("Waits for wings.", viewer.text("filter-status"));
   }
 
   @Test

@@ -192,7 +192,7 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
   }
 
   /** Opens a recording, also the one that is open already, and waits until it plays. */
-  void openRecording(Path file) {
+  public void openRecording(Path file) {
     Optional<ViewerSession> before = onFx(() -> window.context().sessions().session());
     run(() -> window.context().sessions().open(file, ReadOptions.DEFAULT));
     waitFor("another session", () -> !window.context().sessions().session().equals(before));

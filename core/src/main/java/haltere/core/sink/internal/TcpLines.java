@@ -48,9 +48,7 @@ final class TcpLines implements LineOutput {
       throw new IOException(address + ": cannot listen here: " + refused.getMessage(), refused);
     }
     this.address = address.withPort(server.getLocalPort());
-    Thread thread = new Thread(this::accept, "haltere-publish-accept");
-    thread.setDaemon(true);
-    thread.start();
+    Daemon.thread(this::accept, "haltere-publish-accept").start();
   }
 
   private void accept() {

@@ -49,13 +49,7 @@ final class TcpReceiver {
     peer = protocol.meet(socket);
     waiting = new ArrayBlockingQueue<>(roomLines);
     socket.setTcpNoDelay(true);
-    thread = thread(this::work, "haltere-publish-" + socket.getRemoteSocketAddress());
-  }
-
-  private static Thread thread(Runnable work, String name) {
-    Thread thread = new Thread(work, name);
-    thread.setDaemon(true);
-    return thread;
+    thread = Daemon.thread(this::work, "haltere-publish-" + socket.getRemoteSocketAddress());
   }
 
   /** Begins to write. */
@@ -110,7 +104,7 @@ final class TcpReceiver {
     try (socket) {
       peer.greet();
       if (peer.speaks()) {
-        thread(this::listen, thread.getName() + "-in").start();
+        Daemon.thread(this::listen, thread.getName() + "-in").start();
       }
       write(socket.getOutputStream());
     } catch (IOException | InterruptedException ignored) {

@@ -8,27 +8,42 @@ import haltere.core.settings.Unit;
 
 /** Settings of {@link BodyLineFilter}. */
 public record BodyLineSettings(
-    @Help("Reports in a second of recording time; there is none while the body makes no events.")
+    @Help(
+            value =
+                "Lines are reported at this rate of recording time, while the body makes events.",
+            label = "Report rate")
         @Range(min = 0.1, max = 100000, logarithmic = true)
         @Unit("Hz")
         double rateHz,
-    @Help("Events that a line is made of, as a multiple of the pixels along the body's outline.")
+    @Help(
+            value =
+                "Events of a line for each pixel along the body's outline; a larger value averages"
+                    + " for longer.",
+            label = "Events per outline pixel")
         @Range(min = 0.1, max = 100, logarithmic = true)
         @Unit("1")
         double turns,
-    @Help("Events within so many half axes of the body's middle are its own.")
+    @Help(
+            value = "Events within this many half axes of the body's centre are assigned to it.",
+            label = "Gate")
         @Range(min = 1.1, max = 5)
         @Unit("1")
         double gateRadii,
-    @Help("A report needs so many new events.") @Range(min = 1, max = 100000) @Unit("events")
+    @Help(value = "A report needs this many new events.", label = "Minimum events")
+        @Range(min = 1, max = 100000)
+        @Unit("events")
         int leastEvents,
-    @Help("Smallest half axis of a body.") @Range(min = 0.5, max = 1000) @Unit("px")
+    @Help(value = "Half axes of a body are at least this long.", label = "Minimum half axis")
+        @Range(min = 0.5, max = 1000)
+        @Unit("px")
         double leastRadiusPx,
-    @Help("Largest half axis of a body; one that grows beyond is looked for anew.")
+    @Help(value = "A body with a longer half axis is searched again.", label = "Maximum half axis")
         @Range(min = 2, max = 2000)
         @Unit("px")
         double greatestRadiusPx,
-    @Help("A body that makes no events for so long is looked for anew.")
+    @Help(
+            value = "A body without events for longer than this is searched again.",
+            label = "Timeout")
         @Range(min = 1000, max = 1000000000, logarithmic = true)
         @Unit("us")
         long forgetUs)

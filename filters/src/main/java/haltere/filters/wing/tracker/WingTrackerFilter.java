@@ -110,6 +110,17 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
   }
 
   @Override
+  public String status() {
+    return switch (tracker.phase()) {
+      case TRACKING -> "";
+      case UNLOCKED -> "Follows the events, not at the frequency of the beat.";
+      case ONE_WING -> "Tracks one wing, looks for the other.";
+      case LOST -> "Has lost the wings, looks for them.";
+      default -> "Waits for wings.";
+    };
+  }
+
+  @Override
   public WingTrackerSettings settings() {
     return tracker.settings();
   }

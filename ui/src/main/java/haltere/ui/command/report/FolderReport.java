@@ -36,8 +36,6 @@ import java.util.stream.IntStream;
  * results. It reads what {@code done.json} and the tables say, so it is the same after a resumed or
  * a shared run.
  *
- * <p>Thread rule: one thread.
- *
  * @param folder where the results are
  * @param chains makes the chain of the results
  * @param reading how the recordings were read

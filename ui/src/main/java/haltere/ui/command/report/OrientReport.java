@@ -10,11 +10,7 @@ import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.stream.Stream;
 
-/**
- * What a page tells of orientations: position, axis and deviation of each body over time.
- *
- * <p>Thread rule: one thread.
- */
+/** What a page tells of orientations: position, axis and deviation of each body over time. */
 public final class OrientReport implements BiConsumer<String, OrientationEstimate> {
   private static final PlotRow ROW = PlotRow.of(OrientationRow.class).orElseThrow();
 

@@ -14,8 +14,6 @@ import java.util.stream.IntStream;
 /**
  * The curves of a lane over a whole stream, in bounded memory: lowest and highest values in
  * stretches of time, and the newest samples as they are.
- *
- * <p>Thread rule: one thread.
  */
 final class ReportCurves {
   private static final int BINS = 400;

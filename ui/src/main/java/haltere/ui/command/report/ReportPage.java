@@ -15,8 +15,6 @@ import java.util.stream.IntStream;
 /**
  * An HTML page of tables, plots and pictures, all inside of it. Its colours follow the reader's
  * light or dark setting.
- *
- * <p>Thread rule: one thread at a time.
  */
 public final class ReportPage {
   /** Colours of curves beside those of left and right wings. */

@@ -36,6 +36,7 @@ public final class RunReport implements JobResults {
 
   private final EventRate rate = new EventRate(RATE_BINS);
   private final List<ReportCurves> curves = new ArrayList<>();
+  private List<ObjectTable> objects = List.of();
   private FilterChain chain;
   private ContactSheet sheet;
   private List<List<String>> stages = List.of();
@@ -56,6 +57,7 @@ public final class RunReport implements JobResults {
   private JobResults open(FilterChain filters) {
     chain = filters;
     sheet = new ContactSheet(filters);
+    objects = ObjectTable.of(filters);
     for (List<PlotField> lane : PlotSet.main(PlotField.of(filters))) {
       ReportCurves plotted = new ReportCurves(lane);
       curves.add(plotted);
@@ -125,6 +127,7 @@ public final class RunReport implements JobResults {
               .map(file -> List.of(file.path().toString(), Quantities.count(file.rows())))
               .toList());
     }
+    objects.forEach(table -> table.addTo(page, rate.firstUs()));
     page.section("Pictures of events and results");
     page.sentence("Orange: brighter (ON), blue: darker (OFF); times count from the first event.");
     page.picture(sheet.draw(), "The recording with the results at up to eight moments");

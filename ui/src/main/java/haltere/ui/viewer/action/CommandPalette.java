@@ -5,7 +5,6 @@ import haltere.ui.viewer.controls.Controls;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
@@ -21,8 +20,6 @@ import javafx.stage.Stage;
 /**
  * All commands in one list that a few letters make short. Enter or a click does the chosen one,
  * Escape does nothing.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class CommandPalette {
   private static final double WIDTH = 520;
@@ -130,8 +127,7 @@ public final class CommandPalette {
       menu.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
       key.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
       Region space = Controls.growing(new Region());
-      line = new HBox(10, words, menu, space, key);
-      line.setAlignment(Pos.CENTER_LEFT);
+      line = Controls.row(10, words, menu, space, key);
     }
 
     @Override

@@ -15,11 +15,7 @@ import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.GridPane;
 import javafx.stage.Window;
 
-/**
- * Lists the keys.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Lists the keys. */
 public final class KeysDialog {
   private static final List<Map.Entry<String, String>> OTHERS =
       List.of(

@@ -17,8 +17,6 @@ import javafx.beans.value.ObservableBooleanValue;
 /**
  * All that a person can do in the window. Whoever brings something adds it here once; menus, keys,
  * the command palette and the list of keys are made from it.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class ViewerActions {
   private final Map<String, ViewerAction> actions = new LinkedHashMap<>();

@@ -24,8 +24,6 @@ import javafx.scene.input.KeyEvent;
  * The actions' keys without Ctrl or Alt. They work wherever the focus is, but for entries of text;
  * arrow keys also belong to sliders, lists and what else moves. Since Space is pause, Enter presses
  * the button that has the focus, turns the switch over or opens the list.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class ViewerKeys {
   /** What keyboards of some countries send in place of a key's usual code. */

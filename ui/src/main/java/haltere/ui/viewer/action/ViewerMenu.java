@@ -18,11 +18,7 @@ import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 
-/**
- * The menus, made from the actions that there are.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** The menus, made from the actions that there are. */
 public final class ViewerMenu extends MenuBar {
   private static final List<String> ORDER =
       List.of("File", "Edit", "View", "Playback", "Chain", "Tools", "Camera");

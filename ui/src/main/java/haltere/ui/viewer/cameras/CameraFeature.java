@@ -8,6 +8,7 @@ import haltere.core.camera.RegionOfInterest;
 import haltere.core.camera.RegionOfInterest.Region;
 import haltere.core.camera.TimestampReset;
 import haltere.core.playback.CameraPlayable;
+import haltere.core.sink.internal.Daemon;
 import haltere.device.simulated.Plug;
 import haltere.filters.frequency.PixelRegion;
 import haltere.ui.viewer.action.ViewerAction;
@@ -113,9 +114,7 @@ public final class CameraFeature implements ViewerFeature {
 
   /** What listens to USB may take a moment, for which files do not wait. */
   private static void aside(Runnable work) {
-    Thread thread = new Thread(work, "haltere-cameras");
-    thread.setDaemon(true);
-    thread.start();
+    Daemon.thread(work, "haltere-cameras").start();
   }
 
   /** Watches until the window is closed. */

@@ -22,7 +22,6 @@ import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.Slider;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 
 /**
@@ -119,7 +118,6 @@ final class CameraPanel extends ScrollPane {
   private void addBiases(Biases facet) {
     ChoiceBox<String> sets =
         Controls.choice("camera-bias-sets", "Sets of biases", facet.sets(), set -> set);
-    sets.setMaxWidth(Double.MAX_VALUE);
     sets.setOnAction(
         event -> {
           String chosen = sets.getValue();
@@ -127,8 +125,7 @@ final class CameraPanel extends ScrollPane {
             tell(() -> facet.apply(chosen));
           }
         });
-    HBox.setHgrow(sets, Priority.ALWAYS);
-    HBox line = Controls.row(6, new Label("Set"), sets);
+    HBox line = Controls.row(6, new Label("Set"), Controls.growing(sets));
     if (!sets.getItems().isEmpty()) {
       content.getChildren().add(line);
     }

@@ -22,8 +22,6 @@ import javafx.scene.control.MenuItem;
 /**
  * Changes of the chain as the panels ask for them. Each runs between two packets on the processing
  * thread; what the chain is then comes back to the JavaFX thread.
- *
- * <p>Thread rule: JavaFX thread only; nothing here waits.
  */
 public final class ChainEditor {
   private final Consumer<String> problems;

@@ -17,8 +17,6 @@ import javafx.scene.layout.VBox;
 /**
  * The chain: a card for each stage, in order, a search through their settings, and a menu to add
  * one.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class ChainPanel extends VBox {
   private final StageList cards;

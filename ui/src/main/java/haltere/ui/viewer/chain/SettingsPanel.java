@@ -26,8 +26,6 @@ import javafx.scene.layout.VBox;
  * The settings of one filter, made from their schema: a field for each, under a heading for each
  * group. A change makes a whole new record and sends it to the filter.
  *
- * <p>Thread rule: JavaFX thread only.
- *
  * @param <S> the settings record
  */
 final class SettingsPanel<S extends Record> extends VBox {

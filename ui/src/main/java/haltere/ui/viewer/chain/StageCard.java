@@ -13,7 +13,6 @@ import haltere.ui.viewer.controls.Texts;
 import java.util.Locale;
 import java.util.Optional;
 import javafx.css.PseudoClass;
-import javafx.geometry.Pos;
 import javafx.scene.AccessibleRole;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -27,7 +26,6 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.TransferMode;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 
 /** One stage of the chain: its switch, what it does to the stream, its place, its settings. */
@@ -66,7 +64,11 @@ final class StageCard extends VBox {
     inForce = state.settings().filter(found -> found.getClass().getRecordComponents().length > 0);
     up = item("up-", "Move up   (Ctrl+Shift+\u2191)", () -> editor.move(stage, -1));
     down = item("down-", "Move down   (Ctrl+Shift+\u2193)", () -> editor.move(stage, 1));
-    into = item("into-", "Move into the chain above", this::moveIntoNeighbour);
+    into =
+        item(
+            "into-",
+            "Move into the chain above",
+            () -> chainAbove.ifPresent(list -> list.drop(editor.path(stage))));
     expand =
         Controls.button(
             "expand-" + id,
@@ -79,9 +81,8 @@ final class StageCard extends VBox {
     expand.setVisible(inForce.isPresent() || inside.isPresent());
     setUpPower(title);
     setUpCounts();
-    HBox head = new HBox(2, expand, name(title), more(title), power);
+    HBox head = Controls.row(2, expand, name(title), more(title), power);
     takePart(head);
-    head.setAlignment(Pos.CENTER_LEFT);
     head.getStyleClass().add("stage-head");
     setOnKeyPressed(this::moveByKey);
     getChildren().addAll(head, counts);
@@ -94,10 +95,8 @@ final class StageCard extends VBox {
 
   private Label name(String title) {
     Label name = Controls.paragraph(title, Styles.TEXT_BOLD);
-    name.setMaxWidth(Double.MAX_VALUE);
     Controls.help(name, description());
-    HBox.setHgrow(name, Priority.ALWAYS);
-    return name;
+    return Controls.growing(name);
   }
 
   private void setUpPower(String title) {
@@ -190,10 +189,6 @@ final class StageCard extends VBox {
       editor.move(stage, isUp ? -1 : 1);
       event.consume();
     }
-  }
-
-  private void moveIntoNeighbour() {
-    chainAbove.ifPresent(list -> list.drop(editor.path(stage)));
   }
 
   /** Shows what the stage did since the last call. */

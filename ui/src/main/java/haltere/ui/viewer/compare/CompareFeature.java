@@ -35,8 +35,6 @@ import javafx.scene.layout.VBox;
  * Two chains side by side on the same events: the second one begins as a copy of the first, has its
  * own settings in a tab at the side, its own picture, and its published numbers beside those of the
  * first.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class CompareFeature implements ViewerFeature {
   private static final long NUMBERS_NANOS = 1_000_000_000;
@@ -90,7 +88,8 @@ public final class CompareFeature implements ViewerFeature {
     // as high as the first picture's bar, so that both pictures have the same height
     bar.minHeightProperty().bind(window.panels().viewBar().heightProperty());
     BorderPane named = new BorderPane(view);
-    named.setTop(new VBox(bar, secondName));
+    VBox above = new VBox(bar, secondName);
+    named.setTop(above);
     for (Label name : List.of(firstName, secondName)) {
       name.getStyleClass().add("chain-name");
       name.setMinWidth(0);
@@ -104,6 +103,8 @@ public final class CompareFeature implements ViewerFeature {
     // both pictures are as wide as the narrower of their places, so that they have one scale
     EventView first = window.panels().view();
     view.maxWidthProperty().bind(((Region) first.getParent()).widthProperty());
+    // banners stand above the first picture alone
+    above.minHeightProperty().bind(first.getParent().getParent().layoutYProperty());
     first
         .maxWidthProperty()
         .bind(Bindings.when(shown).then(named.widthProperty()).otherwise(Double.MAX_VALUE));

@@ -33,7 +33,7 @@ final class ComparisonTable extends ScrollPane {
     Controls.named(this, "comparison", "comparison");
     ColumnConstraints names = new ColumnConstraints();
     names.setHgrow(Priority.ALWAYS);
-    names.setMinWidth(60);
+    names.setMinWidth(72);
     ColumnConstraints numbers = new ColumnConstraints(46, 62, 62);
     numbers.setHalignment(HPos.RIGHT);
     grid.getColumnConstraints().addAll(names, numbers, numbers, numbers);
@@ -75,8 +75,7 @@ final class ComparisonTable extends ScrollPane {
   /** Shows lines in place of those that are shown. */
   void show(List<Line> lines) {
     grid.getChildren().clear();
-    grid.addRow(
-        0, heading("Mean over 1 s"), heading("First"), heading("Second"), heading("Differs"));
+    grid.addRow(0, heading("Mean, 1 s"), heading("First"), heading("Second"), heading("Differs"));
     if (lines.isEmpty()) {
       grid.add(small("No filter has published numbers yet."), 0, 1, 4, 1);
     }

@@ -11,11 +11,7 @@ import javafx.stage.FileChooser;
 import javafx.stage.FileChooser.ExtensionFilter;
 import javafx.stage.Window;
 
-/**
- * Asks for files.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Asks for files. */
 public final class FileDialogs {
   private static final ExtensionFilter ALL_FILES = new ExtensionFilter("All files", "*");
 

@@ -4,11 +4,7 @@ import javafx.scene.AccessibleRole;
 import javafx.scene.Node;
 import javafx.scene.layout.Pane;
 
-/**
- * A picture that Tab reaches and that keys work on as the mouse does.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** A picture that Tab reaches and that keys work on as the mouse does. */
 public class KeyPane extends Pane implements ArrowKeys {
   /** A picture with some nodes in it at first. */
   public KeyPane(Node... children) {

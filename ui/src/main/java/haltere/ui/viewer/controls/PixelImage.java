@@ -8,11 +8,7 @@ import javafx.scene.image.PixelFormat;
 import javafx.scene.image.WritableImage;
 import javafx.stage.Window;
 
-/**
- * An image whose pixels a program paints.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** An image whose pixels a program paints. */
 public final class PixelImage extends ImageView {
   private PixelBuffer<IntBuffer> buffer;
 

@@ -15,14 +15,11 @@ import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 
 /**
  * One setting: its name, a control for its type, a button back to the default, and a line for what
  * is wrong with an entry.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class SettingField extends VBox {
   /** Takes a value that a person has set. */
@@ -112,7 +109,6 @@ public final class SettingField extends VBox {
           entry.setText(Parameter.text(value));
           showing[0] = false;
         };
-    slider.setMaxWidth(Double.MAX_VALUE);
     layOutBelow(
         slider, entry, Controls.whole(unit(), Styles.TEXT_SMALL, Styles.TEXT_MUTED, "unit"));
   }
@@ -136,7 +132,6 @@ public final class SettingField extends VBox {
     ChoiceBox<String> box = control(new ChoiceBox<>(), "choice-");
     box.getItems().setAll(parameter.choices());
     box.setOnAction(event -> Optional.ofNullable(box.getValue()).ifPresent(this::set));
-    box.setMaxWidth(Double.MAX_VALUE);
     shower = value -> box.setValue(Parameter.text(value));
     layOutBelow(box);
   }
@@ -185,8 +180,8 @@ public final class SettingField extends VBox {
   }
 
   /** The name, and below it controls that take the whole width. */
-  private void layOutBelow(Node... controls) {
-    HBox.setHgrow(controls[0], Priority.ALWAYS);
+  private void layOutBelow(Control... controls) {
+    Controls.growing(controls[0]);
     getChildren().addAll(line(name, reset), line(controls), problem);
   }
 

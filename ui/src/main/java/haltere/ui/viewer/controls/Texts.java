@@ -182,18 +182,18 @@ public final class Texts {
 
   /** What a person calls a setting: its label, or its name in words. */
   public static String label(Parameter setting) {
-    return setting.label().isEmpty() ? words(setting.name(), setting.unit()) : setting.label();
+    String label =
+        setting.label().isEmpty() ? words(setting.name(), setting.unit()) : setting.label();
+    return label.replaceFirst("^Min ", "Minimum ").replaceFirst("^Max ", "Maximum ");
   }
 
   /** A name in a settings record as words, without the unit at its end. */
   public static String words(String name, String unit) {
     String own = name.substring(name.lastIndexOf('.') + 1);
-    String suffix = unit.replace("/", "Per").replaceAll("[^A-Za-z0-9]", "");
-    if (!suffix.isEmpty()
-        && own.length() > suffix.length()
-        && own.regionMatches(true, own.length() - suffix.length(), suffix, 0, suffix.length())
-        && Character.isUpperCase(own.charAt(own.length() - suffix.length()))) {
-      own = own.substring(0, own.length() - suffix.length());
+    String suffix = unit.replaceAll("[^A-Za-z0-9/]", "").replace("/", "(?:Per)?");
+    if (!suffix.isEmpty()) {
+      // of a number of clusters at most, the unit is the name
+      own = own.replaceFirst("(?<=[A-Za-z0-9])(?<!^m(?:ax|in))(?=[A-Z])(?i:" + suffix + ")$", "");
     }
     String spaced = own.replaceAll("([a-z0-9])([A-Z])", "$1 $2").toLowerCase(Locale.ROOT);
     return spaced.isEmpty() ? name : capital(spaced);
@@ -219,7 +219,7 @@ public final class Texts {
     };
   }
 
-  /** What went wrong in one line, without the wrapping of futures. */
+  /** What went wrong in one line, without the wrapping of futures and options of commands. */
   public static String oneLine(Throwable problem) {
     Throwable cause = problem;
     while ((cause instanceof CompletionException || cause instanceof ExecutionException)
@@ -228,7 +228,7 @@ public final class Texts {
     }
     String message = cause.getMessage();
     String text = message == null || message.isBlank() ? cause.getClass().getSimpleName() : message;
-    return text.lines().findFirst().orElse(text).strip();
+    return text.lines().findFirst().orElse(text).replaceAll(" \\(--[^)]*\\)", "").strip();
   }
 
   /** All that is known of what went wrong, for who reports it. */

@@ -6,11 +6,7 @@ import haltere.ui.rendering.ColourMap;
 import javafx.application.Application;
 import javafx.scene.paint.Color;
 
-/**
- * How the window looks.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** How the window looks. */
 public enum Theme {
   DARK("Dark", ColourMap.DARK),
   LIGHT("Light", ColourMap.LIGHT);

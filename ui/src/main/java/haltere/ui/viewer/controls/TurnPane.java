@@ -7,8 +7,6 @@ import javafx.scene.input.MouseEvent;
 /**
  * A view in space. A drag or arrow keys turn it, the wheel, plus and minus zoom, a double click or
  * Home goes back to the first view.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public abstract class TurnPane extends KeyPane {
   private static final double DEGREES_PER_PIXEL = 0.5;

@@ -18,11 +18,7 @@ import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 import javafx.util.Duration;
 
-/**
- * Opens windows and questions beside the viewer's own window, in its style.
- *
- * <p>Thread rule: JavaFX thread only; nothing here waits.
- */
+/** Opens windows and questions beside the viewer's own window, in its style. */
 public final class Windows {
   /** A window may be smaller than wanted by this. */
   private static final double TOLERANCE_PX = 20;

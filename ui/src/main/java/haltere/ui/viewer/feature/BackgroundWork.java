@@ -1,5 +1,6 @@
 package haltere.ui.viewer.feature;
 
+import haltere.core.sink.internal.Daemon;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutorService;
@@ -23,12 +24,7 @@ public final class BackgroundWork implements AutoCloseable {
   private Future<?> scan = CompletableFuture.completedFuture(null);
 
   private static ExecutorService thread(String name) {
-    return Executors.newSingleThreadExecutor(
-        work -> {
-          Thread thread = new Thread(work, name);
-          thread.setDaemon(true);
-          return thread;
-        });
+    return Executors.newSingleThreadExecutor(work -> Daemon.thread(work, name));
   }
 
   /** Opens or saves something. */

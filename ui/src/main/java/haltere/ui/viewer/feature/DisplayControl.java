@@ -25,8 +25,6 @@ import javafx.beans.value.ObservableValue;
 /**
  * How window and events look, as a person has chosen; whoever shows them listens.
  *
- * <p>Thread rule: JavaFX thread only.
- *
  * @param themeProperty how the window looks; a change brings the colours that go with it
  * @param coloursProperty the colours of polarities
  * @param decayUsProperty as {@link DisplayOptions#decayUs()}

@@ -9,8 +9,6 @@ import javafx.scene.Scene;
 /**
  * Makes a large change of the window in steps, so that none of them keeps its thread for long: the
  * window is laid out between one and the next, and does meanwhile what else there is to do.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class LayoutSteps implements Executor {
   private final Scene scene;

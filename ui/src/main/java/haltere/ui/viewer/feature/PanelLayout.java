@@ -19,8 +19,6 @@ import javafx.scene.control.TabPane;
 /**
  * Panels that come and go around the events: tabs at the side, others below or beside. A panel is
  * made when it is shown for the first time.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class PanelLayout extends SplitPane {
   /** Where a panel is shown. */

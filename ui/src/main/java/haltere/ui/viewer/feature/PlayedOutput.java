@@ -4,7 +4,6 @@ import haltere.core.playback.Player;
 import haltere.core.stream.StreamHandler;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.session.ViewerSession;
-import java.io.IOException;
 import java.util.Optional;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
@@ -12,8 +11,6 @@ import javafx.beans.property.ReadOnlyBooleanWrapper;
 /**
  * What is written or sent while something plays: made and ended in the background. It ends when it
  * is stopped, or when something else is opened.
- *
- * <p>Thread rule: JavaFX thread only; nothing here waits.
  *
  * @param <O> what is written or sent
  */
@@ -27,7 +24,7 @@ public final class PlayedOutput<O extends PlayedOutput.Output> {
     String begun();
 
     /** Ends it; what came of it, in words for a person. */
-    String finish() throws IOException;
+    String finish() throws Exception;
   }
 
   /** Makes an output for what is open. */

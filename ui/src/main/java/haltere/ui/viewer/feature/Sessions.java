@@ -24,8 +24,6 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
  * What is open, and how something else is opened: in the background, one after the other. The one
  * that was asked for last is shown, those before it are closed unseen. What goes wrong the status
  * line says.
- *
- * <p>Thread rule: JavaFX thread only; nothing here waits.
  */
 public final class Sessions {
   private final SourceMemory memory;

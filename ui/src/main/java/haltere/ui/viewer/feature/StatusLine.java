@@ -15,13 +15,10 @@ import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.TextArea;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 
 /**
  * The bottom line: what is wrong or late, or what is open, at the left; time, rate, speed, frames
  * and losses at the right.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class StatusLine extends HBox {
   private static final PseudoClass ERROR = PseudoClass.getPseudoClass("error");
@@ -68,8 +65,7 @@ public final class StatusLine extends HBox {
     setAlignment(Pos.CENTER_LEFT);
     message.setAccessibleRole(AccessibleRole.TEXT);
     message.setMinWidth(0);
-    message.setMaxWidth(Double.MAX_VALUE);
-    HBox.setHgrow(message, Priority.ALWAYS);
+    Controls.growing(message);
     dismiss =
         Controls.button(
             "dismiss", Icons.REMOVE, "Dismiss the message", this::clearError, Styles.SMALL);

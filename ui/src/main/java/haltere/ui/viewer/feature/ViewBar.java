@@ -20,11 +20,7 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 
-/**
- * Above the events: what their colours say, how they fade, and the tools.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Above the events: what their colours say, how they fade, and the tools. */
 public final class ViewBar extends HBox {
   /** Below this width, pixels, there is room for choices and buttons alone. */
   private static final double WIDE_PX = 460;

@@ -25,8 +25,6 @@ import javafx.stage.Stage;
 /**
  * What a {@link ViewerFeature} may use of the window.
  *
- * <p>Thread rule: JavaFX thread only.
- *
  * @param stage the window itself
  * @param sessions what is open
  * @param actions where to add what a person can do
@@ -81,7 +79,15 @@ public record ViewerContext(
     sessions
         .sessionProperty()
         .subscribe(
-            (was, is) -> is.ifPresent(made -> steps.execute(() -> callWhileShown(made, listener))));
+            (was, is) ->
+                is.ifPresent(
+                    made ->
+                        steps.execute(
+                            () ->
+                                sessions
+                                    .session()
+                                    .filter(shown -> shown == made)
+                                    .ifPresent(listener))));
   }
 
   /** Works on what is open, if something is. */
@@ -102,10 +108,6 @@ public record ViewerContext(
   /** Reads something off the chain between two packets and brings it to the JavaFX thread. */
   public <T> void read(Function<FilterChain, T> reading, Consumer<T> consumer) {
     editor.read(reading, consumer);
-  }
-
-  private void callWhileShown(ViewerSession made, Consumer<ViewerSession> listener) {
-    sessions.session().filter(shown -> shown == made).ifPresent(listener);
   }
 
   /**

@@ -3,8 +3,6 @@ package haltere.ui.viewer.feature;
 /**
  * Something that the window offers: it adds its actions, panels and tools, and listens to what is
  * open. Features do not know each other; {@code ViewerFeatures} lists them.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 @FunctionalInterface
 public interface ViewerFeature {

@@ -32,8 +32,6 @@ import javafx.scene.layout.VBox;
 /**
  * The panels of the window, laid out; at each pulse hands them the newest frame and what the player
  * says of itself.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class ViewerPanels extends BorderPane {
   /** How often words and numbers are brought up to date while playing. */

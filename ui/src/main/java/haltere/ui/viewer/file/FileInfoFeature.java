@@ -13,8 +13,6 @@ import java.util.Optional;
 /**
  * The panel of file information and the banner of warnings. Where the camera of a recording is not
  * known the banner asks for it, and the answer is remembered.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class FileInfoFeature implements ViewerFeature {
   private final FileInfoPanel panel = new FileInfoPanel();

@@ -69,7 +69,7 @@ final class FileInfoPanel extends ScrollPane {
       line("First event", Quantities.seconds(summary.firstUs()));
       line("Last event", Quantities.seconds(summary.lastUs()));
       line("Duration", String.format(Locale.ROOT, "%.6f s", summary.durationS()));
-      line("Time counts from", facts.clock().describe());
+      line("Time origin", facts.clock().describe());
       line("Mean rate", Quantities.rate(summary.meanRateEps()));
       line("Peak rate", Quantities.rate(summary.peakRateEps()) + " over 10 ms");
       line(
@@ -83,7 +83,7 @@ final class FileInfoPanel extends ScrollPane {
       line("Gaps", summary.gaps().isEmpty() ? "none" : String.valueOf(summary.gaps().size()));
     }
     facts.header().forEach(this::line);
-    String warnings = String.join("\n", summary.warnings());
+    String warnings = String.join(".\n", WarningBanner.sentences(summary.warnings()));
     line("Warnings", warnings.isEmpty() ? "none" : warnings);
   }
 

@@ -11,13 +11,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javafx.geometry.Pos;
 import javafx.scene.control.Button;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Hyperlink;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
@@ -53,8 +51,7 @@ final class WarningBanner extends VBox {
     this.chosen = chosen;
     Controls.named(this, "warnings", "warning-banner");
     first.setMinWidth(0);
-    first.setMaxWidth(Double.MAX_VALUE);
-    HBox.setHgrow(first, Priority.ALWAYS);
+    Controls.growing(first);
     more.setAccessibleText("Show all warnings");
     more.setMinWidth(Region.USE_PREF_SIZE);
     more.setOnAction(event -> open(!all.isVisible()));
@@ -64,12 +61,11 @@ final class WarningBanner extends VBox {
             first,
             more,
             Controls.button("warnings-dismiss", Icons.REMOVE, "Dismiss the warnings", this::hide));
-    Label asked = new Label("Camera:");
+    Label asked = Controls.whole("Camera:");
     Button use = Controls.named(new Button("Use and remember"), "camera-use", Styles.SMALL);
     use.setMinWidth(Region.USE_PREF_SIZE);
     use.setOnAction(event -> answer());
-    question = new HBox(8, asked, sizes, use);
-    question.setAlignment(Pos.CENTER_LEFT);
+    question = Controls.row(8, asked, sizes, use);
     getChildren().addAll(head, all, question);
     hide();
   }
@@ -84,16 +80,19 @@ final class WarningBanner extends VBox {
    * file does not name it; no line hides the banner.
    */
   void show(List<String> newWarnings, Optional<SensorGeometry> guess) {
-    // options of the command line mean nothing here
-    warnings =
-        newWarnings.stream()
-            .map(line -> Texts.capital(line.replaceAll(" \\(--[^)]*\\)", "")))
-            .toList();
+    warnings = sentences(newWarnings);
     Controls.show(!warnings.isEmpty(), this);
     all.getChildren().setAll(warnings.stream().map(Controls::paragraph).toList());
     Controls.show(guess.isPresent(), question);
     guess.ifPresent(this::offer);
     open(false);
+  }
+
+  /** Warnings of readers as sentences; options of the command line mean nothing here. */
+  static List<String> sentences(List<String> lines) {
+    return lines.stream()
+        .map(line -> Texts.capital(line.replaceAll(" \\(--[^)]*\\)", "")))
+        .toList();
   }
 
   private void open(boolean opened) {

@@ -26,8 +26,6 @@ import javafx.scene.shape.Rectangle;
  * Shows frames: the events as square pixels, the marks over them, the pixel under the mouse in
  * words. The wheel zooms where the mouse is, dragging moves, a double click shows all again. While
  * a tool is in the hand the arrow keys and Enter work with it as the mouse does.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class EventView extends Region implements ArrowKeys {
   /** Told which pixel is under the mouse. */

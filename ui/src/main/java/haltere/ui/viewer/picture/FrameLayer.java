@@ -100,7 +100,7 @@ public final class FrameLayer {
     int[] colours = old.length == geometry.pixels() ? old : new int[geometry.pixels()];
     Arrays.fill(colours, NONE);
     BufferedImage picture = FramePictures.draw(frame);
-    int grey = frame.channels() < 3 && frame.depth().bytes() > 1 ? 8 : 0;
+    int grey = frame.channels() < 3 && frame.depth().bytes() > 1 ? unseenBits(picture) : 0;
     for (int row = 0; row < frame.height(); row++) {
       int y = frame.bottom() + frame.height() - 1 - row;
       for (int column = 0; column < frame.width(); column++) {
@@ -112,6 +112,15 @@ public final class FrameLayer {
       }
     }
     return colours;
+  }
+
+  /** Bits of a value below the eight that are shown: 10 and 12 bits are stored in 16 too. */
+  private static int unseenBits(BufferedImage picture) {
+    int width = picture.getWidth();
+    int[] values =
+        picture.getRaster().getSamples(0, 0, width, picture.getHeight(), 0, (int[]) null);
+    int max = Arrays.stream(values).max().orElse(0);
+    return max < 1 << 10 ? 2 : max < 1 << 12 ? 4 : 8;
   }
 
   private static int colour(BufferedImage picture, int x, int y, int channels, int shift) {

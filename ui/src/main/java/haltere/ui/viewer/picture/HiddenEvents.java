@@ -14,11 +14,7 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 
-/**
- * Says over the picture which share of the events the filters hide, and shows them on request.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Says over the picture which share of the events the filters hide, and shows them on request. */
 public final class HiddenEvents extends HBox {
   /** Time over which the share is measured, real time. */
   public static final long BETWEEN_NANOS = 500_000_000;
@@ -83,7 +79,7 @@ public final class HiddenEvents extends HBox {
 
   private void say() {
     boolean any = percent.orElse(0) > 0;
-    setVisible(any);
+    Controls.show(any, this);
     if (any) {
       int all = percent.getAsInt();
       share.setText(

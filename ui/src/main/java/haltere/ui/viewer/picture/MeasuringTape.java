@@ -4,11 +4,7 @@ import haltere.core.overlay.OverlayCanvas;
 import java.util.Optional;
 import javafx.beans.property.ObjectProperty;
 
-/**
- * Measures lengths and angles: drag from one place to another.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Measures lengths and angles: drag from one place to another. */
 public final class MeasuringTape implements ViewTool {
   private final ObjectProperty<Optional<MeasuredLine>> measured;
   private double fromX;

@@ -163,8 +163,9 @@ public final class PictureMaker {
     exposed = true;
   }
 
-  /** The slice that ended last stays: its picture is of its events and no others. */
+  /** The slice that ended last stays, if there was any: its picture is of its events alone. */
   void hold(List<LayerTaps.Marks<?>> marks) {
+    holds = false;
     sliceUs = lastSliceUs;
     events.settle();
     probes.settle();

@@ -2,6 +2,7 @@ package haltere.ui.viewer.picture;
 
 import haltere.core.event.EventPacket;
 import haltere.core.pipeline.PacketPool;
+import haltere.core.sink.internal.Daemon;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -25,13 +26,12 @@ final class PictureThread implements AutoCloseable {
 
   private final PacketPool pool = new PacketPool(PACKETS, PACKET_EVENTS);
   private final ConcurrentLinkedQueue<Consumer<EventPacket>> takers = new ConcurrentLinkedQueue<>();
-  private final Thread thread = new Thread(this::work, "haltere-picture");
+  private final Thread thread = Daemon.thread(this::work, "haltere-picture");
   private final CompletableFuture<Void> end = new CompletableFuture<>();
   private volatile RuntimeException failure;
 
   /** Begins; packets are taken on the new thread. */
   PictureThread() {
-    thread.setDaemon(true);
     thread.start();
   }
 

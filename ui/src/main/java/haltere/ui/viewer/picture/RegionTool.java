@@ -6,11 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
-/**
- * Draws the region of interest: drag from corner to corner; a click takes it away.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Draws the region of interest: drag from corner to corner; a click takes it away. */
 public final class RegionTool implements ViewTool {
   private final Supplier<SensorGeometry> sensor;
   private final Consumer<Optional<PixelRegion>> consumer;

@@ -11,11 +11,7 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 
-/**
- * A strip of the colours and what their ends mean, where colours stand for ages or counts.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** A strip of the colours and what their ends mean, where colours stand for ages or counts. */
 public final class ScaleLegend extends HBox {
   private final Label first = new Label();
   private final Region strip = new Region();

@@ -6,8 +6,6 @@ import haltere.core.overlay.OverlayCanvas;
  * What the mouse does on the picture of the events instead of moving it: sets a point, draws a
  * region, measures. Places are in sensor coordinates: x to the right, y up, (0, 0) the centre of
  * the bottom left pixel.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public interface ViewTool {
   /** One line that says what to do, while the tool is in hand. */

@@ -7,7 +7,7 @@ import haltere.filters.frequency.PixelRegion;
  * Which part of a sensor a view shows, and how large: from one to the other and back.
  *
  * <p>Places on the sensor are counted from the middle of its left bottom pixel, upwards; those in
- * the view from its left top corner, downwards. Thread rule: JavaFX thread only.
+ * the view from its left top corner, downwards.
  */
 public final class Viewpoint {
   private static final double MAX_PIXEL = 64;

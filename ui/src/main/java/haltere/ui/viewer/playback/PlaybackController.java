@@ -24,8 +24,6 @@ import javafx.beans.property.SimpleBooleanProperty;
 /**
  * The transport as buttons, keys and the seek bar use it: speed, slices and loop stay the same from
  * one recording to the next, the rest goes to the player that is open.
- *
- * <p>Thread rule: JavaFX thread only; nothing here waits.
  */
 public final class PlaybackController {
   /** Speeds that are offered: 1, 2 and 5 times powers of ten. */
@@ -104,10 +102,6 @@ public final class PlaybackController {
     return player.map(Player::playable).filter(Playable::seekable).map(Reach::of);
   }
 
-  boolean seekable() {
-    return player.isPresent() && player.get().playable().seekable();
-  }
-
   /** Recording time in a unit of real time; infinite for as fast as it goes. */
   public ReadOnlyObjectProperty<Double> speedProperty() {
     return speed.getReadOnlyProperty();
@@ -181,7 +175,7 @@ public final class PlaybackController {
 
   /** Plays backwards, or stops that. */
   public void toggleReverse() {
-    reverse.set(!reverse.get() && seekable());
+    reverse.set(!reverse.get() && reach().isPresent());
     if (reverse.get()) {
       player.ifPresent(open -> report(open.pause()));
       restartReverse();
@@ -195,13 +189,13 @@ public final class PlaybackController {
 
   /** Goes back as far as time has passed; called at each pulse of JavaFX. */
   public void pulse(long nanos) {
-    if (!reverse.get() || seeking || !seekable()) {
+    if (!reverse.get() || seeking || reach().isEmpty()) {
       return;
     }
     double passedUs = (nanos - reverseNanos) / 1000.0;
     double pace = Double.isInfinite(speed.get()) ? MAX_SPEED : speed.get();
     long to = reverseFromUs - Math.round(passedUs * pace);
-    Reach all = Reach.of(player.get().playable());
+    Reach all = reach().get();
     long first = Math.max(all.fromUs(), loop.get().on() ? loop.get().inUs().orElse(0) : 0);
     if (to >= first) {
       if (to < player.get().status().elapsedUs()) {
@@ -336,7 +330,7 @@ public final class PlaybackController {
   }
 
   private void goTo(long elapsedUs) {
-    if (!seekable()) {
+    if (reach().isEmpty()) {
       return;
     }
     Player open = player.get();

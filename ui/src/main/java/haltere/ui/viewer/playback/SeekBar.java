@@ -29,8 +29,6 @@ import javafx.scene.shape.Rectangle;
  * The whole recording at a glance: its event rate over time, the place that is shown, the loop and
  * the marks, over a ruler of times. A click or a drag seeks, a drag of an end of the loop moves it,
  * the wheel zooms. Of a camera or a scene it shows the moments that are kept.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class SeekBar extends Region {
   /** Colours that a canvas cannot take from the style sheet, for dark and light. */
@@ -59,6 +57,7 @@ public final class SeekBar extends Region {
   private static final double RULER_HEIGHT = 16;
 
   private static final double RULER_TIME_WIDTH = 90;
+  private static final double DIGIT_WIDTH = 8;
 
   /** An end of the marked part is taken hold of within this distance. */
   private static final double HANDLE_REACH = 5;
@@ -410,8 +409,10 @@ public final class SeekBar extends Region {
     for (double seconds : times.values()) {
       double x = Math.rint(xOf(Math.round(seconds * 1e6)));
       graphics.fillRect(x, top, 1, 5);
-      graphics.fillText(
-          rulerTime(seconds, times.step()), x + 3, top + RULER_HEIGHT - 4, RULER_TIME_WIDTH);
+      String time = rulerTime(seconds, times.step());
+      if (x + time.length() * DIGIT_WIDTH < width) {
+        graphics.fillText(time, x + 3, top + RULER_HEIGHT - 4, RULER_TIME_WIDTH);
+      }
     }
   }
 

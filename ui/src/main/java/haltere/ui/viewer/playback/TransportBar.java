@@ -20,11 +20,7 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 
-/**
- * Buttons of playback: transport, speed, slices, loop, marks, and the time.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Buttons of playback: transport, speed, slices, loop, marks, and the time. */
 public final class TransportBar extends HBox {
   /** What is nearer to the newest events than this is shown as it comes. */
   private static final long NOW_US = 100_000;
@@ -112,11 +108,7 @@ public final class TransportBar extends HBox {
             Controls.place(markOut),
             Controls.button("mark", Icons.MARK, "Set a mark here (M)", playback::mark),
             separator(),
-            Controls.button(
-                "reset-filters",
-                Icons.RESET,
-                "Let all filters forget what they have seen (Z)",
-                playback::reset),
+            Controls.button("reset-filters", Icons.RESET, "Reset all filters (Z)", playback::reset),
             tools,
             space,
             elapsed,

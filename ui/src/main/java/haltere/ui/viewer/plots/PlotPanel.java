@@ -29,11 +29,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
-/**
- * Plots of what filters publish, one above the other with one axis of time.
- *
- * <p>Thread rule: JavaFX thread only.
- */
+/** Plots of what filters publish, one above the other with one axis of time. */
 public final class PlotPanel extends BorderPane {
   private static final long FRAME_NANOS = 30_000_000;
   private static final long VALUES_NANOS = 100_000_000;

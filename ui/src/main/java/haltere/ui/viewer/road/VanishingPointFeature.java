@@ -16,8 +16,6 @@ import javafx.geometry.Point2D;
 /**
  * Says by a click where the road vanishes. Of use while there are Kalman tracks in the chain; the
  * first of them get the point.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class VanishingPointFeature implements ViewerFeature {
   private static final double STEPS_PER_PX = 10;

@@ -26,8 +26,6 @@ import javafx.application.Platform;
  * Exports the marked part of what is open, or all of it, through the chain: as a film with overlays
  * or as data. Works in the background, on a copy of the chain; a recording is read anew, of a
  * camera and a scene the moments that are kept are copied.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class ExportFeature implements ViewerFeature {
   private static final long BETWEEN_NANOS = 250_000_000;

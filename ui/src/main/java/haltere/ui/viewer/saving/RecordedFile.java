@@ -11,6 +11,7 @@ import haltere.core.pipeline.OverflowPolicy;
 import haltere.core.pipeline.Recorder;
 import haltere.core.pipeline.RecorderReport;
 import haltere.core.pipeline.SessionRecorder;
+import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.PlayedOutput;
@@ -19,6 +20,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.function.BooleanSupplier;
 
 /**
  * A file that takes what comes out of the chain while it plays, as AEDAT-4 that can be read
@@ -29,16 +32,11 @@ import java.util.Optional;
  *
  * @param file where it is
  * @param sink what it gets of the stream
+ * @param isOver whether it takes no more, because of a jump, the end or a full disk
  * @param ending ends it, as {@link #finish()}
  */
-record RecordedFile(Path file, StreamHandler sink, Ending ending) implements PlayedOutput.Output {
-  /** Ends a file; what came of it, in words. */
-  @FunctionalInterface
-  interface Ending {
-    /** Ends it. */
-    String finish() throws IOException;
-  }
-
+record RecordedFile(Path file, StreamHandler sink, BooleanSupplier isOver, Callable<String> ending)
+    implements PlayedOutput.Output {
   private static final String UNTIL_JUMP = ", until playback jumped";
 
   /** A file for what is open. */
@@ -54,8 +52,8 @@ record RecordedFile(Path file, StreamHandler sink, Ending ending) implements Pla
   }
 
   @Override
-  public String finish() throws IOException {
-    return ending.finish();
+  public String finish() throws Exception {
+    return ending.call();
   }
 
   private static RecordedFile ofRecording(Path file, SensorGeometry geometry) throws IOException {
@@ -64,9 +62,11 @@ record RecordedFile(Path file, StreamHandler sink, Ending ending) implements Pla
     return new RecordedFile(
         file,
         recorder,
+        () -> recorder.report().stoppedBy().isPresent(),
         () -> {
           RecorderReport report = recorder.finish();
-          return words(file, report.written()) + (report.afterStop() > 0 ? UNTIL_JUMP : "");
+          boolean jumped = report.stoppedBy().filter(Reset.class::isInstance).isPresent();
+          return words(file, report.written()) + (jumped ? UNTIL_JUMP : "");
         });
   }
 
@@ -90,6 +90,7 @@ record RecordedFile(Path file, StreamHandler sink, Ending ending) implements Pla
     return new RecordedFile(
         file,
         session,
+        () -> session.endedEarly().isPresent(),
         () -> {
           List<SessionRecorder.Part> parts = session.finish();
           long events = parts.stream().mapToLong(part -> part.report().written()).sum();

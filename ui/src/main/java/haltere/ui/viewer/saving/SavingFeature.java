@@ -14,8 +14,6 @@ import java.nio.file.Path;
 /**
  * Saves and loads chains, saves pictures, records. A file that is there is replaced; the file
  * dialog has asked.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class SavingFeature implements ViewerFeature {
 
@@ -42,8 +40,14 @@ public final class SavingFeature implements ViewerFeature {
     RecordButton button = new RecordButton(this::toggleRecording, window.background());
     recording.runningProperty().subscribe((was, is) -> button.setOn(is));
     window.panels().transport().addTool(button);
-    Runnable numbers = () -> button.pulse(recording.output().map(RecordedFile::file));
-    window.panels().every(RecordButton.NUMBERS_NANOS, numbers);
+    window.panels().every(RecordButton.NUMBERS_NANOS, () -> follow(button));
+  }
+
+  private void follow(RecordButton button) {
+    if (recording.output().filter(file -> file.isOver().getAsBoolean()).isPresent()) {
+      recording.stop();
+    }
+    button.pulse(recording.output().map(RecordedFile::file));
   }
 
   private String obstacle() {

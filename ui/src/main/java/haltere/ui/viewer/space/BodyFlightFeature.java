@@ -11,8 +11,6 @@ import java.util.Optional;
 /**
  * A window that shows a body in space from what several cameras saw of it: the observations of
  * {@code haltere orient} and its cameras are chosen one after the other.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class BodyFlightFeature implements ViewerFeature {
   private ViewerContext window;

@@ -25,8 +25,6 @@ import javafx.beans.property.SimpleBooleanProperty;
 /**
  * Where a body is and which way it points while the events of several cameras play: of a simulated
  * flight, of one recording for each calibrated camera, or of the cameras themselves.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class LiveFlightFeature implements ViewerFeature {
 

@@ -107,7 +107,7 @@ final class LiveFlightPane extends BorderPane {
 
   /** Begins with other cameras; returns what takes the events of each. */
   List<DisplaySink> startAnew(List<Playable> cameras, DisplayOptions options) {
-    canvas.lookAnew();
+    canvas.goBack();
     clearPictures();
     both.getItems().setAll(canvas, pictures);
     both.setDividerPositions(0.55);

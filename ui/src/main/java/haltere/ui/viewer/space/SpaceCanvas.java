@@ -42,11 +42,6 @@ final class SpaceCanvas extends TurnPane {
     redraw();
   }
 
-  @Override
-  protected void goBack() {
-    lookAnew();
-  }
-
   /** Shows a moment of a flight; the view stays as it was turned. */
   void show(BodyFlightDrawing newDrawing, int newIndex) {
     drawing = newDrawing;
@@ -63,11 +58,12 @@ final class SpaceCanvas extends TurnPane {
   /** Shows nothing. */
   void clear() {
     drawing = null;
-    lookAnew();
+    goBack();
   }
 
   /** Looks at what is shown as if nothing had been shown before. */
-  void lookAnew() {
+  @Override
+  protected void goBack() {
     fitted = false;
     redraw();
   }

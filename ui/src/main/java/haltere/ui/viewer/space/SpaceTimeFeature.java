@@ -11,8 +11,6 @@ import javafx.beans.property.BooleanProperty;
 /**
  * The view of events in space and time, beside the picture. Events are gathered for it only while
  * it is shown.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class SpaceTimeFeature implements ViewerFeature {
   private SpaceTimePanel panel;

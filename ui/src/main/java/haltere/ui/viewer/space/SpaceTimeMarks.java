@@ -132,7 +132,7 @@ record SpaceTimeMarks(
     double unit = isTime ? unitUs : 1;
     double end = end(edge.axis) / unit;
     int most = (int) Math.max(2, edge.length() / (PER_TICK * density));
-    Ticks ticks = isTime ? Ticks.of(-end, 0, most) : Ticks.of(0, end, most);
+    Ticks ticks = isTime ? Ticks.of(-end, 0, most) : Ticks.atLeastTwo(0, end, most);
     double[] outward = edge.outward();
     canvas.line(edge.from[0], edge.from[1], edge.to[0], edge.to[1], AXIS);
     for (double value : ticks.values()) {

@@ -13,9 +13,11 @@ import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.PixelImage;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.controls.TurnPane;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.DoubleConsumer;
+import java.util.function.Supplier;
 import javafx.beans.property.ReadOnlyBooleanProperty;
-import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.layout.BorderPane;
@@ -30,6 +32,9 @@ import javafx.scene.layout.HBox;
 final class SpaceTimePanel extends BorderPane {
   private static final double DOUBLINGS_PER_NOTCH = 0.2;
 
+  /** Room for the value beside a slider, so that nothing moves while it changes. */
+  private static final double VALUE_WIDTH = 46;
+
   private final SpaceTimePainter painter = new SpaceTimePainter();
   private final PixelImage image = new PixelImage();
   private final TurnPane picture = Controls.named(new Picture(), "space-time-picture");
@@ -37,9 +42,12 @@ final class SpaceTimePanel extends BorderPane {
   private final Slider tilt = slider("space-time-tilt", "Tilt, degrees", -90, 90);
   private final Slider size = slider("space-time-size", "Size, in doublings", -2, 4.5);
   private final Slider span = slider("space-time-span", "Time shown, as a power of ten", 3, 7);
-  private final Slider slice = slider("space-time-slice", "Where the slice begins", 0, 1);
-  private final Slider thickness = slider("space-time-thickness", "How thick the slice is", 0, 1);
+  private final Slider slice =
+      slider("space-time-slice", "Where the highlighted slice begins", 0, 1);
+  private final Slider thickness =
+      slider("space-time-thickness", "Thickness of the highlighted slice", 0, 1);
   private final Label words = Controls.label("", Styles.TEXT_SMALL, Styles.TEXT_MUTED);
+  private final List<Runnable> values = new ArrayList<>();
   private final ReadOnlyBooleanProperty marksShown;
   private SpaceTimeSink.Frame frame = new SpaceTimeSink.Frame(1);
   private SensorGeometry sensor = new SensorGeometry(128, 128);
@@ -61,12 +69,12 @@ final class SpaceTimePanel extends BorderPane {
         new FlowPane(
             10,
             2,
-            named("Turn", turn),
-            named("Tilt", tilt),
-            named("Size", size),
-            named("Time", span),
-            named("Slice", slice),
-            named("Thick", thickness),
+            named("Turn", turn, () -> Math.round(turn.getValue()) + "°"),
+            named("Tilt", tilt, () -> Math.round(tilt.getValue()) + "°"),
+            named("Size", size, () -> Texts.digits(view().zoom()) + "×"),
+            named("Time", span, () -> Texts.duration(view().spanUs())),
+            named("Slice", slice, () -> slice.getValue() == 0 ? "now" : "-" + ofSpan(slice)),
+            named("Thickness", thickness, () -> ofSpan(thickness)),
             words);
     controls.getStyleClass().addAll("space-time-controls");
     setBottom(controls);
@@ -137,12 +145,16 @@ final class SpaceTimePanel extends BorderPane {
       marks.draw(frame);
     }
     image.repaint();
+    values.forEach(Runnable::run);
     String steps = ", traces in steps of " + Texts.duration(SpaceTimeSink.stepUs(view.spanUs()));
     words.setText(
-        Texts.duration(view.spanUs())
-            + ", "
-            + Texts.count(frame.points.count())
+        Texts.count(frame.points.count())
             + (frame.traces.isEmpty() ? " events" : " events" + steps));
+  }
+
+  /** What a share of the time that is shown is. */
+  private String ofSpan(Slider share) {
+    return Texts.duration(share.getValue() * view().spanUs());
   }
 
   private void goBack() {
@@ -183,13 +195,18 @@ final class SpaceTimePanel extends BorderPane {
   private Slider slider(String id, String help, double least, double most) {
     Slider slider = Controls.slider(id, help, least, most);
     slider.getStyleClass().add(Styles.SMALL);
-    slider.setPrefWidth(90);
+    slider.setPrefWidth(60);
     slider.setBlockIncrement((most - least) / 50);
     slider.valueProperty().subscribe((was, is) -> dirty = true);
     return slider;
   }
 
-  private static HBox named(String name, Node control) {
-    return Controls.row(4, Controls.label(name, Styles.TEXT_SMALL, Styles.TEXT_MUTED), control);
+  /** A slider between its name and its value, which is brought up to date with the picture. */
+  private HBox named(String name, Slider slider, Supplier<String> value) {
+    Label shown = Controls.named(new Label(), slider.getId() + "-value", Styles.TEXT_SMALL);
+    shown.setMinWidth(VALUE_WIDTH);
+    values.add(() -> shown.setText(value.get()));
+    Label title = Controls.label(name, Styles.TEXT_SMALL, Styles.TEXT_MUTED);
+    return Controls.row(4, title, slider, shown);
   }
 }

@@ -9,8 +9,6 @@ import java.util.Optional;
 /**
  * The start page: shown where nothing is open, and on request over what is open. What it offers are
  * the actions of the menus of recent files, scenes and cameras.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class StartFeature implements ViewerFeature {
   private static final String RECENT = "File/Open recent";

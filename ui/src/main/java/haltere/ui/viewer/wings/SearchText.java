@@ -9,26 +9,14 @@ final class SearchText {
   private SearchText() {}
 
   /** A line for what it does now, then one for each step of its last search. */
-  static String of(List<WingTrackerState> steps) {
-    if (steps.isEmpty()) {
-      return "Waits for the first event.";
-    }
-    WingTrackerState now = steps.get(steps.size() - 1);
-    StringBuilder text = new StringBuilder(condition(now));
-    for (WingTrackerState step : steps.subList(0, steps.size() - 1)) {
+  static String of(WingsView now) {
+    List<WingTrackerState> steps = now.steps();
+    StringBuilder text =
+        new StringBuilder(now.status().isEmpty() ? "Tracks both wings." : now.status());
+    for (WingTrackerState step : steps.subList(0, Math.max(0, steps.size() - 1))) {
       text.append('\n').append(step(step));
     }
     return text.toString();
-  }
-
-  private static String condition(WingTrackerState now) {
-    return switch (now.phase()) {
-      case TRACKING -> "Tracks both wings.";
-      case UNLOCKED -> "Follows the events, not at the frequency of the beat.";
-      case ONE_WING -> "Tracks one wing, looks for the other.";
-      case LOST -> "Has lost the wings, looks for them.";
-      default -> "Waits for wings.";
-    };
   }
 
   private static String step(WingTrackerState s) {

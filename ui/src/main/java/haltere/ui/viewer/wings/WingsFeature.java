@@ -29,8 +29,6 @@ import javafx.scene.control.Button;
 /**
  * What a person can do with the wing tracker: see and change its filters while they run, say where
  * the fly is, exchange head and tail, keep a log.
- *
- * <p>Thread rule: JavaFX thread only.
  */
 public final class WingsFeature implements ViewerFeature {
   private static final String MENU = "Wings";

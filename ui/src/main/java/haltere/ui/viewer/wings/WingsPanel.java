@@ -78,7 +78,7 @@ final class WingsPanel extends ScrollPane {
   void show(Optional<WingsView> now) {
     List<WingFilterState> filters = now.map(WingsView::filters).orElse(List.of());
     now.ifPresent(view -> showEdges(view.settings().output()));
-    search.setText(now.map(view -> SearchText.of(view.steps())).orElse(""));
+    search.setText(now.map(SearchText::of).orElse(""));
     edges.forEach(box -> box.setDisable(now.isEmpty()));
     List<WingPart> parts = filters.stream().map(WingFilterState::part).toList();
     if (!choice.getItems().equals(parts)) {

@@ -21,6 +21,7 @@ import java.util.Optional;
  * @param geometry of the fly, empty while there is none
  * @param regionPx radius of the region of interest, pixels
  * @param steps how the fly was searched for last, and what became of it
+ * @param status what the filter says of itself
  */
 record WingsView(
     ChainStage stage,
@@ -29,7 +30,8 @@ record WingsView(
     List<WingFilterState> filters,
     Optional<FlyGeometry> geometry,
     double regionPx,
-    List<WingTrackerState> steps) {
+    List<WingTrackerState> steps,
+    String status) {
   /** Looks at a chain; processing thread. */
   static Optional<WingsView> of(FilterChain chain) {
     for (ChainStage stage : chain.stages()) {
@@ -43,7 +45,8 @@ record WingsView(
                 tracker.filters(),
                 tracker.geometry(),
                 tracker.regionPx(),
-                tracker.searchSteps()));
+                tracker.searchSteps(),
+                filter.status()));
       }
     }
     return Optional.empty();

@@ -43,4 +43,17 @@ class SettingWordsTest {
     }
     assertEquals(List.of(), others);
   }
+
+  @Test
+  void limitsAreCalledMinimumAndMaximum() {
+    assertEquals("Minimum events", label("body-line", "leastEvents"));
+    assertEquals("Maximum half axis", label("body-line", "greatestRadiusPx"));
+    assertEquals("Maximum frequency", label("wing-tracker", "search.mostFrequencyHz"));
+    assertEquals("Minimum rate", label("hot-pixels", "rateHz"));
+    assertEquals("Maximum clusters", label("cluster-tracker", "output.maxClusters"));
+  }
+
+  private static String label(String filter, String setting) {
+    return Texts.label(Filters.named(filter).schema().parameter(setting));
+  }
 }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.playback.ScenePlayable;
+import haltere.testing.Recorded;
 import haltere.ui.plot.PlotField;
 import haltere.ui.viewer.BlobSource;
 import haltere.ui.viewer.PresetFeature;
@@ -222,5 +223,27 @@ class CompareTest {
     viewer.run(() -> presets().save("a/b", viewer.window.context().editor()));
     viewer.waitFor(
         "what is wrong", () -> viewer.text("status-message").contains("cannot be named"));
+  }
+
+  @Test
+  void aBannerAboveTheFirstPictureLeavesBothInOneScale() {
+    viewer = new ViewerHarness();
+    viewer.openRecording(Recorded.file("dvs128-moving-dark-box.aedat"));
+    viewer.run(() -> viewer.window.context().actions().run("compare"));
+    viewer.run(() -> viewer.window.context().actions().run("show-plots"));
+    viewer.waitFor("the banner", () -> viewer.isThere("warnings"));
+    viewer.waitFor("a second picture", () -> viewer.isThere("second-event-view"));
+    EventView first = viewer.node("event-view", EventView.class);
+    EventView second = viewer.node("second-event-view", EventView.class);
+    viewer.waitFor("plots below", () -> viewer.isThere("plots"));
+    viewer.waitFor("pictures of one size", () -> isOneSize(first, second));
+    double height = viewer.onFx(first::getHeight);
+    viewer.click("warnings-dismiss");
+    viewer.waitFor("both are higher", () -> isOneSize(first, second) && first.getHeight() > height);
+  }
+
+  private static boolean isOneSize(EventView first, EventView second) {
+    return first.getHeight() == second.getHeight()
+        && Math.abs(first.viewpoint().scale() - second.viewpoint().scale()) < 1e-9;
   }
 }

@@ -56,4 +56,13 @@ class TextsTest {
     assertEquals(OptionalLong.empty(), Texts.parseTime("soon"));
     assertEquals(OptionalLong.empty(), Texts.parseTime("-3 s"));
   }
+
+  @Test
+  void labelsAreTermsWithoutTheUnitThatStandsBehindThem() {
+    assertEquals("Min speed", Texts.words("life.minSpeedPxS", "px/s"));
+    assertEquals("Hinge", Texts.words("noise.hingePx2PerS", "px^2/s"));
+    assertEquals("Body offset x", Texts.words("position.bodyOffsetXPx", "px"));
+    assertEquals("Max clusters", Texts.words("output.maxClusters", "clusters"));
+    assertEquals("Aspect ratio", Texts.words("shape.aspectRatio", "1"));
+  }
 }

@@ -63,6 +63,20 @@ class RecordedFileTest {
   }
 
   @Test
+  void aJumpEndsTheRecordingInTheWindowToo() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, 4_000_000);
+    Path file = folder.resolve("out.aedat4");
+    viewer.run(() -> viewer.window.feature(SavingFeature.class).record(file));
+    viewer.waitFor("it records", () -> said().startsWith("Recording to"));
+    long fromUs = viewer.status().timeUs();
+    viewer.waitFor("some time", () -> viewer.status().timeUs() > fromUs + 100_000);
+    viewer.run(() -> viewer.window.context().playback().seek(0));
+    viewer.waitFor("it ends", () -> !recording());
+    viewer.waitFor("it says why", () -> said().endsWith("out.aedat4, until playback jumped"));
+    assertTrue(summary(file).events() > 0);
+  }
+
+  @Test
   void theNextRecordingThatIsOpenedEndsTheOneUnderWay() throws IOException {
     viewer = ViewerHarness.withBlob();
     Path file = folder.resolve("out.aedat4");

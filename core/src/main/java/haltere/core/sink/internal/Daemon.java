@@ -1,0 +1,19 @@
+package haltere.core.sink.internal;
+
+/** Threads that do not keep a program from ending. */
+public final class Daemon {
+  private Daemon() {}
+
+  /**
+   * A thread that has not started.
+   *
+   * @param work what it does
+   * @param name by which a stack trace tells it
+   * @return the thread
+   */
+  public static Thread thread(Runnable work, String name) {
+    Thread thread = new Thread(work, name);
+    thread.setDaemon(true);
+    return thread;
+  }
+}
