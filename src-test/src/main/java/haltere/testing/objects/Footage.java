@@ -5,6 +5,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SplittableRandom;
 
 /**
  * A stretch of events in memory and the truth of its objects.
@@ -24,6 +25,17 @@ record Footage(SensorGeometry geometry, EventPacket events, List<TruthMoment> tr
         geometry,
         part,
         truth.stream().filter(m -> m.timeUs() >= fromUs && m.timeUs() < toUs).toList());
+  }
+
+  /** Without a share of its events, taken at random. */
+  Footage thinned(double share, SplittableRandom random) {
+    EventPacket kept = new EventPacket(events.size());
+    for (int i = 0; i < events.size(); i++) {
+      if (random.nextDouble() >= share) {
+        kept.append(events, i, i + 1);
+      }
+    }
+    return new Footage(geometry, kept, truth);
   }
 
   /** The same at other times. */

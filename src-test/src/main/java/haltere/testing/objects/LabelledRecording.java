@@ -9,6 +9,7 @@ import haltere.testing.SceneEvents;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.SplittableRandom;
 
 /**
  * A real recording whose objects are labelled, and how it is played. Recordings of less than a
@@ -73,6 +74,29 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
         file,
         () -> new MemoryRecording(footage.geometry(), footage.events()),
         footage.truth(),
+        Matching.BOX);
+  }
+
+  /**
+   * A part of the recording: it begins somewhere in the first half, and a tenth of its events is
+   * left out. A tracker that depends on how a recording begins has other scores on it.
+   *
+   * @param seed the same seed makes the same scene
+   * @return a scene of the recording's kind
+   * @throws IOException if the file or its labels cannot be read
+   */
+  public ObjectScene part(long seed) throws IOException {
+    SplittableRandom random = new SplittableRandom(seed);
+    Footage whole = playback == Playback.ONCE ? read() : footage();
+    long firstUs = whole.events().firstTimeUs();
+    long endUs = whole.events().lastTimeUs() + 1;
+    long fromUs = firstUs + (long) (random.nextDouble(0.5) * (endUs - firstUs));
+    Footage part = whole.between(fromUs, endUs).thinned(0.1, random);
+    return new ObjectScene(
+        file + "-" + seed,
+        file,
+        () -> new MemoryRecording(part.geometry(), part.events()),
+        part.truth(),
         Matching.BOX);
   }
 

@@ -12,7 +12,7 @@ public final class SceneSets {
 
   /** Names of all sets. */
   public static final List<String> NAMES =
-      List.of("recordings", "composites", "looks", "roads", "discs");
+      List.of("recordings", "parts", "composites", "looks", "roads", "discs");
 
   /** Makes a scene when it is needed, so that few are in memory. */
   public interface Later {
@@ -41,6 +41,13 @@ public final class SceneSets {
     switch (set) {
       case "recordings" ->
           LabelledRecording.all().forEach(recording -> scenes.add(recording::scene));
+      case "parts" -> {
+        for (LabelledRecording recording : LabelledRecording.all()) {
+          for (long seed : range) {
+            scenes.add(() -> recording.part(seed));
+          }
+        }
+      }
       case "composites" -> {
         for (Composites.Kind kind : Composites.Kind.values()) {
           for (long seed : range) {

@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.stream.EventSource;
 import haltere.testing.Recorded;
+import haltere.testing.SceneEvents;
 import java.io.IOException;
 import java.util.List;
 import java.util.stream.Stream;
@@ -35,6 +37,24 @@ class LabelledRecordingTest {
       }
       assertTrue(labels.size() >= 10, recording.file());
     }
+  }
+
+  @Test
+  void aPartOfARecordingBeginsLaterAndLacksATenthOfTheEvents() throws IOException {
+    LabelledRecording recording = LabelledRecording.all().get(0);
+    Recorded.file(recording.file());
+    ObjectScene part = recording.part(1);
+    EventPacket events;
+    try (EventSource source = part.events().open()) {
+      events = SceneEvents.of(source);
+    }
+    Footage whole = recording.footage();
+    long fromUs = events.firstTimeUs();
+    EventPacket rest = whole.between(fromUs, Long.MAX_VALUE).events();
+    assertTrue(fromUs > whole.events().firstTimeUs());
+    assertEquals(0.9, events.size() / (double) rest.size(), 0.01);
+    assertTrue(part.truth().get(0).timeUs() >= fromUs);
+    assertEquals(part.truth(), recording.part(1).truth());
   }
 
   @Test
