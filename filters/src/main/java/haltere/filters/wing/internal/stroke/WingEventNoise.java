@@ -58,16 +58,6 @@ final class WingEventNoise {
     return all == 0 ? leading : (judged[0] * leading + judged[1] * trailing) / all;
   }
 
-  /** Variance of a measurement that is set, 0 where it is learnt. */
-  double fixed() {
-    return edges[0].fixed();
-  }
-
-  /** Variance of the leading edge's event that was looked at last. */
-  double present() {
-    return edges[0].present();
-  }
-
   /** Mean normalised innovation squared of late, of the events of both edges. */
   double nis() {
     return mean(edges[0].nis(), edges[1].nis());
