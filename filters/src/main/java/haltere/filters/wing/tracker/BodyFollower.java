@@ -79,10 +79,10 @@ final class BodyFollower {
     if (average.bodyUpdate()) {
       double middleX = (meanX[0] + meanX[1]) / 2 + said.bodyOffsetXPx();
       double middleY = (meanY[0] + meanY[1]) / 2 + said.bodyOffsetYPx();
-      place.shift(share * (middleX - place.axisX()), share * (middleY - place.axisY()));
+      place.shift(share * (middleX - place.axisX), share * (middleY - place.axisY));
       if (TrackerParts.isOriginal(settings)) {
         double distancePx = Math.hypot(acrossX, acrossY);
-        place.resize(place.sizePx() + share * (distancePx - place.sizePx()), said);
+        place.resize(place.sizePx + share * (distancePx - place.sizePx), said);
       }
     }
     if (average.headingUpdate()) {

@@ -17,12 +17,12 @@ final class FlyPlace {
   final StrokeFrame[] frames = {new StrokeFrame(WingPart.LEFT), new StrokeFrame(WingPart.RIGHT)};
   private double axisCos = 1;
   private double axisSin;
-  private double axisX;
-  private double axisY;
+  double axisX;
+  double axisY;
   private double confidence;
   private long initialisedAtUs;
-  private double sizePx;
-  private double regionPx;
+  double sizePx;
+  double regionPx;
 
   /** Sets a found fly with the manual offsets. */
   void begin(FoundFly fly, WingPositionSettings place, long timeUs) {
@@ -109,22 +109,6 @@ final class FlyPlace {
   /** Side of a pixel, 0 left, 1 right. */
   int side(int x, int y) {
     return (y - axisY) * axisCos - (x - axisX) * axisSin > 0 ? 0 : 1;
-  }
-
-  double axisX() {
-    return axisX;
-  }
-
-  double axisY() {
-    return axisY;
-  }
-
-  double sizePx() {
-    return sizePx;
-  }
-
-  double regionPx() {
-    return regionPx;
   }
 
   FlyGeometry geometry() {

@@ -31,10 +31,12 @@ final class TrackedFly {
 
   private final WingListener listener;
   private WingTrackerSettings settings;
-  private final FlyPlace place = new FlyPlace();
+  final FlyPlace place = new FlyPlace();
   private final StrokeFrame[] frames = place.frames;
   private final SensorGeometry sensor;
-  private final WingEstimators wings;
+
+  /** What estimates the strokes. */
+  final WingEstimators wings;
 
   /** Whether a Kalman filter and whether a running average are used. */
   private boolean filters;
@@ -79,15 +81,6 @@ final class TrackedFly {
     angles = averages ? new PixelAngles(sensor.width(), sensor.height(), averagePlace) : null;
     follower = new BodyFollower(averagePlace, settings);
     wings.build(settings, follower);
-  }
-
-  /** Estimators of the strokes. */
-  WingEstimators wings() {
-    return wings;
-  }
-
-  double regionPx() {
-    return place.regionPx();
   }
 
   void begin(FoundFly found, long timeUs) {
@@ -168,6 +161,14 @@ final class TrackedFly {
     }
   }
 
+  /** A passage of a pixel has ended; takes its resolved time, microseconds. */
+  void passed(int address, long resolvedUs) {
+    int side = place.side(EventAddress.x(address), EventAddress.y(address));
+    if (wings.main[side] instanceof WingEstimator wing) {
+      wing.passed(address, resolvedUs);
+    }
+  }
+
   private void averageEvent(long timeUs, int x, int y, boolean on) {
     float code = angles.code(x, y);
     int side = PixelAngles.side(code);
@@ -212,10 +213,6 @@ final class TrackedFly {
     place.settle();
   }
 
-  FlyGeometry geometry() {
-    return place.geometry();
-  }
-
   Optional<FlyGeometry> averageGeometry() {
     return averages && averagePlace != place
         ? Optional.of(averagePlace.geometry())
@@ -230,7 +227,7 @@ final class TrackedFly {
   /** Publishes a snapshot, also an empty one. */
   void publishSnapshot(long timeUs, Phase phase) {
     if (listener.wants(WingSnapshot.class)) {
-      wings.report.snapshot(timeUs, phase, geometry(), place.regionPx());
+      wings.report.snapshot(timeUs, phase, place.geometry(), place.regionPx);
     }
   }
 

@@ -94,7 +94,7 @@ public final class WingTracker {
     begun = false;
     dueUs = AT_ONCE;
     steps.clear();
-    fly.wings().forget();
+    fly.wings.forget();
   }
 
   /** {@return the settings in force} */
@@ -115,7 +115,7 @@ public final class WingTracker {
     settings = changed;
     fly.apply(changed);
     ticks.setRate(changed.output().rateHz());
-    if (fly.wings().isTracked()) {
+    if (fly.wings.isTracked()) {
       long lastUs = Math.max(publishedUs, recent.timeUs(recent.size() - 1));
       ticks.skipTo(lastUs + 1);
       dueUs = dueAfter(lastUs);
@@ -140,7 +140,7 @@ public final class WingTracker {
    * consistent, NaN while no wing is tracked by a filter that has one}
    */
   public double meanNis() {
-    return fly.wings().meanNis();
+    return fly.wings.meanNis();
   }
 
   /**
@@ -148,7 +148,7 @@ public final class WingTracker {
    * with the running average}
    */
   public List<WingFilterState> filters() {
-    return fly.wings().filters();
+    return fly.wings.filters();
   }
 
   /**
@@ -160,7 +160,7 @@ public final class WingTracker {
    *     there is no such filter now
    */
   public void edit(WingFilterEdit edit) {
-    fly.wings().edit(edit);
+    fly.wings.edit(edit);
     listener.take(new WingByHand(edit.part(), Optional.of(edit)));
   }
 
@@ -172,13 +172,13 @@ public final class WingTracker {
    * @throws IllegalArgumentException with a message for users if there is no such filter now
    */
   public void restart(WingPart part) {
-    fly.wings().restart(part);
+    fly.wings.restart(part);
     listener.take(new WingByHand(part, Optional.empty()));
   }
 
   /** {@return the geometry of the fly; empty while none is tracked} */
   public Optional<FlyGeometry> geometry() {
-    return fly.wings().isTracked() ? Optional.of(fly.geometry()) : Optional.empty();
+    return fly.wings.isTracked() ? Optional.of(fly.place.geometry()) : Optional.empty();
   }
 
   /**
@@ -186,12 +186,12 @@ public final class WingTracker {
    * follows the hinges; empty while no fly is tracked or both methods share the body}
    */
   public Optional<FlyGeometry> averageGeometry() {
-    return fly.wings().isTracked() ? fly.averageGeometry() : Optional.empty();
+    return fly.wings.isTracked() ? fly.averageGeometry() : Optional.empty();
   }
 
   /** {@return the radius of the region of interest about each hinge, pixels, of a tracked fly} */
   public double regionPx() {
-    return fly.regionPx();
+    return fly.place.regionPx;
   }
 
   /**
@@ -202,10 +202,10 @@ public final class WingTracker {
    * @return the present settings with other offsets; the same while no fly is tracked
    */
   public WingTrackerSettings withBodyAt(double x, double y) {
-    if (!fly.wings().isTracked()) {
+    if (!fly.wings.isTracked()) {
       return settings;
     }
-    FlyGeometry now = fly.geometry();
+    FlyGeometry now = fly.place.geometry();
     return settings.with(
         "position.bodyOffsetXPx=" + (settings.position().bodyOffsetXPx() + x - now.centreX()),
         "position.bodyOffsetYPx=" + (settings.position().bodyOffsetYPx() + y - now.centreY()));
@@ -218,12 +218,14 @@ public final class WingTracker {
    * @return the present settings with another offset; the same while no fly is tracked
    */
   public WingTrackerSettings withHeading(double headingRad) {
-    if (!fly.wings().isTracked()) {
+    if (!fly.wings.isTracked()) {
       return settings;
     }
     double offset =
         Angles.wrapPi(
-            settings.position().headingOffsetRad() + headingRad - fly.geometry().headingRad());
+            settings.position().headingOffsetRad()
+                + headingRad
+                - fly.place.geometry().headingRad());
     return settings.with("position.headingOffsetRad=" + offset);
   }
 
@@ -239,12 +241,12 @@ public final class WingTracker {
    * @return the present settings with another offset; the same while no fly is tracked
    */
   public WingTrackerSettings withRegion(double radiusPx) {
-    if (!fly.wings().isTracked()) {
+    if (!fly.wings.isTracked()) {
       return settings;
     }
     return settings.with(
         "position.regionOffsetPx="
-            + (settings.position().regionOffsetPx() + radiusPx - fly.regionPx()));
+            + (settings.position().regionOffsetPx() + radiusPx - fly.place.regionPx));
   }
 
   /**
@@ -267,6 +269,9 @@ public final class WingTracker {
       }
       if (!firstOfRun || runs.begins(timeUs, address)) {
         fly.event(timeUs, address);
+        if (firstOfRun && runs.hasPassed()) {
+          fly.passed(address, runs.resolvedUs());
+        }
       }
     }
     fly.sorted.take();
@@ -274,15 +279,15 @@ public final class WingTracker {
 
   /** Does the work due at a time; false if its event is not tracked. */
   private boolean work(long timeUs) {
-    if (!fly.wings().isTracked()) {
+    if (!fly.wings.isTracked()) {
       lookForFly(timeUs);
       return false;
     }
     passTicks(timeUs);
-    if (!fly.wings().isTracked()) {
+    if (!fly.wings.isTracked()) {
       dueUs = AT_ONCE;
     }
-    return fly.wings().isTracked();
+    return fly.wings.isTracked();
   }
 
   private void lookForFly(long timeUs) {
@@ -298,27 +303,27 @@ public final class WingTracker {
   }
 
   private void begin(FoundFly found, long timeUs) {
-    if (!fly.wings().isTracked()) {
+    if (!fly.wings.isTracked()) {
       publishedUs = timeUs;
       ticks.skipTo(timeUs + 1);
     }
     fly.begin(found, timeUs);
     // a search that knows nothing of the beat leaves it to the filters to find it
-    fly.wings().locked = !TrackerParts.isOriginal(settings);
+    fly.wings.locked = !TrackerParts.isOriginal(settings);
     nextCheckUs = -Math.floorDiv(-(timeUs + CHECK_US), MEET_US) * MEET_US;
     dueUs = dueAfter(timeUs);
     watch.launch();
     setPhase(timeUs);
-    listener.take(fly.geometry());
+    listener.take(fly.place.geometry());
   }
 
   private void setPhase(long timeUs) {
     Phase now =
-        !fly.wings().isTracked()
+        !fly.wings.isTracked()
             ? Phase.LOST
-            : !fly.wings().locked
+            : !fly.wings.locked
                 ? Phase.UNLOCKED
-                : fly.wings().count() == 2 ? Phase.TRACKING : Phase.ONE_WING;
+                : fly.wings.count() == 2 ? Phase.TRACKING : Phase.ONE_WING;
     if (now != phase) {
       phase = now;
       say(timeUs, now, recent.size());
@@ -330,9 +335,9 @@ public final class WingTracker {
   }
 
   private void say(long timeUs, Phase now, int events) {
-    FlyGeometry g = fly.wings().isTracked() ? fly.geometry() : null;
+    FlyGeometry g = fly.wings.isTracked() ? fly.place.geometry() : null;
     double confidence = g == null ? Double.NaN : g.headTailConfidence();
-    say(WingTrackerState.of(timeUs, now, events, fly.wings().frequencyHz(), g, confidence));
+    say(WingTrackerState.of(timeUs, now, events, fly.wings.frequencyHz(), g, confidence));
   }
 
   private void say(WingTrackerState state) {
@@ -350,10 +355,10 @@ public final class WingTracker {
     while (dueUs <= timeUs) {
       long now = dueUs;
       fly.sorted.take();
-      fly.wings().advance(now);
+      fly.wings.advance(now);
       if (now >= nextCheckUs) {
         check(now);
-        if (!fly.wings().isTracked()) {
+        if (!fly.wings.isTracked()) {
           return;
         }
       }
@@ -374,12 +379,12 @@ public final class WingTracker {
   private void check(long timeUs) {
     nextCheckUs = timeUs + CHECK_US;
     fly.check(timeUs);
-    WingEstimators wings = fly.wings();
+    WingEstimators wings = fly.wings;
     if (wings.isTracked()) {
       watch.look(
           recent,
           timeUs,
-          fly.geometry(),
+          fly.place.geometry(),
           settings.search(),
           wings.frequencyHz(0),
           wings.frequencyHz(1));

@@ -45,7 +45,7 @@ public final class EdgesEstimator implements SideEstimator {
       Optional<EdgeNoise> noise) {
     this.frame = frame;
     this.beats = beats;
-    side = frame.side();
+    side = frame.side;
     filters = noise.isPresent();
     for (int edge = 0; edge < 2; edge++) {
       edges[edge] =

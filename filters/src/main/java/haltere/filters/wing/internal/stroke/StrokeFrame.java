@@ -6,7 +6,7 @@ import haltere.filters.wing.WingPart;
 public final class StrokeFrame {
   private static final double MIN_RADIUS_PX = 1;
 
-  private final WingPart side;
+  final WingPart side;
   private final double turn;
   private double hingeX;
   private double hingeY;
@@ -14,8 +14,8 @@ public final class StrokeFrame {
   private double headingCos = 1;
   private double headingSin;
   private double innerSquare = MIN_RADIUS_PX;
-  private double outerSquare;
-  private boolean byHand;
+  double outerSquare;
+  boolean isByHand;
 
   /** Offset of the last event from the hinge, and its squared distance. */
   double dx;
@@ -31,10 +31,6 @@ public final class StrokeFrame {
   public StrokeFrame(WingPart side) {
     this.side = side;
     turn = side == WingPart.LEFT ? 1 : -1;
-  }
-
-  WingPart side() {
-    return side;
   }
 
   /** {@return the sense of stroke angles on the sensor: 1 for the left wing, -1 for the right} */
@@ -66,15 +62,7 @@ public final class StrokeFrame {
    * @param said true if it was
    */
   public void setByHand(boolean said) {
-    byHand = said;
-  }
-
-  double outerSquare() {
-    return outerSquare;
-  }
-
-  boolean isByHand() {
-    return byHand;
+    isByHand = said;
   }
 
   /**

@@ -1,5 +1,6 @@
 package haltere.filters.wing.internal.stroke;
 
+import haltere.core.event.EventAddress;
 import haltere.filters.estimation.Angles;
 import haltere.filters.estimation.ConstMatrix;
 import haltere.filters.wing.WingEstimate;
@@ -32,6 +33,9 @@ public final class WingEstimator implements SideEstimator {
   /** Standard deviation of an angle from errors of the heading and of the stroke's shape. */
   private static final double SYSTEMATIC_RAD = 0.0092;
 
+  /** Step of a median towards a passage: the resolution of times. */
+  private static final double RESOLVED_STEP_S = 1e-6;
+
   final StrokeEkf filter;
   private WingEventNoise noise;
   private final StrokeFrame frame;
@@ -49,6 +53,15 @@ public final class WingEstimator implements SideEstimator {
   private WingEstimator other;
   private boolean followsHinge;
   private final boolean[] takes = new boolean[2];
+
+  /**
+   * Time between the first and the trailing ON event of a passage in mid stroke, which a vein
+   * causes: a median over pixels.
+   */
+  private double resolvedS;
+
+  private int passedAddress = -1;
+  private long passedUs;
 
   /** Process noise of each entry, from the settings or edited. */
   private final double[] q;
@@ -77,7 +90,7 @@ public final class WingEstimator implements SideEstimator {
    * @param beats receives the beats
    */
   public WingEstimator(StrokeFrame frame, WingTrackerSettings settings, BeatListener beats) {
-    side = frame.side();
+    side = frame.side;
     this.frame = frame;
     clock = new BeatClock(side, beats);
     filter = new StrokeEkf(settings.filter().harmonics());
@@ -97,7 +110,7 @@ public final class WingEstimator implements SideEstimator {
     }
     averagingS = options.averagingUs() * 1e-6;
     if (settings.equals(appliedNoise)) {
-      noise.apply(options.gateSd(), noise.fixed());
+      noise.apply(options.gateSd(), noise.of(LEADING).fixed());
       return;
     }
     appliedNoise = settings;
@@ -145,7 +158,7 @@ public final class WingEstimator implements SideEstimator {
     hingeUs = atUs;
     Arrays.fill(lastTakenUs, atUs);
     density[StrokeEkf.OMEGA] = q[StrokeEkf.OMEGA];
-    noise = new WingEventNoise(options.gateSd(), noise.fixed());
+    noise = new WingEventNoise(options.gateSd(), noise.of(LEADING).fixed());
     sums[0].clear();
     sums[1].clear();
     Arrays.fill(taken, 0);
@@ -154,7 +167,9 @@ public final class WingEstimator implements SideEstimator {
     frequencyNoise = new FrequencyNoise();
     lock = new LockMonitor();
     hinge.launch(0.3);
-    radial = new RadialResiduals(frame.outerSquare());
+    radial = new RadialResiduals(frame.outerSquare);
+    resolvedS = 0;
+    passedAddress = -1;
     shape.of(filter);
     clock.launch(phase());
   }
@@ -221,6 +236,25 @@ public final class WingEstimator implements SideEstimator {
     return expectedAngle;
   }
 
+  /**
+   * Keeps what a passage of a pixel shows between its edges until the next {@link #step}.
+   *
+   * @param address of the pixel
+   * @param us microseconds between its first and its trailing ON event
+   */
+  public void passed(int address, long us) {
+    passedAddress = address;
+    passedUs = us;
+  }
+
+  private void takePassage() {
+    double off = frame.angle() - filter.x[StrokeEkf.CENTRE];
+    if (Math.abs(off) < filter.x[StrokeEkf.AMPLITUDE] * Math.sqrt(0.5)) {
+      double step = RESOLVED_STEP_S * Math.signum(passedUs * 1e-6 - resolvedS);
+      resolvedS = Math.max(0, resolvedS + step);
+    }
+  }
+
   private void turnTo(long atUs) {
     if (atUs != timeUs) {
       filter.turn(filter.x[StrokeEkf.OMEGA] * ((atUs - timeUs) * 1e-6));
@@ -252,7 +286,7 @@ public final class WingEstimator implements SideEstimator {
   private void followHinge() {
     double dtS = (timeUs - hingeUs) * 1e-6;
     hingeUs = timeUs;
-    if (followsHinge && hinge.solve(dtS, settings.hingePx2PerS(), REPEATING, frame.isByHand())) {
+    if (followsHinge && hinge.solve(dtS, settings.hingePx2PerS(), REPEATING, frame.isByHand)) {
       frame.shift(hinge.shift.get(0), hinge.shift.get(1));
       filter.x[StrokeEkf.CENTRE] += hinge.stroke.get(0);
       filter.x[StrokeEkf.AMPLITUDE] += hinge.stroke.get(1);
@@ -274,6 +308,11 @@ public final class WingEstimator implements SideEstimator {
     StrokeMemory.forget(filter, dtS, q, both);
     boolean spread = CameraLatency.isWide(noise.of(LEADING).timingSdS(), fullSpeed());
     radial.update(dtS, apartS(filter.x[StrokeEkf.LAG]), eventVariances, spread);
+    if (passedAddress >= 0
+        && frame.look(EventAddress.x(passedAddress), EventAddress.y(passedAddress))) {
+      takePassage();
+    }
+    passedAddress = -1;
     if (!both) {
       takeFromOther();
     }
@@ -371,7 +410,7 @@ public final class WingEstimator implements SideEstimator {
 
   /**
    * Phase by which estimates are ahead of the events. OFF events of a wide wing on slow pixels come
-   * between the middle of the passage and its end.
+   * between the middle of the passage and its end. What a passage resolves is no delay.
    */
   private double ahead() {
     double lagS = lagS();
@@ -379,7 +418,8 @@ public final class WingEstimator implements SideEstimator {
     double slowS = (1 - fast) * lagS;
     double wide = Math.min(radial.wideShare, other == null ? 1 : other.radial.wideShare);
     double lateS = CameraLatency.seconds(options.latencyUs(), (1 - wide) * slowS, fullSpeed());
-    return (lateS + wide * slowS / 4 - fast * lagS / 2) * filter.x[StrokeEkf.OMEGA];
+    double passageS = fast * lagS + radial.chordShare * resolvedS;
+    return (lateS + wide * slowS / 4 - passageS / 2) * filter.x[StrokeEkf.OMEGA];
   }
 
   /** Half of the mean time between the edges in mid stroke, for a lag of ON events. */
@@ -397,13 +437,10 @@ public final class WingEstimator implements SideEstimator {
     }
     double chord = radial.chordShare;
     // slow pixels scatter the times of both edges, the shape of a wing those of one
-    double fast = CameraLatency.fastShare(lagS, timingSdS());
+    double spreadS = Math.sqrt(noise.of(LEADING).timingSdS() * noise.of(TRAILING).timingSdS());
+    double fast = CameraLatency.fastShare(lagS + chord * resolvedS, spreadS);
     double both = chord * fast;
     return both == 0 ? 0 : radial.answeredShare * both / (both + (1 - chord) * (1 - fast));
-  }
-
-  private double timingSdS() {
-    return Math.sqrt(noise.of(LEADING).timingSdS() * noise.of(TRAILING).timingSdS());
   }
 
   /**
@@ -419,7 +456,7 @@ public final class WingEstimator implements SideEstimator {
     double fast = passageShare(lagS);
     double wide = Math.max(radial.notNarrowShare, other == null ? 0 : other.radial.notNarrowShare);
     double choice = 1 + wide / 2;
-    double apartS = apartS(lagS);
+    double apartS = apartS(lagS + radial.chordShare * resolvedS);
     double spreadS = noise.of(LEADING).timingSdS();
     double square =
         apartS * apartS
@@ -500,7 +537,7 @@ public final class WingEstimator implements SideEstimator {
     Source measurement =
         measurementByHand
             ? Source.BY_HAND
-            : noise.fixed() == 0 ? Source.ESTIMATOR : Source.SETTINGS;
+            : noise.of(LEADING).fixed() == 0 ? Source.ESTIMATOR : Source.SETTINGS;
     return List.of(
         new WingFilterState(
             side,
@@ -511,7 +548,7 @@ public final class WingEstimator implements SideEstimator {
             ConstMatrix.column(present),
             FilterNumbers.of(FilterNumbers.DENSITY_UNITS, filter.size),
             List.of(sources),
-            noise.present(),
+            noise.of(LEADING).present(),
             measurement,
             noise.nis(),
             taken[0] + taken[1]));

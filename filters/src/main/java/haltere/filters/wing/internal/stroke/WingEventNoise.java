@@ -56,16 +56,6 @@ final class WingEventNoise {
     return all == 0 ? leading : (judged[0] * leading + judged[1] * trailing) / all;
   }
 
-  /** Fixed variance of a measurement, 0 if it is estimated. */
-  double fixed() {
-    return edges[0].fixed();
-  }
-
-  /** Variance of the last event of the leading edge. */
-  double present() {
-    return edges[0].present();
-  }
-
   /** Recent mean normalised innovation squared of both edges. */
   double nis() {
     return mean(edges[0].nis(), edges[1].nis());
