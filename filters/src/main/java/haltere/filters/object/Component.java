@@ -52,7 +52,10 @@ final class Component {
   /** Expected events of a tick. */
   double rate;
 
-  /** Log ratio of its events under motion and under repetition. */
+  /**
+   * Log ratio of its events under motion and under repetition, at least 0 after each tick: what
+   * repeated its places may begin to move (cumulative sum: Page, Biometrika 41, 1954).
+   */
   double novelty;
 
   // sums of the tick
@@ -168,6 +171,7 @@ final class Component {
     for (int i = 0; i < logs.length; i++) {
       logs[i] += Math.log(products[i]);
     }
+    novelty = Math.max(0, novelty);
     presence.update(logs, rate, inside);
     double beforeX = x();
     double beforeY = y();

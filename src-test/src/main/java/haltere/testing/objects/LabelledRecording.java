@@ -78,8 +78,9 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
   }
 
   /**
-   * A part of the recording: it begins somewhere in the first half, and a tenth of its events is
-   * left out. A tracker that depends on how a recording begins has other scores on it.
+   * A part of the recording: it begins somewhere in the first half of its labels, and a tenth of
+   * its events is left out. A tracker that depends on how a recording begins has other scores on
+   * it.
    *
    * @param seed the same seed makes the same scene
    * @return a scene of the recording's kind
@@ -88,10 +89,11 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
   public ObjectScene part(long seed) throws IOException {
     SplittableRandom random = new SplittableRandom(seed);
     Footage whole = playback == Playback.ONCE ? read() : footage();
-    long firstUs = whole.events().firstTimeUs();
-    long endUs = whole.events().lastTimeUs() + 1;
-    long fromUs = firstUs + (long) (random.nextDouble(0.5) * (endUs - firstUs));
-    Footage part = whole.between(fromUs, endUs).thinned(0.1, random);
+    List<TruthMoment> labels = whole.truth();
+    long firstUs = labels.get(0).timeUs();
+    long lastUs = labels.get(labels.size() - 1).timeUs();
+    long fromUs = firstUs + (long) (random.nextDouble(0.5) * (lastUs - firstUs));
+    Footage part = whole.between(fromUs, Long.MAX_VALUE).thinned(0.1, random);
     return new ObjectScene(
         file + "-" + seed,
         file,
