@@ -1,7 +1,6 @@
 package haltere.ui.viewer;
 
 import atlantafx.base.theme.Styles;
-import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.chain.StageState;
@@ -137,7 +136,7 @@ final class UsualFiltersFeature implements ViewerFeature {
   }
 
   private void measure() {
-    hidden.update(stages.stream().map(StageState::stage).filter(ChainStage::isEnabled).toList());
+    window.ifOpen(open -> hidden.update(open.display()));
     window.read(FilterChain::status, this::showStatus);
   }
 

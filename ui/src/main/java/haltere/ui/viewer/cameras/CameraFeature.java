@@ -35,9 +35,6 @@ import javafx.util.Duration;
 /**
  * Cameras: lists and opens them, shows a panel with their biases, their region and what came and
  * was lost.
- *
- * <p>Thread rule: JavaFX thread only; what a camera is told, which may take a while, is told in the
- * background.
  */
 public final class CameraFeature implements ViewerFeature {
   private static final String MENU = "Camera";

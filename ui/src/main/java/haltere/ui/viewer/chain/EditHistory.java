@@ -7,8 +7,6 @@ import java.util.function.Function;
 /**
  * What a person has changed, to be taken back and done again. Changes of the same value that follow
  * each other closely, as when a slider is dragged, are one.
- *
- * <p>Thread rule: one thread at a time, in the viewer the JavaFX thread.
  */
 public final class EditHistory {
   /** A change. */

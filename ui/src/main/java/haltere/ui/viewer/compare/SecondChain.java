@@ -11,9 +11,6 @@ import haltere.ui.viewer.picture.DisplaySink;
  * Another chain on the same stream: gets a copy of each packet before the first chain sees it, so
  * both work on the very same events, whether of a recording, a scene or a camera.
  *
- * <p>Thread rule: processing thread, but for {@link #chain()} and {@link #display()}, which have
- * rules of their own.
- *
  * @param chain its filters
  * @param display makes its pictures, with those of the first chain
  * @param copy the packet that it works on

@@ -13,8 +13,6 @@ import javafx.application.Platform;
 /**
  * Threads for what would make the window wait: one opens, saves and closes, one scans, one exports.
  * Results come back on the JavaFX thread.
- *
- * <p>Thread rule: JavaFX thread only, but for the work itself.
  */
 public final class BackgroundWork implements AutoCloseable {
   private final ExecutorService files = thread("haltere-files");

@@ -28,8 +28,6 @@ import javafx.scene.control.Label;
 /**
  * What a recording holds beside the events: frames below them, also after a jump, and triggers as
  * ticks on the time bar and words over the picture.
- *
- * <p>Thread rule: JavaFX thread only; frames are read in the background.
  */
 public final class SamplesFeature implements ViewerFeature {
   /** A trigger is named while it is at most so many slices old: 100 ms of smooth playback. */

@@ -32,6 +32,7 @@ public final class DisplaySink implements SliceSink {
   /** Does something behind the packets that were handed over. */
   private final Executor steps;
 
+  final PassedEvents passed = new PassedEvents();
   private volatile boolean allEvents;
 
   private DisplaySink(FilterChain chain, PictureMaker maker, Optional<PictureThread> thread) {
@@ -91,15 +92,27 @@ public final class DisplaySink implements SliceSink {
     allEvents = all;
   }
 
-  /** Takes the events before the chain. */
-  public void beforeChain(EventPacket packet) {
-    if (allEvents) {
-      packets.accept(packet);
-    }
+  /** Takes the events before the chain, also those of run-ups. */
+  public SliceSink beforeChain() {
+    return new SliceSink() {
+      @Override
+      public void packet(EventPacket packet) {
+        passed.before += packet.size();
+        if (allEvents) {
+          packets.accept(packet);
+        }
+      }
+
+      @Override
+      public void sliceEnd(long fromUs, long toUs) {
+        // the display takes it behind the chain
+      }
+    };
   }
 
   @Override
   public void packet(EventPacket packet) {
+    passed.after += packet.size();
     if (!allEvents) {
       packets.accept(packet);
     }
@@ -136,17 +149,20 @@ public final class DisplaySink implements SliceSink {
 
   @Override
   public void runUpEnds() {
+    passed.discard();
     steps.execute(maker::runUpEnds);
   }
 
   @Override
   public void sliceHeld() {
+    passed.hold();
     List<LayerTaps.Marks<?>> marks = taps.marks();
     steps.execute(() -> maker.hold(marks));
   }
 
   @Override
   public void sliceEnd(long fromUs, long toUs) {
+    passed.endSlice();
     List<LayerTaps.Marks<?>> marks = taps.marks();
     steps.execute(() -> maker.showSlice(fromUs, toUs, marks));
   }

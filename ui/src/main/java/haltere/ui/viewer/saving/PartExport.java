@@ -9,11 +9,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.function.LongConsumer;
 
-/**
- * Plays a part of what is open through a chain, without a clock, and writes what comes of it.
- *
- * <p>Thread rule: everything happens on the calling thread.
- */
+/** Plays a part of what is open through a chain, without a clock, and writes what comes of it. */
 abstract class PartExport implements StreamHandler, AutoCloseable {
   /**
    * What is exported.

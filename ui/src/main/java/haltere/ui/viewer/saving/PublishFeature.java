@@ -14,11 +14,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import javafx.application.Platform;
 
-/**
- * Sends what the filters publish to other programs while they run.
- *
- * <p>Thread rule: JavaFX thread only; what waits is done in the background.
- */
+/** Sends what the filters publish to other programs while they run. */
 public final class PublishFeature implements ViewerFeature {
   private record Sending(LiveResults sink) implements PlayedOutput.Output {
     @Override

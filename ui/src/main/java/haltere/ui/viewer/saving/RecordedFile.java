@@ -28,8 +28,6 @@ import java.util.function.BooleanSupplier;
  * whenever the program ends; one that is there is replaced. A jump ends it; what came until then is
  * kept.
  *
- * <p>Thread rule: as {@link PlayedOutput.Output}.
- *
  * @param file where it is
  * @param sink what it gets of the stream
  * @param isOver whether it takes no more, because of a jump, the end or a full disk

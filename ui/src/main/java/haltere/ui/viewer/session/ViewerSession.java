@@ -55,7 +55,7 @@ public record ViewerSession(
     DisplaySink display = DisplaySink.apart(playable.geometry(), chain, displayOptions);
     Player player = new Player(playable, chain, playerOptions);
     InertialFeed inertial = new InertialFeed();
-    player.addRawSink(display::beforeChain);
+    player.addRawSink(display.beforeChain());
     player.addSink(display);
     player.addSink(StreamHandler.ofSamples(inertial::take));
     return new ViewerSession(request, remarks, chain, stages, display, player, inertial, false);

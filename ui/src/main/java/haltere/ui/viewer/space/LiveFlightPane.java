@@ -30,8 +30,6 @@ import javafx.scene.layout.VBox;
 /**
  * A body in space and the cameras that see it, now, and the events of all cameras but the first,
  * which the window itself shows, each with the line of the body over it.
- *
- * <p>Thread rule: JavaFX thread only, but for the sinks, which are for the processing thread.
  */
 final class LiveFlightPane extends BorderPane {
   private static final String NOTHING = "Open a flight before several cameras, in the File menu.";

@@ -15,8 +15,6 @@ import java.util.Map;
 /**
  * Positions over time of what overlays draw: centres of objects and tips of wing lines. A mark that
  * is missing at one moment begins a new trace.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class MarkTraces {
   /** A position on the sensor at a time of the events. */

@@ -13,8 +13,6 @@ import java.util.List;
  * Draws what lies over events in space and time: the box with its three axes, the marks of filters
  * in the plane of the newest events, and their traces through time.
  *
- * <p>Thread rule: as the letters.
- *
  * @param projection where objects lie; (0, 0) of the canvas is the middle of the picture
  * @param sensor columns and rows
  * @param spanUs length of the time axis, microseconds

@@ -24,7 +24,9 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Collectors;
+import javafx.geometry.Bounds;
 import javafx.geometry.Dimension2D;
+import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.control.Label;
 import javafx.scene.control.Menu;
@@ -235,11 +237,21 @@ class CompareTest {
     viewer.waitFor("a second picture", () -> viewer.isThere("second-event-view"));
     EventView first = viewer.node("event-view", EventView.class);
     EventView second = viewer.node("second-event-view", EventView.class);
+    Node banner = viewer.node("warnings", Node.class);
     viewer.waitFor("plots below", () -> viewer.isThere("plots"));
-    viewer.waitFor("pictures of one size", () -> isOneSize(first, second));
+    Node plots = viewer.node("plots", Node.class);
+    viewer.waitFor(
+        "pictures of one size between the banner and the plots",
+        () -> isOneSize(first, second) && isAbove(banner, first) && isAbove(first, plots));
     double height = viewer.onFx(first::getHeight);
     viewer.click("warnings-dismiss");
     viewer.waitFor("both are higher", () -> isOneSize(first, second) && first.getHeight() > height);
+  }
+
+  private static boolean isAbove(Node upper, Node lower) {
+    Bounds above = upper.localToScene(upper.getLayoutBounds());
+    Bounds below = lower.localToScene(lower.getLayoutBounds());
+    return above.getHeight() > 0 && below.getHeight() > 0 && above.getMaxY() <= below.getMinY() + 1;
   }
 
   private static boolean isOneSize(EventView first, EventView second) {

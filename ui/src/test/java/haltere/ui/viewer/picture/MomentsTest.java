@@ -83,6 +83,7 @@ class MomentsTest {
               .withSpeed(8)
               .withPaused(true);
       player = new Player(playable, chain, options);
+      player.addRawSink(display.beforeChain());
       player.addSink(display);
       player.addSink(new PauseSink(playable));
       player.start().join();
@@ -122,6 +123,11 @@ class MomentsTest {
 
     long elapsedUs() {
       return player.status().elapsedUs();
+    }
+
+    /** Percentage of the events of the moment that the chain removed. */
+    int percentHidden() {
+      return display.passed.takePercentHidden().orElseThrow();
     }
 
     int[] picture() {
@@ -174,9 +180,12 @@ class MomentsTest {
       assertEquals(momentUs, other.elapsedUs());
       assertTrue(Arrays.stream(sought).distinct().count() > 20, "there is something to see");
       played.awaitPicture(sought, "played to " + momentUs + " us");
+      int hidden = other.percentHidden();
+      assertEquals(hidden, played.percentHidden());
       played.step(3);
       assertFalse(Arrays.equals(sought, played.picture()));
       played.step(-3).awaitPicture(sought, "three slices on and back");
+      assertEquals(hidden, played.percentHidden());
       played.step(-2).step(1).step(1).awaitPicture(sought, "two slices back and on");
       played.player.setLoop(
           new Loop(true, OptionalLong.of(momentUs), OptionalLong.of(momentUs + 50_000)));
@@ -204,6 +213,23 @@ class MomentsTest {
   void theFlySceneWithItsWingsShowsOnePictureOfAMoment() throws Exception {
     assertOneMomentIsOnePicture(
         MomentsTest::scene, DefaultChain::forFly, DisplayMode.POLARITY, 4_350_000);
+  }
+
+  @Test
+  void aMomentThatWasSoughtShowsTheEventsThatFiltersHide() throws Exception {
+    Function<SensorGeometry, FilterChain> denoised =
+        geometry -> {
+          FilterChain chain = new FilterChain(geometry);
+          chain.add(Filters.named("background-activity"));
+          return chain;
+        };
+    try (Shown raw = new Shown(recording(), FilterChain::new, DisplayMode.POLARITY);
+        Shown all = new Shown(recording(), denoised, DisplayMode.POLARITY)) {
+      int[] expected = raw.seek(350_000).picture();
+      assertFalse(Arrays.equals(expected, all.seek(350_000).picture()));
+      all.display.setAllEvents(true);
+      all.seek(350_000).awaitPicture(expected, "with all events");
+    }
   }
 
   @Test
