@@ -90,4 +90,27 @@ class PolarityRunsTest {
       assertEquals(x % 4 == 0, runs.hasPassed());
     }
   }
+
+  @Test
+  void pixelsInTheLastRowAndColumnHavePassagesOfTheirOwn() {
+    PolarityRuns odd = new PolarityRuns(new SensorGeometry(17, 13));
+    for (int i = 0; i < 3; i++) {
+      int on = 1200 + 10 * i;
+      for (int x = 0; x < 17; x += 4) {
+        odd.begins(1000 + i, EventAddress.pack(x, 4 * i, 0));
+        odd.begins(on, EventAddress.pack(x, 4 * i, 1));
+        odd.begins(on + x, EventAddress.pack(x, 4 * i, 1));
+      }
+    }
+    odd.begins(1000, EventAddress.pack(16, 12, 0));
+    odd.begins(1200, EventAddress.pack(16, 12, 1));
+    odd.begins(3500, EventAddress.pack(16, 12, 0));
+    assertTrue(odd.hasPassed());
+    assertEquals(0, odd.resolvedUs());
+    for (int x = 0; x < 17; x += 4) {
+      odd.begins(3600, EventAddress.pack(x, 8, 0));
+      assertTrue(odd.hasPassed());
+      assertEquals(x, odd.resolvedUs());
+    }
+  }
 }
