@@ -11,6 +11,7 @@ import haltere.core.pipeline.PipelineCounters.Counter;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.pipeline.ResultFiles;
 import haltere.core.pipeline.internal.Provenance;
+import haltere.core.stream.internal.Daemon;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.nio.charset.StandardCharsets;
@@ -176,7 +177,7 @@ public final class Batch {
             1,
             TimeUnit.SECONDS,
             new SynchronousQueue<>(),
-            task -> daemon(task, "haltere-batch-disk"),
+            task -> Daemon.thread(task, "haltere-batch-disk"),
             new ThreadPoolExecutor.CallerRunsPolicy());
 
     Run(Collection<BatchItem> items, Listener listener) {
@@ -191,7 +192,7 @@ public final class Batch {
     void await() throws InterruptedIOException {
       List<Thread> workers = new ArrayList<>();
       for (int i = 0; i < options.workers(); i++) {
-        Thread worker = daemon(this::work, "haltere-batch-" + (i + 1));
+        Thread worker = Daemon.thread(this::work, "haltere-batch-" + (i + 1));
         worker.start();
         workers.add(worker);
       }
@@ -212,12 +213,6 @@ public final class Batch {
       if (interrupted) {
         throw new InterruptedIOException("interrupted; complete results stay");
       }
-    }
-
-    private static Thread daemon(Runnable work, String name) {
-      Thread thread = new Thread(work, name);
-      thread.setDaemon(true);
-      return thread;
     }
 
     private void work() {

@@ -9,6 +9,7 @@ import haltere.core.sink.LineOutput;
 import haltere.core.sink.LiveMessages;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
+import haltere.core.stream.internal.Daemon;
 import java.io.Closeable;
 import java.time.Clock;
 import java.util.ArrayList;
@@ -70,8 +71,7 @@ public final class LiveResults implements StreamHandler, Closeable {
     this.wanted = Objects.requireNonNull(wanted, "wanted");
     messages = new LiveMessages(clock);
     waiting = new ArrayBlockingQueue<>(room);
-    thread = new Thread(this::work, "haltere-publish");
-    thread.setDaemon(true);
+    thread = Daemon.thread(this::work, "haltere-publish");
     follow();
     thread.start();
   }

@@ -13,6 +13,7 @@ import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
+import haltere.core.stream.internal.Daemon;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.InterruptedIOException;
@@ -104,8 +105,7 @@ public final class Recorder implements StreamHandler, Closeable {
             PACKET_EVENTS,
             policy,
             "the recorder's disk");
-    thread = new Thread(this::work, "haltere-recorder");
-    thread.setDaemon(true);
+    thread = Daemon.thread(this::work, "haltere-recorder");
     thread.start();
   }
 

@@ -10,6 +10,7 @@ import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
+import haltere.core.stream.internal.Daemon;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -104,12 +105,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
   private final List<Open> parts = new ArrayList<>();
   private final List<Future<RecorderReport>> finished = new ArrayList<>();
   private final ExecutorService finisher =
-      Executors.newSingleThreadExecutor(
-          work -> {
-            Thread thread = new Thread(work, "haltere-session");
-            thread.setDaemon(true);
-            return thread;
-          });
+      Executors.newSingleThreadExecutor(work -> Daemon.thread(work, "haltere-session"));
   private Open current;
   private int packetsSinceLook = PACKETS_BETWEEN_LOOKS;
   private long eventsSinceLook;
