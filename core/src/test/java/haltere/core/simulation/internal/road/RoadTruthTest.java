@@ -280,9 +280,9 @@ class RoadTruthTest {
     Drive drive = Drive.steady(10).then(2, 4.5, -4).then(6, 10, 2.5);
 
     assertEquals(0, drive.speed(5));
-    assertEquals(32.5, drive.way(5), 1e-12);
+    assertEquals(32.5, drive.distanceM(5), 1e-12);
     for (double way : new double[] {1, 19.9, 20, 25, 32, 32.6, 40, 52.5, 53, 200}) {
-      assertEquals(way, drive.way(drive.timeOf(way)), 1e-9);
+      assertEquals(way, drive.distanceM(drive.timeOf(way)), 1e-9);
     }
   }
 
