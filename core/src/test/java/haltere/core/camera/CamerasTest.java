@@ -62,7 +62,7 @@ class CamerasTest {
   }
 
   @Test
-  void whatKeepsAProviderFromSeeingAnyIsSaid() {
+  void providersReportWhyTheyFindNoCamera() {
     CameraProvider blind =
         new CameraProvider() {
           @Override

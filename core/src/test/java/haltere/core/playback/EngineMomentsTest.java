@@ -38,7 +38,7 @@ class EngineMomentsTest {
   }
 
   @Test
-  void aMomentThatWasPlayedToIsMadeAsOneThatWasSought() throws IOException {
+  void playedAndSoughtMomentsAreEqual() throws IOException {
     EngineRig played = rig(false);
     played.runUntil(2_050_000);
     assertEquals(2000, played.engine.status().elapsedUs());
@@ -50,7 +50,7 @@ class EngineMomentsTest {
   }
 
   @Test
-  void aMomentThatWasSteppedToIsMadeAsOneThatWasSought() throws IOException {
+  void steppedAndSoughtMomentsAreEqual() throws IOException {
     for (int steps : new int[] {1, 3, 7, -1, -5}) {
       EngineRig stepped = sought(2000);
       stepped.ask(new PlaybackCommand.Step(steps));
@@ -144,7 +144,7 @@ class EngineMomentsTest {
   }
 
   @Test
-  void whatIsOnlyLookedAtAndWhatIsChangedByHandStays() throws IOException {
+  void readsAndManualChangesRepeatNothing() throws IOException {
     EngineRig rig = sought(2000);
     rig.log.take();
     rig.ask(new PlaybackCommand.Read(chain -> {}));

@@ -152,7 +152,7 @@ class KeptPlayableTest {
   }
 
   @Test
-  void whatIsKeptIsTheSameHoweverTheSourceCutsItsPackets() throws IOException {
+  void keptEventsDoNotDependOnPacketBorders() throws IOException {
     SplittableRandom random = new SplittableRandom(5);
     EventHistory history = new EventHistory(16 * ROOM);
     List<Long> expected = new ArrayList<>();

@@ -185,7 +185,7 @@ class PlayerTest {
   }
 
   @Test
-  void aPlayerThatNeverStartedClosesItsRecordingToo() throws Exception {
+  void unstartedPlayersCloseTheirRecording() throws Exception {
     MemoryRecording memory = new MemoryRecording(SENSOR, events(0, 1));
     Player player = player(new RecordingPlayable(memory), byTime(1000));
     CompletableFuture<Void> waiting = player.seek(1);

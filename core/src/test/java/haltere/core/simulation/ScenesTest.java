@@ -32,7 +32,7 @@ class ScenesTest {
   }
 
   @Test
-  void aNameThatIsNotThereIsRefusedWithThoseThatAre() {
+  void unknownNamesAreRejectedWithTheListOfNames() {
     var problem = assertThrows(IllegalArgumentException.class, () -> Scenes.named("moon"));
 
     assertTrue(problem.getMessage().contains("moon"), problem.getMessage());
@@ -40,7 +40,7 @@ class ScenesTest {
   }
 
   @Test
-  void aSettingThatIsNotThereIsRefused() {
+  void unknownSettingsAreRejected() {
     var provider = Scenes.named("fly");
 
     assertThrows(SettingsProblem.class, () -> provider.create(List.of("wings=4")));

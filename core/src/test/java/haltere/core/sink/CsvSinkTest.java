@@ -87,7 +87,7 @@ class CsvSinkTest {
   }
 
   @Test
-  void whatIsNotThereIsAnEmptyField() {
+  void absentValuesAreEmptyFields() {
     Row row =
         new Row(
             0,

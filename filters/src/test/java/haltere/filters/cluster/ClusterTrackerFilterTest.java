@@ -85,7 +85,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void aBlobThatMovesIsOneClusterAtItsPositionWithItsVelocity() {
+  void aMovingBlobIsOneClusterWithItsPositionAndVelocity() {
     run(EventPackets.blob(SENSOR, 1, 3 * SECOND_US, CIRCLE, 50_000, 0));
     assertEquals(Set.of(1), identities());
     assertEquals(0, tracks.get(0).timeUs() % 10_000);
@@ -154,7 +154,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void aGapInTheDataThatIsShorterThanALifetimeIsBridged() {
+  void gapsShorterThanALifetimeAreBridged() {
     EventPacket blob = EventPackets.blob(SENSOR, 11, 400_000, CIRCLE, 50_000, 0);
     ClusterTrackerFilter filter = subscribed();
     filter.process(EventPackets.part(blob, 0, blob.indexAtOrAfter(200_000)));

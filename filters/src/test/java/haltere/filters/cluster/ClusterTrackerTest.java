@@ -79,7 +79,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void aboveTheVisibleRateOfAPixelAnEventCountsLessIfThatIsAsked() {
+  void eventsAboveTheVisibleRateCountLessOnRequest() {
     EventPacket events = EventPackets.blob(SENSOR, 1, 1_000_000, STILL, 40_000, 0);
     double alike = scatter(events, "motion.weight=per-event");
     // 40 kHz on a box of 15.36 px are 170 Hz a pixel: a tenth of the weight, root of the scatter.
@@ -121,7 +121,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void aNewbornClusterHasTheMeanVelocityIfThatIsAsked() {
+  void newClustersHaveTheMeanVelocityOnRequest() {
     BlobPath first = new BlobPath(40, 40, 20, 500_000, 4);
     EventPacket events =
         ClusterRun.merged(

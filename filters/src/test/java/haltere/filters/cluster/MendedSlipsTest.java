@@ -96,7 +96,7 @@ class MendedSlipsTest {
   }
 
   @Test
-  void aClusterThatMovesFarBetweenTwoUpdatesIsFoundWhereItIs() {
+  void clustersThatMoveFarBetweenUpdatesKeepTheirPosition() {
     EventPacket events = new EventPacket(0);
     for (long timeUs = 0; timeUs < 90_000; timeUs += 10) {
       // 1000 px/s: ten pixels from one update to the next.

@@ -36,7 +36,7 @@ class VehiclesOnRoadTest {
   }
 
   @Test
-  void aVehicleThatDrivesAwayHasAPositiveVelocity() {
+  void recedingVehiclesHaveAPositiveVelocity() {
     PlanePoint point = follow(usual(3, 9, 20), 1, new SeenVehicle.Errors(2, 1e-3));
     assertEquals(20, point.vyMS(), 0.2);
   }

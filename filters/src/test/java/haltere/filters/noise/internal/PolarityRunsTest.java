@@ -48,7 +48,7 @@ class PolarityRunsTest {
   }
 
   @Test
-  void aVeinThatLeavesIsEarlierThanTheTrailingEdge() {
+  void leavingVeinsPrecedeTheTrailingEdge() {
     off(1000, 1010);
     on(1040, 1050, 1300);
     off(3500);

@@ -191,7 +191,7 @@ class WingOverlayTest {
   }
 
   @Test
-  void aWingThatIsNotTrackedIsNotDrawn() {
+  void untrackedWingsAreNotDrawn() {
     Marks marks = draw(1.5, Double.NaN);
     assertEquals(0, marks.all.stream().filter("line RIGHT"::equals).count());
   }

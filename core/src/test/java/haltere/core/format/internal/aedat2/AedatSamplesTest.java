@@ -108,7 +108,7 @@ class AedatSamplesTest {
   }
 
   @Test
-  void aRecordingThatBeginsWithinAFrameHasItsFramesFromTheNextOn() throws IOException {
+  void recordingsThatStartInsideAFrameYieldTheNextFrames() throws IOException {
     AedatFile file = davis();
     readOut(file, 500, true, 100, WIDTH - 1, 0, HEIGHT - 1);
     readOut(file, 1000, false, 0, WIDTH - 1, 0, HEIGHT - 1);

@@ -133,7 +133,7 @@ class AedatSensorTest {
   }
 
   @Test
-  void addressesThatAreNoEventsOfAnyCameraAreRefusedWithAdvice() throws IOException {
+  void addressesOfUnknownCamerasAreRejectedWithAdvice() throws IOException {
     AedatFile bytes = AedatFile.version2();
     for (int i = 0; i < 1000; i++) {
       bytes.record(i % 2 == 0 ? 0x0123_4567 : 0x8000_8000, i);

@@ -91,7 +91,7 @@ class PhotoreceptorArrayTest {
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void aSlowerPixelMakesLaterAndFewerEventsOfAShadowThatPasses(boolean followsLight) {
+  void slowerPixelsMakeLaterAndFewerEvents(boolean followsLight) {
     long lastFirst = 0;
     int lastCount = Integer.MAX_VALUE;
     for (double tau : new double[] {0, 10, 25, 50}) {

@@ -75,7 +75,7 @@ class MeasurementSeriesTest {
   }
 
   @Test
-  void aSeriesThatTellsNothingIsRefused() {
+  void uninformativeSeriesAreRejected() {
     assertThrows(IllegalArgumentException.class, () -> fall(7, 0.004, false));
     assertThrows(IllegalArgumentException.class, () -> series(20, 0, t -> 1, t -> Double.NaN));
     List<Measurement> back = new ArrayList<>();
