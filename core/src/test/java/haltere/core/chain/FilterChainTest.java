@@ -80,7 +80,7 @@ class FilterChainTest {
   }
 
   @Test
-  void enablingWhatIsEnabledChangesNothing() {
+  void enablingAnEnabledStageChangesNothing() {
     chain.process(events(0, 4));
     chain.setEnabled(firstStage, true);
     chain.process(events(4, 4));
@@ -113,7 +113,7 @@ class FilterChainTest {
   }
 
   @Test
-  void movingAStageResetsWhatSeesAnotherStreamFromThenOn() {
+  void movingAStageResetsAllStagesWithAnotherInput() {
     EveryNthFilter third = new EveryNthFilter(EveryNthFilter.Settings.of(1));
     ChainStage thirdStage = chain.add("every-nth", third);
     chain.move(thirdStage, 1);

@@ -33,7 +33,7 @@ class AtomicFileTest {
   }
 
   @Test
-  void aCommittedFileIsInItsPlace() throws IOException {
+  void committedFilesAppear() throws IOException {
     Path target = folder.resolve("a.txt");
     try (AtomicFile file = AtomicFile.create(target, false)) {
       write(file, "whole");
@@ -97,7 +97,7 @@ class AtomicFileTest {
   }
 
   @Test
-  void aFolderAndAPlaceInNoFolderAreRefused() throws IOException {
+  void foldersAndPathsInMissingFoldersAreRejected() throws IOException {
     assertThrows(RecordingProblem.class, () -> AtomicFile.create(folder, true));
     RecordingProblem problem =
         assertThrows(

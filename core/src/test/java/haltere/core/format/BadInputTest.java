@@ -93,7 +93,7 @@ class BadInputTest {
   }
 
   @Test
-  void aPictureNamedLikeARecordingIsRefusedWithWhatEachFormatSaw() throws IOException {
+  void picturesNamedLikeRecordingsAreRejectedWithEachFormatsReason() throws IOException {
     for (String name : new String[] {"picture.aedat", "picture.dat"}) {
       RecordingProblem problem = refused(Files.write(folder.resolve(name), PNG));
       assertSays("aedat1: ", problem);

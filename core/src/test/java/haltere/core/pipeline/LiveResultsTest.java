@@ -222,7 +222,7 @@ class LiveResultsTest {
   }
 
   @Test
-  void onlyWhatIsWantedIsSentAndFiltersHearOfNobodyElse() throws IOException {
+  void onlyRequestedOutletsAreSentAndOthersHaveNoSubscriber() throws IOException {
     FilterChain chain = new FilterChain(SENSOR);
     EveryEvent first = new EveryEvent();
     EveryEvent second = new EveryEvent();

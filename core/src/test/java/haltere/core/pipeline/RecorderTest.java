@@ -179,7 +179,7 @@ class RecorderTest {
   }
 
   @Test
-  void aFullDiskIsToldToWhoeverHandsOverAndToWhoeverEnds() throws Exception {
+  void fullDisksFailTheProducerAndTheEnd() throws Exception {
     disk.room = 5;
     Recorder recorder = recorder(OverflowPolicy.BLOCK, 2, LONG);
     recorder.packet(packet(5, 0));

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 /** How fast the engine plays, and what it says when it cannot. */
 class EnginePaceTest {
   @Test
-  void atSpeedOneAMinuteTakesAMinuteWhateverTheChainCosts() throws IOException {
+  void realTimePlaybackDoesNotDriftWithTheCostOfTheChain() throws IOException {
     Random random = new Random(11);
     long[] times = LongStream.range(0, 60_000).map(i -> i * 1000).toArray();
     EngineRig rig =

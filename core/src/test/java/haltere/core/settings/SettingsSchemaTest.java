@@ -53,7 +53,7 @@ class SettingsSchemaTest {
   }
 
   @Test
-  void aParameterSaysWhatTheAnnotationsSay() {
+  void parametersStateTheirAnnotations() {
     Parameter time = schema.parameter("timeUs");
     assertEquals(long.class, time.type());
     assertEquals("us", time.unit());

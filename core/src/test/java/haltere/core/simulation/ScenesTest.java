@@ -47,7 +47,7 @@ class ScenesTest {
   }
 
   @Test
-  void everySceneSaysWhatItShows() {
+  void scenesHaveADescription() {
     for (SceneProvider<?> provider : Scenes.all().values()) {
       assertTrue(provider.description().endsWith("."), provider.name());
     }

@@ -165,7 +165,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void newSettingsAreTakenWithTheClustersThatThereAre() {
+  void newSettingsKeepExistingClusters() {
     ClusterTrackerFilter filter = subscribed();
     EventPacket blob = EventPackets.blob(SENSOR, 12, 400_000, CIRCLE, 50_000, 0);
     int half = blob.indexAtOrAfter(200_000);
@@ -195,7 +195,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void onlyEventsOfVisibleClustersArePassedOnIfThatIsAsked() {
+  void onlyEventsOfVisibleClustersPassOnRequest() {
     EventPacket blob = EventPackets.blob(SENSOR, 14, 500_000, CIRCLE, 20_000, 0);
     EventPacket noise = EventPackets.uniform(SENSOR, 15, 500, 0, 1000);
     EventPacket events = ClusterRun.merged(blob, noise);

@@ -77,7 +77,7 @@ class FrequencyMapFilterTest extends EventFilterContract {
 
   @ParameterizedTest
   @ValueSource(doubles = {8, 100, 500})
-  void aLampHasItsFrequencyAndWhatIsDarkHasNone(double frequencyHz) {
+  void lampsHaveAFrequencyAndDarkPixelsNone(double frequencyHz) {
     FrequencyMap map = new FrequencyMap(SENSOR, FrequencyMapSettings.defaults());
     EventPacket events = lamp(frequencyHz, true);
     map.add(events);

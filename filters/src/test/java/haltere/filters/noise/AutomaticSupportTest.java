@@ -105,7 +105,7 @@ class AutomaticSupportTest {
   }
 
   @Test
-  void itTellsWhatShareItTookAwayEachTenthOfASecond() throws IOException {
+  void removedShareIsPublishedEveryTenthOfASecond() throws IOException {
     Run run = run(AUTOMATIC, 9, 1, "dots.eventsPerPixel=1");
     assertEquals(39, run.shares.size(), 1);
     for (BackgroundActivityShare share : run.shares) {

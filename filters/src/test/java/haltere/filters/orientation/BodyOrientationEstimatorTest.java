@@ -159,7 +159,7 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void oneCameraAloneTellsNoOrientationAndItIsCounted() {
+  void singleCameraLinesAreCountedWithoutAnOrientation() {
     FlightScene scene = clean(1, 1);
     BodyOrientationEstimator body = new BodyOrientationEstimator(Flights.cameras(scene), USUAL);
     for (long k = 0; k < 20; k++) {

@@ -186,7 +186,7 @@ class FlydraFileTest {
   }
 
   @Test
-  void missingColumnsAndOtherTypesAreSaidWithTheFile() throws IOException {
+  void missingColumnsAndTypesAreReportedWithTheFile() throws IOException {
     List<String> all = List.of("camn", "frame", "timestamp", "x", "y", "slope");
     for (String missing : all) {
       List<String> others = new ArrayList<>(all);

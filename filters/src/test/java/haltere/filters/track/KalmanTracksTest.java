@@ -378,7 +378,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void aResetForgetsTracksAndCountsAnew() {
+  void resetRemovesTracksAndRestartsNumbering() {
     EventPacket events = EventPackets.blob(SENSOR, 14, 300_000, CIRCLE, 20_000, 0);
     run(events, "eventsOf=all-clusters", "eventsTillTrack=500");
     tracks.reset();

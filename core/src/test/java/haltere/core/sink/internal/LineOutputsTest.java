@@ -189,7 +189,7 @@ class LineOutputsTest {
   }
 
   @Test
-  void moreReceiversThanThereMayBeAreToldAndTurnedAway() throws IOException {
+  void excessReceiversAreNotifiedAndDisconnected() throws IOException {
     List<Socket> sockets = new ArrayList<>();
     try (LineOutput output = LineOutputs.open("tcp://127.0.0.1:0")) {
       int port = LineAddress.parse(output.address()).port();

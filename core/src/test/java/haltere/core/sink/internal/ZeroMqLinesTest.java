@@ -61,7 +61,7 @@ class ZeroMqLinesTest {
   }
 
   @Test
-  void aSubscriberGetsWhatItAskedForAndNothingElse() throws IOException {
+  void subscribersReceiveOnlyTheirTopics() throws IOException {
     try (LineOutput output = LineOutputs.open("zmq://127.0.0.1:0");
         ZmtpSubscriber subscriber = subscriber(output, "wanted/")) {
       await(output, 1);

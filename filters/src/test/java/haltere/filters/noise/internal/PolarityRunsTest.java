@@ -69,7 +69,7 @@ class PolarityRunsTest {
   }
 
   @Test
-  void aPassageWithoutATrailingEdgeTellsNothing() {
+  void passagesWithoutATrailingEdgeAreIgnored() {
     off(1000);
     on(1040);
     off(1100);
@@ -82,7 +82,7 @@ class PolarityRunsTest {
   }
 
   @Test
-  void onlyOneOfSixteenPixelsTells() {
+  void oneOfSixteenPixelsReportsPassages() {
     for (int x = 0; x < 8; x++) {
       runs.begins(1000, EventAddress.pack(x, 0, 0));
       runs.begins(1200, EventAddress.pack(x, 0, 1));

@@ -207,7 +207,7 @@ class WingEdgesTest {
   }
 
   @Test
-  void bothMethodsTogetherSayWhatEachSaysAlone() {
+  void combinedMethodsYieldTheResultsOfEachAlone() {
     EventPacket fly = Flies.events(0.35, FLY);
     String[] follow = {"average.bodyUpdate=true", "average.headingUpdate=true"};
     Said average = Said.of(fly, settings("filter.method=WRA", follow));

@@ -136,7 +136,7 @@ class WingTrackerTest {
   }
 
   @Test
-  void estimatesAreOfTheTimeThatTheEventsCarryUnlessADelayIsSaid() {
+  void estimatesHaveEventTimesUnlessADelayIsSet() {
     EventPacket fly = Flies.events(0.1, STEADY, "fly.wing.visibleShare=0.15");
     assertEquals(0, WingTrackerSettings.defaults().filter().latencyUs());
     Said usual = Said.with(fly);

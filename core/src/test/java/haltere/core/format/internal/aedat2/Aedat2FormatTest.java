@@ -121,7 +121,7 @@ class Aedat2FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void theHeaderIsPlainAsciiWithCarriageReturnsWhateverTheMetadataHold() throws IOException {
+  void headerIsPlainAsciiWithCarriageReturns() throws IOException {
     Path file = folder.resolve("metadata.aedat");
     WriteOptions options =
         new WriteOptions(

@@ -127,7 +127,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aRecordingInPlaceCanBeReadUpToTheLastPacketAtAnyMoment() throws IOException {
+  void recordingsInPlaceAreReadableUpToTheLastPacket() throws IOException {
     Path file = folder.resolve("live.aedat4");
     EventPacket written = EventPackets.uniform(DAVIS346, 4, 40_000, 0, 9);
     try (Aedat4Writer writer =

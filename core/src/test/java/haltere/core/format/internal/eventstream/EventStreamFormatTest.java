@@ -97,7 +97,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void theBytesMeanWhatTheFormatSays() {
+  void bytesAreDecodedAsSpecified() {
     ViolationCounts violations = new ViolationCounts();
     EventStreamDecoder decoder =
         new EventStreamDecoder(EventStreamDecoder.Kind.DVS, SENSOR, violations);

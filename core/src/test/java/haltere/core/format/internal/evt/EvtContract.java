@@ -213,7 +213,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void withoutASizeInTheHeaderTheUserTellsItOrTheEventsDo() throws IOException {
+  void unstatedSizesComeFromTheUserOrTheEvents() throws IOException {
     EventPacket written = EventPackets.uniform(GEN3, 4, 1000, 0, 20);
     Path file = folder.resolve("size.raw");
     write(file, GEN3, written);

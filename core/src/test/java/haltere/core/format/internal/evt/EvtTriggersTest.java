@@ -39,7 +39,7 @@ class EvtTriggersTest {
 
   @ParameterizedTest
   @MethodSource("formats")
-  void edgesComeBackAtTheirPlacesAmongTheEvents(RecordingFormat format) throws IOException {
+  void edgesKeepTheirPositionsAmongEvents(RecordingFormat format) throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 1, 50_000, FIRST_US, 100);
     SplittableRandom random = new SplittableRandom(2);
     RandomSamples samples = new RandomSamples(SENSOR, 3);

@@ -198,7 +198,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
         "prophesee",
         "seconds-big-endian-truth"
       })
-  void damageInOtherProgramsFilesIsToldAndNeverBringsTheReaderDown(String name) throws IOException {
+  void damageInFilesOfOtherProgramsIsReportedWithoutACrash(String name) throws IOException {
     byte[] whole = Files.readAllBytes(theirs(name));
     java.util.SplittableRandom random = new java.util.SplittableRandom(name.hashCode());
     Path file = folder.resolve("damaged");

@@ -187,7 +187,7 @@ class FlySceneTest {
   }
 
   @Test
-  void aWireHidesWhatIsBehindIt() {
+  void wiresAreOpaque() {
     FlySceneSettings settings =
         SceneRuns.pure(
             "disturbances.wire.widthPx=4",

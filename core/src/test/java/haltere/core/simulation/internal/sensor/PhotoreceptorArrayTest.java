@@ -146,7 +146,7 @@ class PhotoreceptorArrayTest {
   }
 
   @Test
-  void afterAnEventThePixelIsBlindAndThenComparesWithWhatItSeesThen() {
+  void referenceLevelIsTakenAtTheEndOfTheRefractoryPeriod() {
     EventPacket blind = events(0, true, 0, 300, new double[] {1500, 1000, 0.5});
 
     double first = 2000 * (1 - Math.exp(-THRESHOLD));

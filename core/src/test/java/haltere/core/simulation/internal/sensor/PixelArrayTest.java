@@ -77,7 +77,7 @@ class PixelArrayTest {
   }
 
   @Test
-  void afterAnEventThePixelIsBlindAndThenComparesWithWhatItSeesThen() {
+  void referenceLevelIsTakenAtTheEndOfTheRefractoryPeriod() {
     EventPacket events = shadow(pixel(BANDWIDTH_HZ, 60), 0.7, 10_000);
 
     double first = -TAU_US * Math.log(1 - 0.2 / 0.7);

@@ -33,7 +33,7 @@ class MeasurementSeriesTest {
   }
 
   @Test
-  void noiseIsFoundWhateverTheTimesAndTheAcceleration() {
+  void noiseEstimateDoesNotDependOnTimesAndAcceleration() {
     assertEquals(0.003, fall(2000, 0.003, false).noiseM(), 0.0002);
     assertTrue(fall(2000, 0, false).noiseM() < 1e-5);
   }
