@@ -46,7 +46,7 @@ class DefaultChainTest extends EventFilterContract {
   }
 
   @Test
-  void itFollowsWhatMovesAndNeedsNoNoiseFilter() {
+  void movingObjectsAreTrackedWithoutANoiseFilter() {
     FilterChain chain = DefaultChain.create(SENSOR);
     assertEquals(List.of("object-tracker"), chain.stages().stream().map(ChainStage::name).toList());
     List<ObjectTrack> rows = new ArrayList<>();

@@ -11,6 +11,7 @@ import haltere.core.pipeline.PipelineCounters.Counter;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.pipeline.ResultFiles;
 import haltere.core.pipeline.internal.Provenance;
+import haltere.core.stream.internal.Daemon;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.nio.charset.StandardCharsets;
@@ -35,8 +36,8 @@ import java.util.function.Function;
  * The same chain over many recordings. Each recording has a folder of its name below the folder of
  * the results, with a table for each outlet, {@code STAGE.OUTLET.csv} (or another format), and
  * {@code done.json}, which comes last. A failed recording does not stop the batch; {@code
- * failed.json} lists the failures. What is written does not depend on the number of workers or
- * shards, nor on how often a run was killed.
+ * failed.json} lists the failures. The results do not depend on the number of workers or shards,
+ * nor on how often a run was killed.
  *
  * <p>Thread rule: {@link #run} waits for its workers; listeners are called on theirs, one at a
  * time.
@@ -44,10 +45,10 @@ import java.util.function.Function;
  * @since 0.1
  */
 public final class Batch {
-  /** Hears how far a batch has come. */
+  /** Receives the progress of a batch. */
   public interface Listener {
     /**
-     * Takes the news; called often.
+     * Receives the progress; called often.
      *
      * @param doneBytes bytes of recordings worked on so far
      * @param totalBytes bytes of all recordings
@@ -55,14 +56,14 @@ public final class Batch {
     void progress(long doneBytes, long totalBytes);
 
     /**
-     * Takes a recording that has no result.
+     * Receives a failed recording.
      *
-     * @param failure which, and why
+     * @param failure the recording and the reason
      */
     void failed(BatchFailure failure);
 
     /**
-     * Takes what a person should know of a recording.
+     * Receives a warning about a recording.
      *
      * @param item the recording
      * @param warning one line
@@ -78,9 +79,9 @@ public final class Batch {
   /**
    * A batch that has not started.
    *
-   * @param chain makes the chain of each recording
+   * @param chain creates the chain of each recording
    * @param options how to run
-   * @param words the line for users of what a job threw
+   * @param words turns an exception of a job into a line for users
    * @throws IOException if the chain cannot be made
    */
   public Batch(
@@ -99,8 +100,8 @@ public final class Batch {
    * @param failed name of the file of failures, below the folder of the results; one of an earlier
    *     run is replaced, or removed if nothing failed
    * @param listener receives the progress
-   * @return what was done
-   * @throws RecordingProblem if a result is there and none may be
+   * @return the report
+   * @throws RecordingProblem if a result exists and none may
    * @throws InterruptedIOException if the thread was interrupted; results that are complete stay
    * @throws IOException if the file of failures cannot be written
    */
@@ -176,7 +177,7 @@ public final class Batch {
             1,
             TimeUnit.SECONDS,
             new SynchronousQueue<>(),
-            task -> daemon(task, "haltere-batch-disk"),
+            task -> Daemon.thread(task, "haltere-batch-disk"),
             new ThreadPoolExecutor.CallerRunsPolicy());
 
     Run(Collection<BatchItem> items, Listener listener) {
@@ -191,7 +192,7 @@ public final class Batch {
     void await() throws InterruptedIOException {
       List<Thread> workers = new ArrayList<>();
       for (int i = 0; i < options.workers(); i++) {
-        Thread worker = daemon(this::work, "haltere-batch-" + (i + 1));
+        Thread worker = Daemon.thread(this::work, "haltere-batch-" + (i + 1));
         worker.start();
         workers.add(worker);
       }
@@ -212,12 +213,6 @@ public final class Batch {
       if (interrupted) {
         throw new InterruptedIOException("interrupted; complete results stay");
       }
-    }
-
-    private static Thread daemon(Runnable work, String name) {
-      Thread thread = new Thread(work, name);
-      thread.setDaemon(true);
-      return thread;
     }
 
     private void work() {

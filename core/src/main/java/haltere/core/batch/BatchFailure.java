@@ -14,12 +14,12 @@ import java.util.Objects;
  * A recording of a batch that has no result.
  *
  * @param item the recording
- * @param kind what sort of failure it was
+ * @param kind the kind of failure
  * @param cause one line for users
  * @since 0.1
  */
 public record BatchFailure(BatchItem item, Kind kind, String cause) {
-  /** What sort of failure it was. */
+  /** Kinds of failures. */
   public enum Kind {
     /** The recording cannot be understood, or is damaged and has to be whole. */
     RECORDING,

@@ -14,7 +14,7 @@ import java.util.function.Function;
  *
  * @param folder where results are written; created if missing
  * @param workers recordings processed in parallel, 1 to 1024
- * @param existing what happens to results that are there
+ * @param existing treatment of existing results
  * @param reading properties of all recordings stated by the user
  * @param strict whether a recording that is cut off or damaged is a failure
  * @param program name and version of the program, a part of what makes a result valid
@@ -31,7 +31,7 @@ public record BatchOptions(
     String program,
     String tables,
     Set<String> outlets) {
-  /** What happens to results that are there. */
+  /** Treatment of existing results. */
   public enum Existing {
     /** The batch does not start. */
     REFUSE,
@@ -54,7 +54,7 @@ public record BatchOptions(
     }
   }
 
-  /** Which tables are written, and where by their names. */
+  /** Selection and paths of the tables, by their names. */
   OutletTables.Naming naming(Function<String, Path> place) {
     return new OutletTables.Naming() {
       @Override

@@ -6,7 +6,7 @@ import java.util.List;
  * The report of a batch.
  *
  * @param done recordings with a new result
- * @param kept recordings whose result was there and valid
+ * @param kept recordings with a valid earlier result
  * @param elsewhere recordings on which another process works
  * @param failures recordings without a result, in the order of their names
  * @param events events of the recordings that were done

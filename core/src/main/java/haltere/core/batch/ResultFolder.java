@@ -23,8 +23,8 @@ import java.util.Optional;
 
 /**
  * The folder of one recording's results. While a process works in it, it holds a lock on {@code
- * done.json.part}, which names the files that are being written; {@code done.json} takes its place
- * when all of them are there. So a process that is killed leaves what the next one replaces.
+ * done.json.part}, which names the files that are being written; {@code done.json} replaces it when
+ * all of them are complete. So the next process replaces the files of a killed one.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -59,7 +59,7 @@ final class ResultFolder implements Closeable {
     }
   }
 
-  /** Whether all files that an earlier run wrote are there as it left them. */
+  /** Whether all files of an earlier run exist unchanged. */
   static boolean isWhole(Path folder, Map<?, ?> done) {
     if (!(done.get(OUTPUTS) instanceof List<?> outputs)) {
       return false;
@@ -79,10 +79,10 @@ final class ResultFolder implements Closeable {
   }
 
   /**
-   * Takes a folder to work in, and makes it if there is none.
+   * Claims a folder and creates it if necessary.
    *
    * @return empty if another process works in it
-   * @throws IOException if it cannot be made
+   * @throws IOException if it cannot be created
    */
   static Optional<ResultFolder> take(Path folder) throws IOException {
     Files.createDirectories(folder);
@@ -104,7 +104,7 @@ final class ResultFolder implements Closeable {
     }
   }
 
-  /** Removes what an earlier run wrote here, or began to write; {@code done.json} first. */
+  /** Removes the files of an earlier run, complete or not; {@code done.json} first. */
   void clear() throws IOException {
     List<Path> files = new ArrayList<>();
     done(folder).ifPresent(done -> files.addAll(outputs(done)));
@@ -152,7 +152,7 @@ final class ResultFolder implements Closeable {
     return folder.resolve(name);
   }
 
-  /** Notes which files are going to be written. */
+  /** Writes the names of the planned files to the journal. */
   void begin(List<Path> files) throws IOException {
     List<Object> outputs = new ArrayList<>();
     files.forEach(file -> outputs.add(Map.of("file", folder.relativize(file).toString())));
@@ -176,7 +176,7 @@ final class ResultFolder implements Closeable {
     }
   }
 
-  /** Forces files to the disk and gives them their names. */
+  /** Forces files to the disk and renames them to their final names. */
   void place(List<JobResults.ResultFile> files) throws IOException {
     for (JobResults.ResultFile file : files) {
       AtomicFile.place(file.path());
@@ -184,7 +184,7 @@ final class ResultFolder implements Closeable {
   }
 
   /**
-   * Says that all is there.
+   * Marks the results as complete.
    *
    * @param done with the files under {@code outputs}
    */
@@ -216,7 +216,7 @@ final class ResultFolder implements Closeable {
     }
   }
 
-  /** Gives the folder back. What is not complete leaves nothing. */
+  /** Releases the folder and removes incomplete files. */
   @Override
   public void close() throws IOException {
     if (completed) {
@@ -227,7 +227,7 @@ final class ResultFolder implements Closeable {
       Files.deleteIfExists(part);
       Files.delete(folder);
     } catch (DirectoryNotEmptyException | NoSuchFileException ignored) {
-      // somebody else's files stay
+      // Files of others stay.
     } finally {
       journal.close();
     }

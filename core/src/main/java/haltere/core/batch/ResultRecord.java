@@ -40,7 +40,7 @@ final class ResultRecord {
   /**
    * The part that all results of a batch share.
    *
-   * @throws IOException if the chain cannot be made
+   * @throws IOException if the chain cannot be created
    */
   ResultRecord(RecordingJob.ChainMaker maker, BatchOptions options) throws IOException {
     try (FilterChain chain = maker.make(SENSOR)) {
@@ -90,7 +90,7 @@ final class ResultRecord {
     return reading;
   }
 
-  /** What makes a result of a recording valid. */
+  /** Key of a valid result of a recording. */
   private String key(String recordingSha256) {
     Map<String, Object> all = new LinkedHashMap<>(settings);
     all.put("recording", recordingSha256);
@@ -98,8 +98,8 @@ final class ResultRecord {
   }
 
   /**
-   * Whether a result is valid. The recording is read where its size or the time of its last change
-   * are others than when the result was made.
+   * Whether a result is valid. The recording is read if its size or modification time differ from
+   * those of the result.
    */
   boolean isValid(BatchItem item, Path folder) throws IOException {
     Optional<Map<?, ?>> done = ResultFolder.done(folder);
@@ -119,7 +119,7 @@ final class ResultRecord {
     return Files.getLastModifiedTime(item.recording()).toInstant().toString();
   }
 
-  /** What is written when a result is complete; the same whenever and wherever it is made. */
+  /** Content of the record of a complete result, independent of time and machine. */
   Map<String, Object> of(BatchItem item, JobReport report, String recordingSha256, Path folder)
       throws IOException {
     Map<String, Object> done = new LinkedHashMap<>();

@@ -18,8 +18,8 @@ import java.util.List;
  * <ul>
  *   <li>what a filter does and publishes does not depend on how the stream is cut into packets;
  *       what should happen at regular times is driven by the times of the events;
- *   <li>after {@link #reset()} it is in the state of a new filter (identities that it has given out
- *       are not given out again, except after {@link #rewind()});
+ *   <li>after {@link #reset()} it is in the state of a new filter (identities are not reused,
+ *       except after {@link #rewind()});
  *   <li>it keeps no reference to a packet after the call, and may drop or change events but not add
  *       or reorder them;
  *   <li>{@link #process} allocates nothing per event, takes no lock and throws nothing for any
@@ -41,20 +41,20 @@ public interface EventFilter {
    */
   void process(EventPacket packet);
 
-  /** Forgets everything that events have taught it. */
+  /** Returns to the initial state. */
   void reset();
 
   /**
-   * Begins anew because time went back: as {@link #reset()}, and identities are given out from the
-   * first one again, so that the same events lead to the same results.
+   * Resets because time went back: as {@link #reset()}, and identities start from the first one
+   * again, so that the same events lead to the same results.
    */
   default void rewind() {
     reset();
   }
 
   /**
-   * How far back events matter to what the filter does now. A player that jumps to a time runs the
-   * chain from so long before it.
+   * Memory of the filter: the time after which an event no longer affects its results. A player
+   * that jumps starts its run-up by this time before the target.
    *
    * @return microseconds under the settings in force; 0 for a filter that looks at single events
    */
@@ -63,20 +63,19 @@ public interface EventFilter {
   }
 
   /**
-   * Whether what events have taught it still holds behind a gap in the data, because time goes on
-   * over the gap.
+   * Whether the state stays valid across a gap in the data, because time continues.
    *
-   * @return false if it begins anew
+   * @return false if a gap resets the filter
    */
   default boolean bridgesGaps() {
     return false;
   }
 
   /**
-   * Is told what happened between the last packet and the next. A filter that holds results to give
-   * out at the end overrides this.
+   * Receives a notification, between the last packet and the next. A filter that holds results
+   * until the end overrides this.
    *
-   * @param notification what happened; one without meaning for the filter is ignored
+   * @param notification ignored if it has no meaning for the filter
    */
   default void notified(StreamNotification notification) {
     boolean isBridged = notification instanceof DataLost && bridgesGaps();
@@ -89,15 +88,15 @@ public interface EventFilter {
   }
 
   /**
-   * Is shown a frame, an inertial sample or a trigger, at its place among the events. Most filters
-   * see polarity events only and leave this as it is.
+   * Receives a frame, an inertial sample or a trigger, at its position among the events. Most
+   * filters use polarity events only and do not override this.
    *
    * @param sample immutable; it may be kept
    */
   default void sample(SensorSample sample) {}
 
   /**
-   * Where the filter publishes its results.
+   * Outlets of the filter's results.
    *
    * @return always the same outlets
    */
@@ -106,7 +105,7 @@ public interface EventFilter {
   }
 
   /**
-   * What can be drawn of the filter's results.
+   * Layers that draw the filter's results.
    *
    * @return always the same layers
    */
@@ -117,20 +116,20 @@ public interface EventFilter {
   /**
    * Why the filter has no results yet, such as the time it needs first.
    *
-   * @return sentences for a person, or an empty text
+   * @return sentences for users, or an empty text
    */
   default String status() {
     return "";
   }
 
   /**
-   * Is told who does its work, between packets. A filter whose work has pieces that do not touch
-   * each other overrides this.
+   * Sets the executor of its work, between packets. A filter whose work has independent pieces
+   * overrides this.
    *
-   * @param with does pieces of work, maybe on two threads
+   * @param with runs pieces of work, on one thread or two
    */
   default void share(SharedWork with) {}
 
-  /** Frees what the filter holds; nothing is called after it. */
+  /** Frees resources; no other call follows. */
   default void close() {}
 }

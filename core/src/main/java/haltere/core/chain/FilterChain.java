@@ -49,7 +49,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   }
 
   /**
-   * The sensor that the chain was made for.
+   * The sensor of the chain.
    *
    * @return its geometry
    */
@@ -69,7 +69,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   /**
    * Events dropped before the first filter because their pixel is not on the sensor.
    *
-   * @return a count since the chain was made
+   * @return a count since the chain was created
    */
   public long outsideSensor() {
     return outsideSensor;
@@ -78,7 +78,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   /**
    * Adds a filter with default settings at the end.
    *
-   * @param provider makes the filter
+   * @param provider creates the filter
    * @return the new stage
    */
   public ChainStage add(FilterProvider<?> provider) {
@@ -101,8 +101,8 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
    *
    * @param kind the provider's name, or a name for a filter that has none
    * @param filter the filter, which the chain owns from now on
-   * @param enabled whether it is on
-   * @param position 0 for the first place
+   * @param enabled whether it is enabled
+   * @param position 0 for the first position
    * @return the new stage
    */
   public ChainStage add(String kind, EventFilter filter, boolean enabled, int position) {
@@ -155,7 +155,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   }
 
   /**
-   * Takes a stage out and closes its filter.
+   * Removes a stage and closes its filter.
    *
    * @param stage a stage of this chain
    */
@@ -167,11 +167,11 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   }
 
   /**
-   * Moves a stage to another place. It and the filters behind the first of the two places see
-   * another stream from now on, so they are reset.
+   * Moves a stage to another position. It and the filters from the first of the two positions on
+   * receive another stream from now on, so they are reset.
    *
    * @param stage a stage of this chain
-   * @param position its place once it has moved, 0 for the first
+   * @param position its new position, 0 for the first
    */
   public void move(ChainStage stage, int position) {
     require(stage);
@@ -188,7 +188,8 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   }
 
   /**
-   * Switches a stage on or off. One that comes back is told so before its next packet.
+   * Enables or disables a stage. A stage that is enabled again receives a reset before its next
+   * packet.
    *
    * @param stage a stage of this chain or of a chain nested in it
    * @param enabled whether packets go through it
@@ -203,9 +204,10 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   }
 
   /**
-   * How often filters came, went, moved, were switched or got other settings, in nested chains too.
+   * Number of changes: filters added, removed, moved, enabled, disabled or with new settings, in
+   * nested chains too.
    *
-   * @return a count that never falls
+   * @return a count that never decreases
    */
   public long changes() {
     long all = changes;
@@ -215,7 +217,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
     return all;
   }
 
-  /** {@inheritDoc} Filters in a row settle side by side, so it is the longest memory of all. */
+  /** {@inheritDoc} Filters of a chain settle in parallel, so it is the longest memory of all. */
   @Override
   public long memoryUs() {
     long longest = 0;
@@ -226,10 +228,10 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   }
 
   /**
-   * Begins or ends a run-up: events go through the chain once more, for the state of its filters,
-   * and outlets publish to those alone who {@link Outlet#follow follow} them.
+   * Begins or ends a run-up: its events only restore the state of the filters, and outlets publish
+   * only to subscribers of {@link Outlet#follow}.
    *
-   * @param on whether what comes next is a run-up
+   * @param on whether a run-up comes next
    */
   public void setRunUp(boolean on) {
     outlets().forEach(outlet -> outlet.setRunUp(on));
@@ -244,7 +246,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
     return false;
   }
 
-  /** Refuses to be changed or used while another thread is at work in it. */
+  /** Fails if another thread uses the chain. */
   private void requireIdle() {
     Thread other = busy;
     if (other != null && other != Thread.currentThread()) {
@@ -265,7 +267,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   }
 
   /**
-   * Gives a filter one new setting.
+   * Changes one setting of a filter.
    *
    * @param stage name of a stage of this chain
    * @param setting name of a setting, such as {@code output.rateHz}
@@ -289,7 +291,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   }
 
   /**
-   * Gives a filter new settings.
+   * Applies new settings to a filter.
    *
    * @param stage a stage of this chain
    * @param settings a record of the type that the filter takes
@@ -341,10 +343,8 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
     int lastX = geometry.width() - 1;
     int lastY = geometry.height() - 1;
     int outside = 0;
-    // A difference is negative outside of the sensor. ORing them all is done several events at a
-    // time, in a sixth of a nanosecond an event; looking for the largest coordinates takes six
-    // times
-    // as long.
+    // A difference is negative outside of the sensor. The loop ORs them all, which the compiler
+    // vectorises; a search for the largest coordinates takes six times as long.
     for (int i = 0; i < size; i++) {
       int address = addresses[i];
       outside |= lastY - EventAddress.y(address) | lastX - EventAddress.x(address);
@@ -413,8 +413,8 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   }
 
   /**
-   * {@inheritDoc} What filters publish does not depend on it, and it is not part of what is saved
-   * of a chain. Who gives it closes it, after the chain.
+   * {@inheritDoc} Results do not depend on it, and it is not saved with the chain. The caller
+   * closes it, after the chain.
    */
   @Override
   public void share(SharedWork with) {
@@ -432,7 +432,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
     return outlets;
   }
 
-  /** {@inheritDoc} A line for each filter that is on and has something to say. */
+  /** {@inheritDoc} A line for each enabled filter with a status. */
   @Override
   public String status() {
     return stages.stream()

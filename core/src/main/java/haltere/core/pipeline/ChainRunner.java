@@ -20,11 +20,11 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 
 /**
- * Takes a stream, shows it to the sinks before the chain, sends it through the chain and hands it
- * to the sinks behind it; counts what happens to every event. During a run-up, whose events came
- * before or will not be counted as played, only sinks that follow run-ups get the stream.
+ * Passes a stream to the sinks before the chain, through the chain, and to the sinks after it, and
+ * accounts for every event. During a run-up only sinks that follow run-ups receive the stream, and
+ * its events are not counted as played.
  *
- * <p>Thread rule: the processing thread only, but for {@link #edit}.
+ * <p>Thread rule: the processing thread only, except {@link #edit}.
  *
  * @since 0.1
  */
@@ -95,7 +95,7 @@ public final class ChainRunner implements StreamHandler {
   }
 
   /**
-   * Takes a sink away, wherever it is.
+   * Removes a sink, before or after the chain.
    *
    * @param sink one that was added
    */
@@ -107,7 +107,7 @@ public final class ChainRunner implements StreamHandler {
   /**
    * Changes the chain before its next packet or notification, on the processing thread.
    *
-   * @param change what to do with the chain; may be asked for from any thread
+   * @param change changes the chain; may be passed from any thread
    */
   public void edit(Consumer<FilterChain> change) {
     edits.add(Objects.requireNonNull(change, "change"));
@@ -150,7 +150,7 @@ public final class ChainRunner implements StreamHandler {
   /**
    * Whether a run-up is under way.
    *
-   * @return true from its begin to its end
+   * @return true from its start to its end
    */
   public boolean isRunUp() {
     return runUp;
@@ -251,7 +251,7 @@ public final class ChainRunner implements StreamHandler {
     }
   }
 
-  /** {@inheritDoc} The filters see it, and the sinks before and behind them get the same. */
+  /** {@inheritDoc} The filters and the sinks before and after them receive the same sample. */
   @Override
   public void sample(SensorSample sample) {
     toAll(rawSinks, handler -> handler.sample(sample));
@@ -264,10 +264,10 @@ public final class ChainRunner implements StreamHandler {
   }
 
   /**
-   * Does something with every sink, those before the chain first; during a run-up with those alone
+   * Calls an action with each sink, those before the chain first; during a run-up only with sinks
    * that follow it.
    *
-   * @param action what to do; one that throws counts as a failure of the sink
+   * @param action an exception counts as a failure of the sink
    */
   public void forEachSink(Consumer<StreamHandler> action) {
     toAll(rawSinks, action);

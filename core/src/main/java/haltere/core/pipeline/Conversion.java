@@ -20,8 +20,8 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Copies a recording, or the part of it in a half-open stretch of time, into a writer, through a
- * chain of filters if wanted. The file that is written appears when all of it is there.
+ * Copies a recording, or a half-open time range of it, to a writer, optionally through a chain of
+ * filters. The written file appears when it is complete.
  *
  * <p>Thread rule: everything happens on the calling thread.
  *

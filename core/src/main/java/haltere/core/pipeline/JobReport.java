@@ -19,9 +19,9 @@ import java.util.Map;
  * @param counters received, passed, dropped and lost events
  * @param samples counts of frames, inertial samples and triggers
  * @param violations violations of the recording, by kind, each at least 1
- * @param warnings what a person should know of the recording, one line each without its name
+ * @param warnings warnings about the recording for users, one line each without its name
  * @param stages each stage of the chain in order
- * @param files what was written
+ * @param files the written files
  * @param elapsedS time of the job, in seconds
  * @since 0.1
  */
@@ -38,16 +38,16 @@ public record JobReport(
     List<JobResults.ResultFile> files,
     double elapsedS) {
   /**
-   * What went through a stage.
+   * The statistics of a stage.
    *
    * @param name the stage
-   * @param enabled whether it was on
+   * @param enabled whether it was enabled
    * @param timing events in and out, and its time
    */
   public record Stage(String name, boolean enabled, FilterTiming timing) {}
 
   /**
-   * What went through the stages of a chain so far.
+   * The statistics of the stages of a chain so far.
    *
    * @param chain any chain
    * @return its own stages, in order

@@ -25,7 +25,7 @@ public interface JobResults extends Closeable {
   record ResultFile(Path path, long rows) {}
 
   /**
-   * What takes the stream before the chain.
+   * Sinks before the chain.
    *
    * @return sinks that see all packets, samples and notifications and change no packet
    */
@@ -34,7 +34,7 @@ public interface JobResults extends Closeable {
   }
 
   /**
-   * What takes the stream behind the chain.
+   * Sinks after the chain.
    *
    * @return sinks that see all packets, samples and notifications
    */
@@ -43,7 +43,7 @@ public interface JobResults extends Closeable {
   }
 
   /**
-   * Puts all files in their places.
+   * Completes all files, which then appear.
    *
    * @throws IOException if one cannot be written
    */

@@ -46,7 +46,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
 
   private final LiveQueue waiting;
 
-  /** Whether the consumer has a packet in its hands. */
+  /** Whether the consumer holds a packet. */
   private boolean held;
 
   private boolean ending;
@@ -102,8 +102,8 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   }
 
   /**
-   * An empty buffer that puts small packets together while they wait. For a consumer to whom
-   * borders of packets mean nothing.
+   * An empty buffer that joins small packets while they wait. For a consumer that does not depend
+   * on packet borders.
    *
    * @param geometry the sensor of the stream
    * @param maxEvents how many events may wait
@@ -127,7 +127,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
    * events are in each.
    *
    * @param geometry the sensor of the stream
-   * @param packets how many may wait, with one in the consumer's hands, at least 2
+   * @param packets maximum number that may wait, including one held by the consumer, at least 2
    * @param packetEvents larger packets are cut, at least 1
    * @param policy what happens when as many wait
    * @param place who loses events then, in words for users, for {@link DataLost#place()}
@@ -142,7 +142,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   // ---- The producer's side
 
   /**
-   * Puts a copy of the packet in. Under {@link OverflowPolicy#BLOCK} a thread that is interrupted
+   * Adds a copy of the packet. Under {@link OverflowPolicy#BLOCK} a thread that is interrupted
    * while it waits stays interrupted, and the events are counted as lost.
    *
    * @param packet borrowed and not changed
@@ -234,7 +234,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   }
 
   /**
-   * Puts a sample in. Samples that wait are bounded too: beyond 32 MiB of them {@link
+   * Adds a sample. Waiting samples are bounded too: beyond 32 MiB of them {@link
    * OverflowPolicy#BLOCK} waits, and the other policies drop the newest and count it.
    *
    * @param sample immutable
@@ -283,7 +283,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   }
 
   /**
-   * Hands over the next packet, notification or sample; waits for it.
+   * Passes on the next packet, notification or sample; waits for it.
    *
    * @param handler receives it
    * @return false after the end of the stream, or once closed
@@ -368,7 +368,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     }
   }
 
-  /** Ends the consumer's side: what waits, and whatever still comes, is counted as lost. */
+  /** Ends the consumer's side: waiting and later events are counted as lost. */
   @Override
   public void close() {
     lock.lock();
@@ -387,20 +387,20 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   // ---- Counts
 
   /**
-   * What has become of the events.
+   * Counts of events.
    *
-   * @param in events that the producer put in
-   * @param out events that the consumer has dealt with
+   * @param in events from the producer
+   * @param out events processed by the consumer
    * @param lost events that were dropped
    * @param waitingPackets packets that wait for the consumer
-   * @param mostWaitingPackets the most that ever waited
+   * @param mostWaitingPackets maximum of {@code waitingPackets} so far
    */
   public record Counts(long in, long out, long lost, int waitingPackets, int mostWaitingPackets) {}
 
   /**
    * Frames, inertial samples and triggers that were dropped.
    *
-   * @return a count since the buffer was made
+   * @return a count since the buffer was created
    */
   public long samplesLost() {
     lock.lock();
@@ -412,9 +412,9 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   }
 
   /**
-   * Reads the counts: in = out + lost while no packet waits or is in the consumer's hands.
+   * Reads the counts: in = out + lost while no packet waits or is held by the consumer.
    *
-   * @return all of one moment
+   * @return a consistent snapshot
    */
   public Counts counts() {
     lock.lock();

@@ -10,18 +10,18 @@ import java.util.LinkedList;
 import java.util.List;
 
 /**
- * What waits in a {@link LiveBuffer}, in the order of the stream, with a note wherever events are
+ * The queue of a {@link LiveBuffer}, in the order of the stream, with a gap wherever events are
  * missing.
  *
  * <p>Thread rule: under the lock of its buffer only.
  */
 final class LiveQueue {
-  /** So much of frames, samples and triggers may wait. */
-  private static final long MAX_READING_BYTES = 32 << 20;
+  /** Maximum size of waiting frames, inertial samples and triggers. */
+  private static final long MAX_SAMPLE_BYTES = 32 << 20;
 
   private static final int BYTES_PER_READING = 256;
 
-  /** What is missing at a place of the stream. */
+  /** Missing events at a position of the stream. */
   private static final class Gap {
     long events;
   }
@@ -46,12 +46,12 @@ final class LiveQueue {
     this.place = place;
   }
 
-  /** Packets that wait. */
+  /** Number of waiting packets. */
   int packets() {
     return packets;
   }
 
-  /** Events that wait. */
+  /** Number of waiting events. */
   int events() {
     return events;
   }
@@ -61,22 +61,22 @@ final class LiveQueue {
     events += more;
   }
 
-  /** The most packets that ever waited. */
+  /** Maximum number of waiting packets so far. */
   int mostPackets() {
     return mostPackets;
   }
 
-  /** Samples that wait. */
+  /** Number of waiting samples. */
   int samples() {
     return samples;
   }
 
   /** Whether another sample may wait; one always may. */
   boolean hasRoomForSample() {
-    return samples == 0 || sampleBytes < MAX_READING_BYTES;
+    return samples == 0 || sampleBytes < MAX_SAMPLE_BYTES;
   }
 
-  /** The packet that came last, or null if it was something else that did. */
+  /** The last element if it is a packet, else null. */
   EventPacket lastPacket() {
     int last = waiting.size() - 1;
     return last >= 0 && waiting.get(last) instanceof EventPacket packet ? packet : null;
@@ -95,7 +95,7 @@ final class LiveQueue {
     sampleBytes += bytes(sample);
   }
 
-  /** Adds a notification; a reset straight after a reset takes its place. */
+  /** Adds a notification; a reset directly after a reset replaces it. */
   void add(StreamNotification notification) {
     int last = waiting.size() - 1;
     if (notification instanceof Reset next
@@ -107,12 +107,12 @@ final class LiveQueue {
     }
   }
 
-  /** Notes that events are missing after all that waits. */
+  /** Adds a gap at the end. */
   void addGap(int events) {
     addGap(waiting.size(), events);
   }
 
-  /** Takes the oldest packet out and notes that its events are missing; null if there is none. */
+  /** Replaces the oldest packet by a gap and returns it; null if there is none. */
   EventPacket dropOldest() {
     for (int i = 0; i < waiting.size(); i++) {
       if (waiting.get(i) instanceof EventPacket oldest) {
@@ -126,7 +126,7 @@ final class LiveQueue {
     return null;
   }
 
-  /** Notes that events are missing before what stands at an index. */
+  /** Adds a gap before the element at an index. */
   private void addGap(int index, int events) {
     Gap gap;
     if (index > 0 && waiting.get(index - 1) instanceof Gap before) {
@@ -172,7 +172,7 @@ final class LiveQueue {
     return next;
   }
 
-  /** Throws away all that waits; returns how many events that were. */
+  /** Removes everything; returns the number of removed events. */
   long clear() {
     int cleared = events;
     waiting.clear();

@@ -9,6 +9,7 @@ import haltere.core.sink.LineOutput;
 import haltere.core.sink.LiveMessages;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
+import haltere.core.stream.internal.Daemon;
 import java.io.Closeable;
 import java.time.Clock;
 import java.util.ArrayList;
@@ -26,10 +27,10 @@ import java.util.function.Predicate;
  * Sends the results of a running chain's filters, and the notifications of the stream, as {@link
  * LiveMessages}. A separate thread writes and sends the results; if it is too slow, the newest are
  * dropped and counted, and receivers are notified at their position. The chain is never blocked.
- * Outlets whose results are not {@link CsvSink#isFlat flat} are left out; stages that come and go
- * while it runs are followed.
+ * Outlets whose results are not {@link CsvSink#isFlat flat} are left out; stages that are added and
+ * removed while it runs are followed.
  *
- * <p>Add it to a pipeline or a player as a sink behind the chain.
+ * <p>Add it to a pipeline or a player as a sink after the chain.
  *
  * <p>Thread rule: opened before the chain runs or on its thread, used as a handler on the
  * processing thread; the counts and {@link #close()} from any thread.
@@ -40,7 +41,7 @@ public final class LiveResults implements StreamHandler, Closeable {
   private static final int ROOM = 16_384;
   private static final long PATIENCE_MS = 2000;
 
-  /** A result or a notification on its way, or how many are missing. */
+  /** A result or a notification to send, or a number of lost ones. */
   private record Message(long number, String from, Object content) {}
 
   private static final Message END = new Message(0, "", 0L);
@@ -60,7 +61,7 @@ public final class LiveResults implements StreamHandler, Closeable {
   private volatile String failure;
   private volatile Consumer<String> onFailure = words -> {};
 
-  /** Nothing comes after what waits, not even a notification of loss. */
+  /** Whether the waiting messages are the last ones, with no notification of loss after them. */
   private volatile boolean allPut;
 
   private LiveResults(
@@ -70,8 +71,7 @@ public final class LiveResults implements StreamHandler, Closeable {
     this.wanted = Objects.requireNonNull(wanted, "wanted");
     messages = new LiveMessages(clock);
     waiting = new ArrayBlockingQueue<>(room);
-    thread = new Thread(this::work, "haltere-publish");
-    thread.setDaemon(true);
+    thread = Daemon.thread(this::work, "haltere-publish");
     follow();
     thread.start();
   }
@@ -90,7 +90,7 @@ public final class LiveResults implements StreamHandler, Closeable {
     return new LiveResults(chain, output, wanted, clock, ROOM);
   }
 
-  /** As {@link #open}, with room for so many messages. */
+  /** As {@link #open}, with a maximum number of waiting messages. */
   static LiveResults open(FilterChain chain, LineOutput output, Clock clock, int room) {
     return new LiveResults(chain, output, name -> true, clock, room);
   }
@@ -197,7 +197,7 @@ public final class LiveResults implements StreamHandler, Closeable {
         next = allPut && waiting.isEmpty() ? END : waiting.take();
       }
     } catch (InterruptedException ignored) {
-      // what waits is not sent, but counted
+      // Waiting messages are counted as lost.
     } catch (RuntimeException | Error fault) {
       lost.incrementAndGet();
       failed("its sender failed: " + fault);
@@ -232,7 +232,7 @@ public final class LiveResults implements StreamHandler, Closeable {
   }
 
   /**
-   * Those who receive at present.
+   * Number of connected receivers.
    *
    * @return as {@link LineOutput#receivers()}
    */
@@ -251,7 +251,7 @@ public final class LiveResults implements StreamHandler, Closeable {
   }
 
   /**
-   * Receivers that were turned away.
+   * Number of refused receivers.
    *
    * @return as {@link LineOutput#refused()}
    */
@@ -277,7 +277,7 @@ public final class LiveResults implements StreamHandler, Closeable {
     onFailure = listener;
   }
 
-  /** Ends the subscriptions, sends what waits, for some seconds at most, and ends. */
+  /** Ends the subscriptions and sends waiting messages, for some seconds at most. */
   @Override
   public void close() {
     closed = true;

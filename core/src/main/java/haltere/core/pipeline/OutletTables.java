@@ -11,19 +11,18 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Writes what the filters of a chain publish, a table for each outlet whose results are rows, in
- * the {@link Outlet#order() order} that the outlet states. All tables appear together at the end,
- * or none.
+ * Writes the results of the filters of a chain: a table for each outlet whose results are rows, in
+ * the {@link Outlet#order() order} of the outlet. All tables appear together at the end, or none.
  *
  * <p>Thread rule: the processing thread.
  *
  * @since 0.1
  */
 public final class OutletTables {
-  /** Says which outlets have a table, and where it goes. */
+  /** Chooses the outlets that have a table, and its path. */
   public interface Naming {
     /**
-     * A table's place.
+     * The path of a table.
      *
      * @param stage the stage of the filter
      * @param outlet an outlet of it
@@ -49,7 +48,7 @@ public final class OutletTables {
    * The files that {@link #open} would write.
    *
    * @param chain the chain, of which nested chains are part
-   * @param naming where each table goes
+   * @param naming the path of each table
    * @return in the order of the chain
    */
   public static List<Path> files(FilterChain chain, Naming naming) {
@@ -65,11 +64,11 @@ public final class OutletTables {
   }
 
   /**
-   * Starts the tables and listens from now on.
+   * Starts the tables and subscribes to the outlets.
    *
    * @param chain the chain
-   * @param naming where each table goes
-   * @param maker begins each file
+   * @param naming the path of each table
+   * @param maker creates each file
    * @param metadata kept in tables whose format, which follows from the name, can hold it
    * @return open tables
    * @throws IOException if one cannot be written

@@ -25,7 +25,7 @@ public final class PacketPool {
   /**
    * A pool of free packets.
    *
-   * @param packets how many, at least 2 so that both sides can have one
+   * @param packets number of packets, at least 2 so that both sides can have one
    * @param capacity events that each can hold before it grows
    */
   public PacketPool(int packets, int capacity) {
@@ -42,7 +42,7 @@ public final class PacketPool {
   /**
    * Gets a free packet; waits for one.
    *
-   * @return an empty packet that the producer owns until it hands it over
+   * @return an empty packet that the producer owns until {@link #hand}
    * @throws InterruptedException if the thread is interrupted
    */
   public EventPacket take() throws InterruptedException {

@@ -13,6 +13,7 @@ import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
+import haltere.core.stream.internal.Daemon;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.InterruptedIOException;
@@ -25,22 +26,21 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Records a stream to disk while it is played, or comes from a camera. Packets are copied to a
- * fixed number of packets ({@value #QUEUE_PACKETS} of {@value #PACKET_EVENTS} events, 25 MB), and a
- * separate thread writes them, so a slow disk blocks no other thread until they are full. Then the
- * policy decides: {@link OverflowPolicy#BLOCK} waits (for recordings and scenes, which can wait),
- * {@link OverflowPolicy#DROP_NEWEST} drops, and counts what it drops. At least every {@value
- * #FLUSH_MS} ms what has come is in the file, where the writer can do that; {@link #inPlace} makes
- * a file that is then also readable if the program is killed.
+ * Records a stream to disk while it is played or captured. Packets are copied to a fixed number of
+ * packets ({@value #QUEUE_PACKETS} of {@value #PACKET_EVENTS} events, 25 MB), and a separate thread
+ * writes them, so a slow disk blocks no other thread until they are full. Then the policy decides:
+ * {@link OverflowPolicy#BLOCK} waits (for recordings and scenes, which can wait), {@link
+ * OverflowPolicy#DROP_NEWEST} drops, and counts what it drops. If the writer supports it, events
+ * reach the file within {@value #FLUSH_MS} ms; {@link #inPlace} makes a file that is then also
+ * readable if the program is killed.
  *
- * <p>A recording goes one way. Where playback jumps it is over: what comes after a {@code
- * Reset(REWIND)} or {@code Reset(SEEK)} that follows events, or after the end of the stream, is not
- * written but counted.
+ * <p>A jump of playback ends the recording: events after a {@code Reset(REWIND)} or {@code
+ * Reset(SEEK)} that follows events, or after the end of the stream, are counted but not written.
  *
- * <p>A disk that fails ends the recording: the next packet that is handed over throws, and so do
- * {@link #finish()} and {@link #close()}.
+ * <p>A disk that fails ends the recording: the next call with a packet throws, and so do {@link
+ * #finish()} and {@link #close()}.
  *
- * <p>Thread rule: one thread hands over the stream; everything else may be called from any thread.
+ * <p>Thread rule: one thread passes the stream; everything else may be called from any thread.
  *
  * @since 0.1
  */
@@ -48,7 +48,7 @@ public final class Recorder implements StreamHandler, Closeable {
   /** Events of a packet that waits for the disk. */
   public static final int PACKET_EVENTS = 8192;
 
-  /** Packets that wait for the disk at most. */
+  /** Maximum number of packets that wait for the disk. */
   public static final int QUEUE_PACKETS = 256;
 
   /** Milliseconds after which an incomplete packet is written. */
@@ -79,11 +79,11 @@ public final class Recorder implements StreamHandler, Closeable {
   private volatile boolean endAsked;
 
   /**
-   * Starts to record.
+   * Starts a recording.
    *
    * @param writer owned and closed from now on
    * @param geometry sensor of the events
-   * @param policy what happens when the disk cannot keep up
+   * @param policy reaction when the disk does not keep up
    */
   public Recorder(RecordingWriter writer, SensorGeometry geometry, OverflowPolicy policy) {
     this(writer, geometry, policy, QUEUE_PACKETS, PATIENCE);
@@ -104,18 +104,17 @@ public final class Recorder implements StreamHandler, Closeable {
             PACKET_EVENTS,
             policy,
             "the recorder's disk");
-    thread = new Thread(this::work, "haltere-recorder");
-    thread.setDaemon(true);
+    thread = Daemon.thread(this::work, "haltere-recorder");
     thread.start();
   }
 
   /**
-   * Starts to record to an AEDAT-4 file that is readable, up to its last whole packet, from its
+   * Starts a recording to an AEDAT-4 file that is readable, up to its last whole packet, from its
    * first moment on, even if the program is killed.
    *
-   * @param file where it will be
+   * @param file its path
    * @param options about the events
-   * @param policy what happens when the disk cannot keep up
+   * @param policy reaction when the disk does not keep up
    * @return a recorder
    * @throws IOException if the file cannot be written
    */
@@ -130,7 +129,7 @@ public final class Recorder implements StreamHandler, Closeable {
   // ---- The stream's side
 
   /**
-   * Takes a copy of a packet.
+   * Records a copy of a packet.
    *
    * @param packet borrowed and not changed
    * @throws UncheckedIOException if an earlier packet could not be written
@@ -318,7 +317,7 @@ public final class Recorder implements StreamHandler, Closeable {
     }
   }
 
-  /** Drops what waits; a thread that is held up by the disk may go on being so. */
+  /** Drops waiting packets; a thread that is blocked by the disk may stay blocked. */
   private void stop() {
     complete = false;
     buffer.close();
@@ -335,9 +334,9 @@ public final class Recorder implements StreamHandler, Closeable {
   }
 
   /**
-   * What has been recorded.
+   * The report so far.
    *
-   * @return a snapshot of this moment; complete once {@link #finish()} or {@link #close()} is done
+   * @return a snapshot; complete once {@link #finish()} or {@link #close()} is done
    */
   public RecorderReport report() {
     LiveBuffer.Counts counts = buffer.counts();

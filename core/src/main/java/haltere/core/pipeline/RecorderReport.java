@@ -10,17 +10,17 @@ import java.util.Optional;
 /**
  * The report of a {@link Recorder}. Once it has ended, received = written + lost.
  *
- * @param received events that it was handed before the recording was over
+ * @param received events before the end of the recording
  * @param written events that are in the file; after a failure, at least these
  * @param lost events that were dropped because the disk did not keep up, or failed
- * @param afterStop events that came after the recording was over
+ * @param afterStop events after the end of the recording
  * @param waitingPackets packets that wait for the disk
  * @param samplesLeftOut frames, inertial samples and triggers that the format cannot hold
  * @param samplesLost those that were dropped because the disk did not keep up
  * @param gaps where events are missing, the recorder's own losses and those of its source; the
  *     first hundred
- * @param stoppedBy the jump or the end that the recording was over with, if it was
- * @param failure why it failed, in one line, if it did
+ * @param stoppedBy the jump or the end of stream that ended the recording, if one did
+ * @param failure the reason of a failure in one line, if it failed
  * @since 0.1
  */
 public record RecorderReport(

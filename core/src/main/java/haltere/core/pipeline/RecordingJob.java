@@ -30,9 +30,9 @@ import java.util.function.UnaryOperator;
  * One recording through one chain into files: the step that commands, a batch and a cluster share.
  * The same job on the same recording writes the same bytes wherever it runs.
  *
- * <p>Thread rule: immutable. {@link #run} does everything on the calling thread, but for what
- * filters share where {@link #onThreads two threads} are asked for; a job may run several times,
- * also at once if its results go to different places.
+ * <p>Thread rule: immutable. {@link #run} works on the calling thread, except for shared work of
+ * filters with {@link #onThreads two threads}. A job may run several times, also concurrently if
+ * its results have different paths.
  *
  * @since 0.1
  */
@@ -50,10 +50,10 @@ public final class RecordingJob {
     RecordingReader open(Path recording, ReadOptions options) throws IOException;
   }
 
-  /** Makes the chain of a job. */
+  /** Creates the chain of a job. */
   public interface ChainMaker {
     /**
-     * Makes a chain.
+     * Creates a chain.
      *
      * @param geometry the sensor of the recording
      * @return a chain of new filters, closed by the job
@@ -75,10 +75,10 @@ public final class RecordingJob {
     JobResults open(RecordingReader reader, FilterChain chain) throws IOException;
   }
 
-  /** Hears how far a job has come. */
+  /** Receives the progress of a job. */
   public interface Progress {
     /**
-     * Takes the news; called often, so it must be cheap.
+     * Receives the progress; called often, so it must be cheap.
      *
      * @param events events that went into the chain
      * @param doneBytes bytes of the recording read so far
@@ -163,9 +163,9 @@ public final class RecordingJob {
   }
 
   /**
-   * The same job whose stream goes through something more before it goes into the chain.
+   * The same job with a stage between recording and chain.
    *
-   * @param by gives the recording's stream, such as at the times at which it is wanted
+   * @param by wraps the stream of the recording, such as to pace it
    * @return another job
    */
   public RecordingJob paced(UnaryOperator<EventSource> by) {
@@ -240,7 +240,7 @@ public final class RecordingJob {
       pace.apply(reader).drainTo(runner);
       requireWhole(reader, strict);
       written.finish();
-      // a chain filters events: what else a recording holds is missing only where there are none
+      // A chain filters events: missing samples matter only in a recording without events.
       boolean hasEvents = counters.get(Counter.EVENTS_IN) > 0;
       List<String> warnings = new ArrayList<>(reader.remarks());
       warnings.addAll(

@@ -25,12 +25,12 @@ import java.util.function.Consumer;
  * @since 0.1
  */
 public final class ResultFiles implements JobResults {
-  /** Begins a file. */
+  /** Creates a file. */
   public interface FileMaker {
     /**
-     * Begins a file.
+     * Creates a file.
      *
-     * @param file its place
+     * @param file its path
      * @return an empty file that appears there when it is committed
      * @throws IOException if it cannot be written
      */

@@ -10,6 +10,7 @@ import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
+import haltere.core.stream.internal.Daemon;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -29,20 +30,20 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
 /**
- * Records what comes from a camera, in parts: a new file where one is as large as allowed, where
- * the camera was unplugged and is back, and where its clock was reset, so that a part has one
- * clock. Each event is in one part. Where the disk gets full the recording ends before, whole.
- * Parts are named {@code out.aedat4}, {@code out-2.aedat4}, {@code out-3.aedat4}.
+ * Records the stream of a camera in parts. A new part starts at the maximum size, when an unplugged
+ * camera is back, and at a reset of its clock, so that a part has one clock. Each event is in one
+ * part. The recording ends with a complete file before the disk is full. Parts are named {@code
+ * out.aedat4}, {@code out-2.aedat4}, {@code out-3.aedat4}.
  *
- * <p>A disk that is too slow loses events, which are counted, and never holds up the stream: see
+ * <p>A disk that is too slow loses events, which are counted, and never blocks the stream: see
  * {@link Recorder}.
  *
- * <p>Thread rule: one thread hands over the stream and ends it; the rest may be called from any.
+ * <p>Thread rule: one thread passes the stream and ends it; the rest may be called from any.
  *
  * @since 0.1
  */
 public final class SessionRecorder implements StreamHandler, Closeable {
-  /** Makes the writer of a part. */
+  /** Creates the writer of a part. */
   @FunctionalInterface
   public interface Writers {
     /**
@@ -57,9 +58,9 @@ public final class SessionRecorder implements StreamHandler, Closeable {
   }
 
   /**
-   * How much is recorded.
+   * Limits of a recording.
    *
-   * @param partBytes size that no part goes beyond, {@link Long#MAX_VALUE} for none
+   * @param partBytes maximum size of a part, {@link Long#MAX_VALUE} for none
    * @param keepFreeBytes free space of the disk at which the recording ends
    */
   public record Limits(long partBytes, long keepFreeBytes) {
@@ -86,7 +87,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
    */
   public record Part(Path file, RecorderReport report) {}
 
-  /** An event takes at most so many bytes in any format, with its share of what is around it. */
+  /** Upper bound of the bytes per event in any format, including overhead. */
   private static final long EVENT_BYTES = 20;
 
   private static final long FILE_BYTES = 128 * 1024;
@@ -104,12 +105,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
   private final List<Open> parts = new ArrayList<>();
   private final List<Future<RecorderReport>> finished = new ArrayList<>();
   private final ExecutorService finisher =
-      Executors.newSingleThreadExecutor(
-          work -> {
-            Thread thread = new Thread(work, "haltere-session");
-            thread.setDaemon(true);
-            return thread;
-          });
+      Executors.newSingleThreadExecutor(work -> Daemon.thread(work, "haltere-session"));
   private Open current;
   private int packetsSinceLook = PACKETS_BETWEEN_LOOKS;
   private long eventsSinceLook;
@@ -117,11 +113,11 @@ public final class SessionRecorder implements StreamHandler, Closeable {
   private volatile String endedEarly = "";
 
   /**
-   * A session without any file yet: the first is started with the first event.
+   * A session without a file; the first part starts with the first event.
    *
    * @param out the first part
    * @param geometry sensor of the events
-   * @param writers make the writers of the parts
+   * @param writers create the writers of the parts
    * @param limits sizes
    * @param header lines for the header of each part, asked when it starts, on the thread of the
    *     stream
@@ -143,9 +139,9 @@ public final class SessionRecorder implements StreamHandler, Closeable {
   }
 
   /**
-   * Refuses to begin where the disk has less free space than is to stay.
+   * Checks that the disk has more free space than {@link Limits#keepFreeBytes}.
    *
-   * @throws RecordingProblem with what to do
+   * @throws RecordingProblem if not, with a remedy
    */
   public void checkSpace() throws RecordingProblem {
     long free = freeBytes.getAsLong();
@@ -162,10 +158,10 @@ public final class SessionRecorder implements StreamHandler, Closeable {
   }
 
   /**
-   * Free space of the disk that a file is to be on.
+   * Free space of the disk of a file.
    *
    * @param file a file in a folder that exists
-   * @return looks again at each call; all the space there can be where the system cannot tell
+   * @return queries the system at each call; {@link Long#MAX_VALUE} if it does not state it
    */
   public static LongSupplier freeBytes(Path file) {
     Path folder = file.toAbsolutePath().getParent();

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 
 /**
- * What was asked for and is still to be done: jumps whose notification is to be given, and slices
- * to show although playback is paused; with the futures of those who wait.
+ * Pending requests and their futures: jumps whose notification is still to be sent, and slices to
+ * show while playback is paused.
  *
  * <p>Thread rule: the processing thread only; it completes the futures.
  */
@@ -15,24 +15,24 @@ final class AwaitedRequests {
   private final List<CompletableFuture<Void>> steps = new ArrayList<>();
   private int stepsLeft;
 
-  /** Completes a future when the next notification of a jump has been given. */
+  /** Completes a future when the next notification of a jump has been sent. */
   void awaitJump(CompletableFuture<Void> done) {
     jumps.add(done);
   }
 
-  /** Asks for more slices, and completes a future when they have been shown. */
+  /** Requests more slices, and completes a future when they have been shown. */
   void addSteps(int slices, CompletableFuture<Void> done) {
     stepsLeft += slices;
     steps.add(done);
   }
 
-  /** Asks for one slice, whatever was asked for before. */
+  /** Requests one slice in place of earlier requests. */
   void awaitSlice(CompletableFuture<Void> done) {
     awaitSlice();
     steps.add(done);
   }
 
-  /** Asks for one slice for which nobody waits. */
+  /** The same without a future. */
   void awaitSlice() {
     stepsLeft = 1;
   }
@@ -42,23 +42,23 @@ final class AwaitedRequests {
     return stepsLeft > 0;
   }
 
-  /** A slice has been shown; true if it was the last one asked for. */
+  /** A slice has been shown; true if it was the last requested one. */
   boolean sliceShown() {
     return stepsLeft > 0 && --stepsLeft == 0;
   }
 
-  /** The notification of a jump has been given. */
+  /** The notification of a jump has been sent. */
   void jumped() {
     complete(jumps);
   }
 
-  /** All slices have been shown, or are no longer wanted. */
+  /** Completes all requests for slices. */
   void endSteps() {
     stepsLeft = 0;
     complete(steps);
   }
 
-  /** Nothing of it will be done. */
+  /** Fails all requests. */
   void fail(Throwable thrown) {
     List<CompletableFuture<Void>> waiting = new ArrayList<>(jumps);
     waiting.addAll(steps);
@@ -68,7 +68,7 @@ final class AwaitedRequests {
     waiting.forEach(future -> future.completeExceptionally(thrown));
   }
 
-  /** Whoever is told may ask for more at once. */
+  /** Completes copies, because a completion may add new requests. */
   private static void complete(List<CompletableFuture<Void>> futures) {
     List<CompletableFuture<Void>> now = List.copyOf(futures);
     futures.clear();

@@ -20,11 +20,11 @@ import java.util.OptionalLong;
 /**
  * A camera as a playable: without end, and without seeking. Where its clock restarts, the elapsed
  * timeline continues 1 us behind the last event. A camera that was opened to reconnect and is
- * unplugged gives nothing until it is back; then a {@code Reset(CLOCK_RESTARTED)} stands between
- * what came before and after, because for those who watch it is one session.
+ * unplugged gives nothing until it is back; then a {@code Reset(CLOCK_RESTARTED)} separates the
+ * events before and after, because for the user it is one session.
  *
- * <p>It never makes the player wait for more than some milliseconds, so that the player obeys while
- * the camera sees nothing.
+ * <p>It never makes the player wait for more than some milliseconds, so that the player responds to
+ * commands while there are no events.
  *
  * <p>Thread rule: as {@link Playable}; {@link #isUnplugged} from any thread.
  *
@@ -45,7 +45,7 @@ public final class CameraPlayable implements Playable {
    * A camera to play.
    *
    * @param camera an open camera, closed with this
-   * @param reconnects whether it was opened to go on when it is plugged in again
+   * @param reconnects whether it was opened to continue when it is plugged in again
    */
   public CameraPlayable(Camera camera, boolean reconnects) {
     this.camera = Objects.requireNonNull(camera, "camera");
@@ -55,24 +55,24 @@ public final class CameraPlayable implements Playable {
   /**
    * The camera.
    *
-   * @return to be asked and told; its stream is the player's
+   * @return for its properties and settings; only the player may read its stream
    */
   public Camera camera() {
     return camera;
   }
 
   /**
-   * Whether the camera is gone and may come back.
+   * Whether the camera is unplugged and may come back.
    *
-   * @return true from when its stream says so until it says that it restarts
+   * @return true from the notification of its loss until the notification of its restart
    */
   public boolean isUnplugged() {
     return unplugged;
   }
 
   /**
-   * Opens a camera that continues when it is plugged in again, and loses the oldest events where
-   * this computer does not keep up.
+   * Opens a camera that continues when it is plugged in again, and loses the oldest events if this
+   * computer does not keep up.
    *
    * @param cameras where it is
    * @param id its id
@@ -110,7 +110,7 @@ public final class CameraPlayable implements Playable {
     return false;
   }
 
-  /** {@inheritDoc} Going to 0 begins the elapsed timeline anew with what comes next. */
+  /** {@inheritDoc} A seek to 0 restarts the elapsed timeline at the next event. */
   @Override
   public void seek(long elapsedUs) throws IOException {
     if (elapsedUs != 0) {
@@ -128,7 +128,7 @@ public final class CameraPlayable implements Playable {
     return camera.next(new OneSession(handler));
   }
 
-  /** Makes one stream of those before and after an unplugging. */
+  /** Joins the streams before and after an unplugging. */
   private final class OneSession implements StreamHandler {
     private final StreamHandler handler;
 

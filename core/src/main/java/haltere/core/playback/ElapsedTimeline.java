@@ -36,7 +36,7 @@ final class ElapsedTimeline {
     endUs = packet.lastTimeUs() + offsetUs + 1;
   }
 
-  /** Place on the timeline of a time on the source's clock, as it went last. */
+  /** Elapsed time of a time on the source's clock, in the stretch of the last packet. */
   long elapsedUs(long timeUs) {
     return timeUs + offsetUs;
   }

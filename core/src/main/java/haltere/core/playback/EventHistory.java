@@ -11,17 +11,17 @@ import java.util.List;
 import java.util.function.LongConsumer;
 
 /**
- * The newest events of a stream, and the notifications and samples between them, 8 bytes an event,
- * in bounded memory: where there is no more room the oldest are forgotten, some thousand at a time.
- * Memory is taken as events come, and used again.
+ * A bounded buffer of the newest events of a stream, 8 bytes each, with the notifications and
+ * samples between them. When it is full, the oldest {@value #CHUNK_EVENTS} events are discarded.
+ * Memory is allocated as events arrive, and reused.
  *
- * <p>Places are on the elapsed timeline, in microseconds. Thread rule: one thread at a time.
+ * <p>Positions are on the elapsed timeline, in microseconds. Thread rule: one thread at a time.
  */
 final class EventHistory {
-  /** Events that are forgotten together. */
+  /** Events that are discarded together. */
   static final int CHUNK_EVENTS = 8192;
 
-  /** Events in a row, of one stretch of the source's clock, with what was said before them. */
+  /** Consecutive events of one stretch of the source's clock, and the notification before them. */
   private static final class Chunk {
     private final int[] sinceFirstUs = new int[CHUNK_EVENTS];
     private final int[] addresses = new int[CHUNK_EVENTS];
@@ -50,7 +50,7 @@ final class EventHistory {
           && timeUs >= firstTimeUs;
     }
 
-    /** Keeps events, the first of which it takes, as far as they fit; index behind the last. */
+    /** Appends events as far as they fit, at least the first; returns the index after the last. */
     int append(EventPacket packet, int from) {
       int to = Math.min(packet.size(), from + CHUNK_EVENTS - count);
       if (packet.timeUs(to - 1) - firstTimeUs > Integer.MAX_VALUE) {
@@ -62,7 +62,7 @@ final class EventHistory {
       return to;
     }
 
-    /** By itself, the compiler makes vectors of this loop. */
+    /** A method of its own, so that the compiler vectorises the loop. */
     private void copyTimes(long[] timesUs, int from, int to) {
       int[] target = sinceFirstUs;
       int shift = count - from;
@@ -87,60 +87,60 @@ final class EventHistory {
     }
   }
 
-  private final int mostChunks;
+  private final int maxChunks;
   private final List<Chunk> chunks = new ArrayList<>();
   private final ArrayDeque<Chunk> spare = new ArrayDeque<>();
   private final KeptSamples samples;
   private StreamNotification pending;
 
-  /** Events so far, those forgotten included. */
+  /** Events so far, including discarded ones. */
   private long events;
 
-  // Where reading is.
+  // Read position.
   private int chunk;
   private int index;
-  private boolean noticeGiven;
+  private boolean notificationGiven;
 
   /**
    * A history without events.
    *
-   * @param mostEvents about so many are kept
+   * @param maxEvents approximate capacity, events
    */
-  EventHistory(int mostEvents) {
-    this(mostEvents, KeptSamples.MAX_BYTES);
+  EventHistory(int maxEvents) {
+    this(maxEvents, KeptSamples.MAX_BYTES);
   }
 
   /**
    * A history without events.
    *
-   * @param mostEvents about so many are kept
-   * @param mostSampleBytes about so much is kept of samples
+   * @param maxEvents approximate capacity, events
+   * @param maxSampleBytes approximate capacity for samples, bytes
    */
-  EventHistory(int mostEvents, long mostSampleBytes) {
-    mostChunks = Math.max(2, mostEvents / CHUNK_EVENTS);
-    samples = new KeptSamples(mostSampleBytes);
+  EventHistory(int maxEvents, long maxSampleBytes) {
+    maxChunks = Math.max(2, maxEvents / CHUNK_EVENTS);
+    samples = new KeptSamples(maxSampleBytes);
   }
 
   boolean isEmpty() {
     return chunks.isEmpty();
   }
 
-  /** Place of the oldest event; only if there is one. */
+  /** Position of the oldest event; the history must not be empty. */
   long fromUs() {
     return chunks.get(0).fromUs();
   }
 
-  /** Elapsed time less time of the oldest event; only if there is one. */
+  /** Elapsed time minus time of the oldest event; the history must not be empty. */
   long firstOffsetUs() {
     return chunks.get(0).offsetUs;
   }
 
-  /** Place of the newest event; only if there is one. */
+  /** Position of the newest event; the history must not be empty. */
   long lastUs() {
     return chunks.get(chunks.size() - 1).lastUs();
   }
 
-  /** Forgets everything. */
+  /** Discards everything. */
   void clear() {
     spare.addAll(chunks);
     chunks.clear();
@@ -151,7 +151,7 @@ final class EventHistory {
 
   // ---- Writing
 
-  /** Keeps events; reading must be at the end. */
+  /** Appends events; the read position must be at the end. */
   void append(EventPacket packet, long offsetUs) {
     long[] times = packet.timesUs();
     Chunk last = pending == null && !isEmpty() ? chunks.get(chunks.size() - 1) : null;
@@ -168,7 +168,7 @@ final class EventHistory {
   }
 
   private Chunk begin(long timeUs, long offsetUs) {
-    if (chunks.size() == mostChunks) {
+    if (chunks.size() == maxChunks) {
       spare.add(chunks.remove(0));
       samples.forgetBefore(chunks.get(0).eventsBefore);
     }
@@ -183,7 +183,7 @@ final class EventHistory {
     return begun;
   }
 
-  /** Keeps a notification; of several between the same events the one that matters most. */
+  /** Appends a notification; of several between the same events a reset is kept, or the last. */
   void append(StreamNotification notification) {
     if (!(pending instanceof Reset)) {
       pending = notification;
@@ -191,7 +191,7 @@ final class EventHistory {
     toEnd();
   }
 
-  /** Keeps a sample. */
+  /** Appends a sample. */
   void append(SensorSample sample, long offsetUs) {
     samples.add(new KeptSamples.Kept(sample, offsetUs, events, pending != null));
     toEnd();
@@ -202,51 +202,52 @@ final class EventHistory {
   private void toEnd() {
     chunk = chunks.size();
     index = 0;
-    noticeGiven = true;
+    notificationGiven = true;
     samples.toEnd();
   }
 
-  /** How many events came before the one that is read next. */
+  /** Number of events before the one that is read next. */
   private long nextEvent() {
     return chunk < chunks.size() ? chunks.get(chunk).eventsBefore + index : events;
   }
 
-  /** Reads on at the first event or sample at or after a place, or at the end. */
+  /** Moves to the first event or sample at or after a position, or to the end. */
   void read(long elapsedUs) {
     chunk = 0;
     while (chunk < chunks.size() && chunks.get(chunk).lastUs() < elapsedUs) {
       chunk++;
     }
     index = chunk < chunks.size() ? chunks.get(chunk).indexAtOrAfter(elapsedUs) : 0;
-    noticeGiven = true;
+    notificationGiven = true;
     samples.read(nextEvent(), elapsedUs);
   }
 
-  /** Whether all that is kept has been read. */
+  /** Whether everything has been read. */
   boolean atEnd() {
     return chunk == chunks.size() && samples.atEnd();
   }
 
   /**
-   * Hands over what comes next; only if not at the end.
+   * Passes on the next events, sample or notification; must not be at the end.
    *
-   * @param piece for events; what it has is dropped
-   * @param place told elapsed time less time of what comes next, before that is handed over
+   * @param piece receives the events; its content is dropped
+   * @param offset receives elapsed time minus time of the next element, before the element
+   * @param handler receives the element
    */
-  void next(EventPacket piece, LongConsumer place, StreamHandler handler) {
+  void next(EventPacket piece, LongConsumer offset, StreamHandler handler) {
     if (isSampleNext()) {
       KeptSamples.Kept next = samples.peek();
       samples.skip();
-      place.accept(next.offsetUs());
+      offset.accept(next.offsetUs());
       handler.sample(next.sample());
       return;
     }
-    StreamNotification notice = noticeGiven ? null : chunks.get(chunk).before;
-    noticeGiven = true;
-    if (notice != null) {
-      handler.notified(notice);
+    StreamNotification notification = notificationGiven ? null : chunks.get(chunk).before;
+    notificationGiven = true;
+    if (notification != null) {
+      handler.notified(notification);
     } else {
-      place.accept(readInto(piece));
+      offset.accept(readInto(piece));
       handler.packet(piece);
     }
   }
@@ -257,10 +258,10 @@ final class EventHistory {
     }
     KeptSamples.Kept next = samples.peek();
     return next.eventsBefore() < nextEvent()
-        || next.eventsBefore() == nextEvent() && (noticeGiven || !next.afterNotice());
+        || next.eventsBefore() == nextEvent() && (notificationGiven || !next.afterNotification());
   }
 
-  /** Reads events up to the next sample; elapsed time less time of them. */
+  /** Reads events up to the next sample; returns their elapsed time minus time. */
   private long readInto(EventPacket target) {
     Chunk read = chunks.get(chunk);
     int to = Math.min(read.count, index + PlaybackEngine.CHUNK_EVENTS);
@@ -275,19 +276,19 @@ final class EventHistory {
     if (index == read.count) {
       chunk++;
       index = 0;
-      noticeGiven = chunk == chunks.size();
+      notificationGiven = chunk == chunks.size();
     }
     return read.offsetUs;
   }
 
   // ---- Copies
 
-  /** What is kept of a half-open stretch, to be read from its start. */
+  /** A copy of a half-open interval, with the read position at its start. */
   EventHistory copy(long fromUs, long toUs) {
     int chunkBefore = chunk;
     int indexBefore = index;
-    boolean noticeBefore = noticeGiven;
-    int sampleBefore = samples.place();
+    boolean notificationGivenBefore = notificationGiven;
+    int sampleBefore = samples.index();
     Copy copy = new Copy(toUs);
     EventPacket piece = new EventPacket(PlaybackEngine.CHUNK_EVENTS);
     read(fromUs);
@@ -296,13 +297,13 @@ final class EventHistory {
     }
     chunk = chunkBefore;
     index = indexBefore;
-    noticeGiven = noticeBefore;
+    notificationGiven = notificationGivenBefore;
     samples.returnTo(sampleBefore);
     copy.target.read(Long.MIN_VALUE);
     return copy.target;
   }
 
-  /** Keeps what comes before a place. */
+  /** Copies everything before a position. */
   private static final class Copy implements StreamHandler, LongConsumer {
     private final EventHistory target = new EventHistory(Integer.MAX_VALUE, Long.MAX_VALUE);
     private final long toUs;

@@ -3,21 +3,21 @@ package haltere.core.playback;
 import haltere.core.event.EventPacket;
 
 /**
- * Counts how many events of the last microsecond have been handed over, because a slice of so many
- * events may start in the midst of a microsecond.
+ * Counts the events of the last microsecond that were passed on. A slice by count may start between
+ * events of equal time.
  *
  * <p>Thread rule: the processing thread only.
  */
 final class EventTies {
-  private long place = Long.MIN_VALUE;
+  private long positionUs = Long.MIN_VALUE;
   private int count;
 
-  /** What is handed over next does not follow what was. */
+  /** Forgets the count; the next events do not follow the last ones. */
   void forget() {
-    place = Long.MIN_VALUE;
+    positionUs = Long.MIN_VALUE;
   }
 
-  /** Events are handed over; to be called before the chain changes them. */
+  /** Counts events that are passed on; called before the chain changes them. */
   void handOver(EventPacket piece, long offsetUs) {
     int size = piece.size();
     long lastUs = piece.timeUs(size - 1);
@@ -25,13 +25,13 @@ final class EventTies {
     while (ties < size && piece.timeUs(size - 1 - ties) == lastUs) {
       ties++;
     }
-    long lastPlace = lastUs + offsetUs;
-    count = ties == size && lastPlace == place ? count + ties : ties;
-    place = lastPlace;
+    long lastPositionUs = lastUs + offsetUs;
+    count = ties == size && lastPositionUs == positionUs ? count + ties : ties;
+    positionUs = lastPositionUs;
   }
 
-  /** Events of exactly this elapsed microsecond that have been handed over. */
+  /** Number of events with exactly this elapsed time that were passed on. */
   int at(long elapsedUs) {
-    return elapsedUs == place ? count : 0;
+    return elapsedUs == positionUs ? count : 0;
   }
 }

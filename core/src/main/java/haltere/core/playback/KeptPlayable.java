@@ -13,11 +13,10 @@ import java.util.Objects;
 import java.util.OptionalLong;
 
 /**
- * A source that cannot be sought, such as a camera or a scene, whose newest events are kept, and
- * the samples (frames, inertial samples, triggers) between them, so that one can go back to them,
- * play them again at any speed, loop a part of them and take a copy. Behind the newest of them it
- * continues with what the source gives then. A camera that is not listened to meanwhile loses what
- * it loses in a pause, and says so.
+ * Makes a source without seeking, such as a camera or a scene, seekable within its newest events
+ * and samples. They can be replayed at any speed, looped and copied. After the newest of them,
+ * playback continues with the source. While a camera is not read, it loses events as in a pause,
+ * and reports them.
  *
  * <p>Thread rule: as {@link Playable}; {@link #isLive()}, {@link #keptFromUs()} and {@link
  * #keptToUs()} from any thread.
@@ -39,21 +38,21 @@ public final class KeptPlayable implements Playable {
   private boolean endGiven;
 
   /**
-   * Keeps what a source gives from now on.
+   * Starts to keep the events of a source.
    *
    * @param source at its start; closed with this
-   * @param mostEvents so many of its newest events are kept, at 8 bytes each; at least some ten
-   *     thousand. Samples are kept as long as the events beside them, in at most 72 MB
+   * @param maxEvents approximate number of events to keep, 8 bytes each, raised to two chunks of
+   *     8,192. Samples are kept as long as the events beside them, in at most 72 MB
    */
-  public KeptPlayable(Playable source, int mostEvents) {
+  public KeptPlayable(Playable source, int maxEvents) {
     this.source = Objects.requireNonNull(source, "source");
-    history = new EventHistory(mostEvents);
+    history = new EventHistory(maxEvents);
   }
 
   /**
    * The source.
    *
-   * @return to be asked who it is; its stream is this one's
+   * @return for its properties; only this playable may read its stream
    */
   public Playable source() {
     return source;
@@ -85,7 +84,7 @@ public final class KeptPlayable implements Playable {
   }
 
   /**
-   * Place of the oldest event that is kept.
+   * Position of the oldest event that is kept.
    *
    * @return microseconds on the elapsed timeline; 0 before the first event
    */
@@ -94,7 +93,7 @@ public final class KeptPlayable implements Playable {
   }
 
   /**
-   * Place just behind the newest event.
+   * Position just after the newest event.
    *
    * @return microseconds on the elapsed timeline; 0 before the first event
    */
@@ -107,7 +106,7 @@ public final class KeptPlayable implements Playable {
     return keptFromUs;
   }
 
-  /** {@inheritDoc} A scene's start can be gone to even where it is not kept: it is made anew. */
+  /** {@inheritDoc} The start of a scene can always be reached: the scene is created again. */
   @Override
   public long nearestUs(long elapsedUs) {
     return elapsedUs <= 0 && !source.isLive()
@@ -144,7 +143,7 @@ public final class KeptPlayable implements Playable {
       handler.notified(said);
       return true;
     }
-    // not before the last piece has been asked for and played: until then it is paced
+    // Replay ends with the request after its last piece, so that this piece is paced too.
     replaying &= !history.atEnd();
     if (replaying) {
       history.next(again, offset -> offsetUs = offset, handler);
@@ -166,7 +165,7 @@ public final class KeptPlayable implements Playable {
     keptToUs = history.isEmpty() ? 0 : history.lastUs() + 1;
   }
 
-  /** Keeps what the source gives on its way. */
+  /** Keeps the elements of the source and passes them on. */
   private final class Keeper implements StreamHandler {
     private StreamHandler handler;
 
@@ -212,12 +211,12 @@ public final class KeptPlayable implements Playable {
   }
 
   /**
-   * A copy of what is kept of a half-open stretch, which stays when more events come. On the thread
-   * that plays this.
+   * Copies a half-open interval of the kept events, independent of later events. Called on the
+   * thread that plays this.
    *
-   * @param fromUs its start on the elapsed timeline; earlier than what is kept means from there
+   * @param fromUs its start on the elapsed timeline; raised to the oldest kept event
    * @param toUs its end, not included
-   * @return the same timeline, with nothing before and behind the stretch
+   * @return the same timeline, with nothing before and after the interval
    */
   public Playable copy(long fromUs, long toUs) {
     return new KeptStretch(this, history.copy(fromUs, toUs));

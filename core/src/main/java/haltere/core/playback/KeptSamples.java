@@ -6,42 +6,42 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Samples between the events of an {@link EventHistory}, with their places, in bounded memory:
- * where there is no more room the oldest are forgotten.
+ * A bounded buffer of the samples between the events of an {@link EventHistory}. When it is full,
+ * the oldest are discarded.
  *
  * <p>Thread rule: one thread at a time.
  */
 final class KeptSamples {
   /**
-   * Room for 15 s of a camera's frames of 346 by 260 pixels, 25 a second, and what else it tells.
+   * Capacity for 15 s of a camera's frames of 346 by 260 pixels at 25 Hz, and its other samples.
    */
   static final long MAX_BYTES = 72 << 20;
 
-  /** What a sample takes beside the pixels of a frame, about. */
+  /** Approximate size of a sample without the pixels of a frame. */
   private static final int BYTES_EACH = 96;
 
   /**
-   * A sample in its place.
+   * A sample and its position among events.
    *
-   * @param sample what was told
-   * @param offsetUs elapsed time less time on the source's clock, microseconds
-   * @param eventsBefore how many events came before it since the history began
-   * @param afterNotice whether it came behind what was said between the same two events
+   * @param sample the sample
+   * @param offsetUs elapsed time minus time on the source's clock, microseconds
+   * @param eventsBefore number of events before it since the history began
+   * @param afterNotification whether it came after the notification between the same two events
    */
-  record Kept(SensorSample sample, long offsetUs, long eventsBefore, boolean afterNotice) {
+  record Kept(SensorSample sample, long offsetUs, long eventsBefore, boolean afterNotification) {
     long elapsedUs() {
       return sample.timeUs() + offsetUs;
     }
   }
 
-  private final long mostBytes;
+  private final long maxBytes;
   private final List<Kept> all = new ArrayList<>();
   private long bytes;
   private int next;
 
-  /** Keeps about so many bytes. */
-  KeptSamples(long mostBytes) {
-    this.mostBytes = mostBytes;
+  /** An empty buffer of about this capacity, bytes. */
+  KeptSamples(long maxBytes) {
+    this.maxBytes = maxBytes;
   }
 
   private static long bytes(Kept kept) {
@@ -51,18 +51,18 @@ final class KeptSamples {
         : BYTES_EACH;
   }
 
-  /** Keeps one more; reading continues at the end. */
+  /** Appends a sample; the read position moves to the end. */
   void add(Kept kept) {
     all.add(kept);
     bytes += bytes(kept);
-    if (bytes > mostBytes) {
-      // several at a time, because all that are left move
+    if (bytes > maxBytes) {
+      // Several at a time, because all others move.
       forget(1 + all.size() / 16);
     }
     toEnd();
   }
 
-  /** Forgets those before an event, which is given by how many came before it. */
+  /** Discards the samples before an event; it is given by the number of events before it. */
   void forgetBefore(long event) {
     int count = 0;
     while (count < all.size() && all.get(count).eventsBefore() <= event) {
@@ -91,7 +91,7 @@ final class KeptSamples {
     return next == all.size();
   }
 
-  /** Reads on at the first one that is neither before an event nor before a place. */
+  /** Moves to the first sample that is neither before an event nor before a position. */
   void read(long event, long elapsedUs) {
     next = 0;
     while (!atEnd() && (peek().eventsBefore() < event || peek().elapsedUs() < elapsedUs)) {
@@ -99,7 +99,7 @@ final class KeptSamples {
     }
   }
 
-  /** The one that comes next; only if not at the end. */
+  /** The next sample; must not be at the end. */
   Kept peek() {
     return all.get(next);
   }
@@ -108,12 +108,12 @@ final class KeptSamples {
     next++;
   }
 
-  /** Where reading is, for {@link #returnTo}. */
-  int place() {
+  /** Read position, for {@link #returnTo}. */
+  int index() {
     return next;
   }
 
-  void returnTo(int place) {
-    next = place;
+  void returnTo(int index) {
+    next = index;
   }
 }

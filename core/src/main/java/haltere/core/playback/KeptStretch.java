@@ -9,14 +9,14 @@ import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
 import java.util.OptionalLong;
 
-/** A copy of events and samples that were kept, to be played on its own. */
+/** Plays a copy of kept events and samples. */
 final class KeptStretch implements Playable {
   private final String name;
   private final SensorGeometry geometry;
   private final EventHistory events;
   private final EventPacket packet = new EventPacket(PlaybackEngine.CHUNK_EVENTS);
   private boolean started;
-  private boolean sayJump;
+  private boolean resetPending;
   private boolean ended;
   private long offsetUs;
 
@@ -50,7 +50,7 @@ final class KeptStretch implements Playable {
   @Override
   public void seek(long elapsedUs) {
     events.read(elapsedUs);
-    sayJump = started && !ended;
+    resetPending = started && !ended;
     started &= !ended;
     ended = false;
   }
@@ -63,8 +63,8 @@ final class KeptStretch implements Playable {
     if (!started) {
       started = true;
       handler.notified(new StreamStarted(geometry, name));
-    } else if (sayJump) {
-      sayJump = false;
+    } else if (resetPending) {
+      resetPending = false;
       handler.notified(new Reset(Reset.Cause.SEEK));
     } else if (events.atEnd()) {
       ended = true;

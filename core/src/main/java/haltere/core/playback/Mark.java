@@ -4,7 +4,7 @@ import java.util.Comparator;
 import java.util.Objects;
 
 /**
- * A named place of a recording.
+ * A named position in a recording.
  *
  * @param name for users
  * @param elapsedUs elapsed time, microseconds, at least 0

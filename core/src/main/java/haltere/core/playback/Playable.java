@@ -34,9 +34,10 @@ public interface Playable extends EventSource {
   OptionalLong durationUs();
 
   /**
-   * Whether {@link #seek} goes anywhere; where it does not it still goes to 0.
+   * Whether {@link #seek} can reach every position of the timeline. The start can always be
+   * reached.
    *
-   * @return true if every place of the timeline can be reached
+   * @return false if only 0 can be reached
    */
   boolean seekable();
 
@@ -51,30 +52,30 @@ public interface Playable extends EventSource {
   }
 
   /**
-   * Earliest place that can be gone to at once. From any thread.
+   * Earliest position that {@link #seek} can reach at once. From any thread.
    *
-   * @return microseconds; 0 where nothing is forgotten
+   * @return microseconds; 0 where nothing is discarded
    */
   default long earliestUs() {
     return 0;
   }
 
   /**
-   * Where one gets who wants to go to a place. From any thread.
+   * Limits a position to the range of {@link #seek}. From any thread.
    *
-   * @param elapsedUs any place, also before the start and behind the end
-   * @return the nearest place that {@link #seek} may be asked for, microseconds
+   * @param elapsedUs any position, also before the start and after the end
+   * @return the nearest position that {@link #seek} can reach, microseconds
    */
   default long nearestUs(long elapsedUs) {
     return Math.max(0, Math.min(elapsedUs, durationUs().orElse(Long.MAX_VALUE) - 1));
   }
 
   /**
-   * Goes on at the first event at or after a place. What is handed over next is a {@code
-   * Reset(SEEK)}, or the start of the stream if nothing has been handed over yet or the end has.
+   * Moves to the first event at or after a position. The next element is a {@code Reset(SEEK)}, or
+   * the start of the stream if nothing or the end of the stream was passed on before.
    *
    * @param elapsedUs microseconds, from 0 to before the end
-   * @throws IOException if the place cannot be reached
+   * @throws IOException if the position cannot be reached
    */
   void seek(long elapsedUs) throws IOException;
 

@@ -108,7 +108,7 @@ public final class PlaybackClock {
   }
 
   /**
-   * Gives the same moments other positions, as when a loop goes from its end to its start.
+   * Adds to all positions, as when a loop goes from its end to its start.
    *
    * @param us microseconds to add to every position
    */
@@ -117,7 +117,7 @@ public final class PlaybackClock {
   }
 
   /**
-   * Puts all due times off.
+   * Delays all due times.
    *
    * @param nanos real time
    */

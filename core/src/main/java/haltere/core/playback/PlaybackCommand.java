@@ -4,7 +4,7 @@ import haltere.core.chain.FilterChain;
 import haltere.core.stream.StreamHandler;
 import java.util.function.Consumer;
 
-/** What a player can be asked to do between two packets. */
+/** A command to a player, applied between two packets. */
 sealed interface PlaybackCommand {
   record Play(boolean on) implements PlaybackCommand {}
 
@@ -24,7 +24,7 @@ sealed interface PlaybackCommand {
 
   record UserReset() implements PlaybackCommand {}
 
-  record Edit(Consumer<FilterChain> change, boolean byHand) implements PlaybackCommand {}
+  record Edit(Consumer<FilterChain> change, boolean manual) implements PlaybackCommand {}
 
   record Read(Consumer<FilterChain> reader) implements PlaybackCommand {}
 

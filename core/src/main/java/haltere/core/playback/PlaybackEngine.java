@@ -13,15 +13,15 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 
 /**
- * The work of a {@link Player}: puts its parts together, applies commands, and passes turns on to
- * them.
+ * The processing thread's part of a {@link Player}: creates its components, applies commands and
+ * runs turns.
  *
- * <p>Places are on the elapsed timeline, in microseconds. Thread rule: {@link #status()}, {@link
+ * <p>Positions are on the elapsed timeline, in microseconds. Thread rule: {@link #status()}, {@link
  * #playable()} and {@link #counters()} from any thread, the rest on the processing thread only,
  * which is the caller's.
  */
 final class PlaybackEngine {
-  /** Most events that go to the chain at a time. */
+  /** Maximum number of events of a packet for the chain. */
   static final int CHUNK_EVENTS = 4096;
 
   private final Playable playable;
@@ -37,7 +37,7 @@ final class PlaybackEngine {
   private double speed;
   private boolean live;
 
-  /** A command for the chain, which in the midst of a run-up is at no moment that anybody knows. */
+  /** A command for the chain that waits for the end of a run-up. */
   private record Waiting(PlaybackCommand command, CompletableFuture<Void> done) {}
 
   PlaybackEngine(Playable playable, FilterChain chain, PlayerOptions options) {
@@ -93,7 +93,7 @@ final class PlaybackEngine {
     }
   }
 
-  /** Works a little; returns nanoseconds until the next turn has something to do. */
+  /** Runs a short turn; returns the time until the next one is due, nanoseconds. */
   long turn() {
     followSource();
     if (!waiting.isEmpty() && !stream.isLeading()) {
@@ -104,7 +104,7 @@ final class PlaybackEngine {
     return stream.turn();
   }
 
-  /** What is live is not paced; what was kept of it is, until it has been played again. */
+  /** A live source is not paced; the replay of its kept events is. */
   private void followSource() {
     if (playable.isLive() != live) {
       live = !live;
@@ -114,7 +114,7 @@ final class PlaybackEngine {
     }
   }
 
-  /** Gives up; another jump may try again. */
+  /** Enters the state FAILED, which a jump may leave. */
   void fail(Throwable thrown) {
     stream.fail(thrown);
   }
@@ -137,9 +137,9 @@ final class PlaybackEngine {
       waiting.add(new Waiting(command, done));
       return;
     }
-    // who waits for the future may look at the status at once
+    // The status is published first, because code that waits for the future may read it at once.
     try {
-      boolean later = obey(command, done);
+      boolean later = execute(command, done);
       board.publish();
       if (!later) {
         done.complete(null);
@@ -152,7 +152,8 @@ final class PlaybackEngine {
   }
 
   /** Returns true if the future will be completed later. */
-  private boolean obey(PlaybackCommand command, CompletableFuture<Void> done) throws IOException {
+  private boolean execute(PlaybackCommand command, CompletableFuture<Void> done)
+      throws IOException {
     if (command instanceof PlaybackCommand.Play play) {
       return setPlaying(play.on(), done);
     } else if (command instanceof PlaybackCommand.Toggle) {
@@ -178,7 +179,7 @@ final class PlaybackEngine {
     } else if (command instanceof PlaybackCommand.UserReset) {
       stream.userReset();
     } else if (command instanceof PlaybackCommand.Edit edit) {
-      edit(edit.change(), edit.byHand());
+      edit(edit.change(), edit.manual());
     } else if (command instanceof PlaybackCommand.Read read) {
       read.reader().accept(chain);
     } else if (command instanceof PlaybackCommand.Refresh) {
@@ -194,15 +195,15 @@ final class PlaybackEngine {
     return false;
   }
 
-  private void edit(Consumer<FilterChain> change, boolean byHand) {
+  private void edit(Consumer<FilterChain> change, boolean manual) {
     long changes = chain.changes();
     try {
       change.accept(chain);
     } finally {
-      if (chain.changes() != changes && !byHand) {
-        stream.remake();
+      if (chain.changes() != changes && !manual) {
+        stream.requestRepeat();
       } else {
-        stream.changedByHand();
+        stream.changedManually();
       }
     }
   }
@@ -244,7 +245,7 @@ final class PlaybackEngine {
       return false;
     }
     if (count > 0) {
-      // What is in hand when a pause comes in the middle of a slice is finished as the first step.
+      // A slice that a pause has interrupted is completed as the first step.
       awaited.addSteps(count, done);
       return true;
     }
@@ -254,7 +255,7 @@ final class PlaybackEngine {
     return true;
   }
 
-  private StepBackSearch.Place stepBack(int count) throws IOException {
+  private StepBackSearch.Position stepBack(int count) throws IOException {
     long shownFrom = board.shown().elapsedUs();
     if (!playable.seekable() && shownFrom > 0) {
       throw new IOException(playable.name() + " cannot step back; rewind it");
@@ -264,7 +265,8 @@ final class PlaybackEngine {
     }
     long earliest = playable.earliestUs();
     boolean toStart = slices.lengthUs() > (shownFrom - earliest) / count;
-    return new StepBackSearch.Place(toStart ? earliest : shownFrom - slices.lengthUs() * count, 0);
+    return new StepBackSearch.Position(
+        toStart ? earliest : shownFrom - slices.lengthUs() * count, 0);
   }
 
   private boolean jumpAndShow(long to, Reset.Cause cause, CompletableFuture<Void> done)

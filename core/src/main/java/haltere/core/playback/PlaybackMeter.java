@@ -9,8 +9,8 @@ import java.util.Map;
 import java.util.function.LongSupplier;
 
 /**
- * Measures how fast playback goes, how many events there are and what takes the time: which stage
- * of the chain, or the source.
+ * Measures the speed of playback, the event rate, the slowest stage of the chain and the source's
+ * share of the time.
  *
  * <p>Thread rule: the processing thread only.
  */
@@ -18,7 +18,7 @@ final class PlaybackMeter {
   private static final long WINDOW_NANOS = 500_000_000L;
   private static final long FIRST_READING_NANOS = 50_000_000L;
 
-  /** The rate is that of so many bins, 50 ms, of which the last may be begun. */
+  /** Bins over which the event rate is computed, 50 ms; the last may be incomplete. */
   private static final int RATE_BINS = 5;
 
   private static final long BIN_US = 10_000;
@@ -46,14 +46,14 @@ final class PlaybackMeter {
     this.nanoTime = nanoTime;
   }
 
-  /** Time does not go on from what was before: a pause, a jump, another speed. */
+  /** Starts a new measurement of the speed, after a pause, a jump or a change of speed. */
   void restart() {
     windowOpen = false;
     speedKnown = false;
     speed = 0;
   }
 
-  /** The same moment has another position from now on. */
+  /** Adds to all positions, as when a loop starts again. */
   void shift(long us) {
     windowPositionUs += us;
   }
@@ -87,12 +87,12 @@ final class PlaybackMeter {
     }
   }
 
-  /** What comes next does not follow what was. */
+  /** Restarts the event rate; the next events do not follow the last ones. */
   void forgetRate() {
     bin = Long.MIN_VALUE;
   }
 
-  /** Events are handed over, whether to be shown or before that. */
+  /** Counts events that are passed on, in slices and run-ups. */
   void handOver(EventPacket piece, long offsetUs) {
     int from = 0;
     while (from < piece.size()) {
@@ -115,7 +115,7 @@ final class PlaybackMeter {
     bin = Math.max(bin, next);
   }
 
-  /** A slice has ended at a place. */
+  /** A slice has ended at a position. */
   void sliceEnded(long toUs) {
     rateAtUs = toUs;
     if (bin != Long.MIN_VALUE) {
@@ -139,7 +139,7 @@ final class PlaybackMeter {
     return speedKnown ? slowest : slowestSinceWindow();
   }
 
-  /** Share of real time that the source takes, 0 to 1; 0 while nothing is measured. */
+  /** Share of real time spent in the source, 0 to 1; 0 without a measurement. */
   double sourceShare() {
     if (!windowOpen) {
       return 0;

@@ -1,12 +1,13 @@
 package haltere.core.playback;
 
 /**
- * When slices are due, and how late they come: the clock, the measured speed and the lag.
+ * Due times of slices and the lag behind them.
  *
- * <p>Places are on the elapsed timeline, in microseconds. Thread rule: the processing thread only.
+ * <p>Positions are on the elapsed timeline, in microseconds. Thread rule: the processing thread
+ * only.
  */
 final class PlaybackPace {
-  /** Playback that is later than this does not catch up: the clock waits for the chain. */
+  /** Maximum lag that is caught up; the clock waits for the chain beyond it. */
   private static final long MAX_CATCH_UP_NANOS = 1_000_000_000L;
 
   private final PlaybackClock clock;
@@ -23,69 +24,69 @@ final class PlaybackPace {
     return meter;
   }
 
-  /** The speed that was asked for. */
+  /** Requested speed. */
   double speed() {
     return clock.speed();
   }
 
-  /** Plays at another speed from a place on; at unlimited speed the clock stood still. */
-  void setSpeed(double speed, long place) {
+  /** Changes the speed from a position on; at unlimited speed the clock had stopped. */
+  void setSpeed(double speed, long positionUs) {
     if (clock.unlimited()) {
-      clock.setPosition(place);
+      clock.setPosition(positionUs);
     }
     clock.setSpeed(speed);
     forgetLag();
   }
 
-  /** Lets time go on towards a place, which is due now if the clock has passed it. */
-  void resume(long place, boolean dueNow) {
-    if (dueNow || clock.positionUs() > place) {
-      clock.setPosition(place);
+  /** Resumes the clock before a position, which is due now if the clock has passed it. */
+  void resume(long positionUs, boolean dueNow) {
+    if (dueNow || clock.positionUs() > positionUs) {
+      clock.setPosition(positionUs);
     }
     clock.resume();
     forgetLag();
   }
 
-  /** Holds time. */
+  /** Stops the clock. */
   void hold() {
     clock.pause();
     meter.restart();
   }
 
-  /** A place elsewhere is due now. */
-  void jumpTo(long place) {
-    clock.setPosition(place);
+  /** Moves to a position, which is due now. */
+  void jumpTo(long positionUs) {
+    clock.setPosition(positionUs);
     forgetLag();
   }
 
-  /** The place that is played is another from now on, as when a loop starts again. */
+  /** Adds to all positions, as when a loop starts again. */
   void shift(long us) {
     clock.shift(us);
     meter.shift(us);
   }
 
-  /** Nanoseconds until a place is due, negative if it is overdue. */
-  long nanosUntil(long place) {
-    return clock.nanosUntil(place);
+  /** Nanoseconds until a position is due, negative if it is overdue. */
+  long nanosUntil(long positionUs) {
+    return clock.nanosUntil(positionUs);
   }
 
-  /** A slice begins for which the clock was not asked. */
-  void stepBegins(long place) {
-    clock.setPosition(place);
+  /** A slice begins independently of the clock. */
+  void stepBegins(long positionUs) {
+    clock.setPosition(positionUs);
   }
 
-  /** A slice begins that was due before so many nanoseconds. */
-  void sliceBegins(long place, long lateNanos) {
+  /** A slice begins, some nanoseconds after it was due. */
+  void sliceBegins(long positionUs, long lateNanos) {
     if (!clock.unlimited()) {
       long slip = Math.max(0, lateNanos - MAX_CATCH_UP_NANOS);
       clock.delay(slip);
       slipNanos += slip;
       lagNanos = slipNanos + lateNanos - slip;
     }
-    meter.sliceBegins(clock.nanoTime(), place);
+    meter.sliceBegins(clock.nanoTime(), positionUs);
   }
 
-  /** Real time by which playback is late, microseconds; 0 at unlimited speed. */
+  /** Lag in real time, microseconds; 0 at unlimited speed. */
   long lagUs() {
     return clock.unlimited() ? 0 : lagNanos / 1000;
   }

@@ -1,5 +1,6 @@
 package haltere.core.playback;
 
+import haltere.core.stream.internal.Daemon;
 import java.util.ArrayDeque;
 import java.util.concurrent.CompletableFuture;
 
@@ -48,8 +49,7 @@ final class PlaybackThread {
         throw new IllegalStateException("the player has been started already");
       }
       CompletableFuture<Void> started = new CompletableFuture<>();
-      thread = new Thread(() -> run(started), "haltere-player");
-      thread.setDaemon(true);
+      thread = Daemon.thread(() -> run(started), "haltere-player");
       thread.start();
       return started;
     }

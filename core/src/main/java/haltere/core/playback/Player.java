@@ -43,8 +43,8 @@ import java.util.function.Consumer;
  *
  * <p>Thread rule: all methods may be called from any thread. Filters, sinks and edits run on the
  * processing thread, and futures are completed there. The player owns its playable and closes it,
- * the chain stays the caller's, but nobody else may work with it between {@link #start()} and
- * {@link #close()}.
+ * the chain stays the caller's, but only the player may use it between {@link #start()} and {@link
+ * #close()}.
  *
  * @since 0.1
  */
@@ -82,10 +82,10 @@ public final class Player implements AutoCloseable {
   }
 
   /**
-   * Takes a sink away, wherever it is.
+   * Removes a sink, before or after the chain.
    *
    * @param sink one that was added
-   * @return completed when nothing more is handed to it
+   * @return completed when it receives nothing more
    */
   public CompletableFuture<Void> removeSink(StreamHandler sink) {
     return thread.submit(new PlaybackCommand.RemoveSink(sink));
@@ -101,7 +101,7 @@ public final class Player implements AutoCloseable {
   }
 
   /**
-   * Plays on; at the end, from the start or the loop's in point.
+   * Resumes playback; at the end, from the start or the loop's in point.
    *
    * @return completed when applied
    */
@@ -110,7 +110,7 @@ public final class Player implements AutoCloseable {
   }
 
   /**
-   * Holds.
+   * Pauses playback.
    *
    * @return completed when applied
    */
@@ -132,18 +132,18 @@ public final class Player implements AutoCloseable {
    *
    * @param slices how many slices forward, or back if negative; one back shows the slice before the
    *     one that is shown
-   * @return completed when the last of them has been shown, or another jump or play came between
+   * @return completed when the last of them has been shown, or when a jump or play cancels them
    */
   public CompletableFuture<Void> step(int slices) {
     return thread.submit(new PlaybackCommand.Step(slices));
   }
 
   /**
-   * Jumps.
+   * Jumps to a position.
    *
-   * @param elapsedUs where to, on the elapsed timeline; brought into its range
-   * @return completed when the player is there and, in pause, the slice has been shown; fails if
-   *     the playable cannot seek there
+   * @param elapsedUs position on the elapsed timeline; limited to its range
+   * @return completed after the jump and, while paused, when the slice has been shown; fails if the
+   *     playable cannot seek there
    */
   public CompletableFuture<Void> seek(long elapsedUs) {
     return thread.submit(new PlaybackCommand.Seek(elapsedUs));
@@ -192,7 +192,7 @@ public final class Player implements AutoCloseable {
   }
 
   /**
-   * Lets all filters and sinks forget, here, with a {@code Reset(USER)}.
+   * Resets all filters and sinks at the present position, with a {@code Reset(USER)}.
    *
    * @return completed when applied
    */
@@ -204,7 +204,7 @@ public final class Player implements AutoCloseable {
    * Changes the chain between two packets.
    *
    * @param change runs on the processing thread; what it throws fails the future. One that changes
-   *     neither filters nor settings counts as made by hand
+   *     neither filters nor settings counts as manual
    * @return completed when applied
    */
   public CompletableFuture<Void> edit(Consumer<FilterChain> change) {
@@ -234,8 +234,7 @@ public final class Player implements AutoCloseable {
   }
 
   /**
-   * Shows the moment of a pause anew, because a sink wants other events than it has; without effect
-   * while playing.
+   * Repeats the slice of a pause, because a sink needs other events; without effect while playing.
    *
    * @return completed when accepted
    */
@@ -246,18 +245,18 @@ public final class Player implements AutoCloseable {
   /**
    * Sets a mark.
    *
-   * @param mark a named place
-   * @return false if there was the same mark already
+   * @param mark a named position
+   * @return false if the same mark exists
    */
   public boolean addMark(Mark mark) {
     return marks.add(mark);
   }
 
   /**
-   * Takes a mark away.
+   * Removes a mark.
    *
    * @param mark a mark
-   * @return false if there was none like it
+   * @return false if it does not exist
    */
   public boolean removeMark(Mark mark) {
     return marks.remove(mark);
@@ -266,25 +265,25 @@ public final class Player implements AutoCloseable {
   /**
    * The marks.
    *
-   * @return a copy, by place
+   * @return a copy, by position
    */
   public List<Mark> marks() {
     return List.copyOf(marks);
   }
 
   /**
-   * What the player is doing.
+   * The state of the player.
    *
-   * @return the last reading
+   * @return the last snapshot
    */
   public PlayerStatus status() {
     return thread.status();
   }
 
   /**
-   * What is played.
+   * The playable.
    *
-   * @return the playable, of which only name, geometry, duration and seekability may be asked
+   * @return for its name, geometry, duration and seekability only
    */
   public Playable playable() {
     return thread.playable();

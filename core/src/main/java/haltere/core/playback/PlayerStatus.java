@@ -49,7 +49,7 @@ public record PlayerStatus(
   /** Real time by which playback may be late before it is {@link #late()}, microseconds. */
   public static final long LATE_US = 100_000;
 
-  /** What a player can be doing. */
+  /** States of a player. */
   public enum State {
     /** Slices follow each other as the clock says. */
     PLAYING,

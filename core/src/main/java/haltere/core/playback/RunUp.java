@@ -26,15 +26,15 @@ final class RunUp {
     this.meter = meter;
   }
 
-  /** What comes from the cursor from now on leads up to a place. */
-  void open(long fromUs, StepBackSearch.Place target) {
+  /** Begins a run-up with the next element of the cursor. */
+  void open(long fromUs, StepBackSearch.Position target) {
     open = true;
     reachedUs = fromUs;
     targetUs = target.elapsedUs();
     tiesLeft = target.ties();
   }
 
-  /** What comes is wanted elsewhere. */
+  /** Cancels the run-up. */
   void cancel() {
     open = false;
   }
@@ -44,12 +44,12 @@ final class RunUp {
     return open;
   }
 
-  /** Where the run-up leads to, on the elapsed timeline. */
+  /** Target of the run-up on the elapsed timeline. */
   long targetUs() {
     return targetUs;
   }
 
-  /** Recording time that is still to be handed over, microseconds. */
+  /** Recording time until the target, microseconds. */
   long leftUs() {
     return open ? Math.max(0, targetUs - reachedUs) : 0;
   }

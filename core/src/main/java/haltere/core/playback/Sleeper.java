@@ -12,10 +12,9 @@ import java.util.concurrent.TimeUnit;
  */
 public interface Sleeper {
   /**
-   * Waits, but not if {@link #wake} was called since the last wait ended, and no longer than until
-   * it is called.
+   * Waits until {@link #wake} is called; not at all if it was called since the last wait ended.
    *
-   * @param nanos at most so long, {@link Long#MAX_VALUE} for until woken
+   * @param nanos maximum time, {@link Long#MAX_VALUE} for no limit
    * @throws InterruptedException if the thread is interrupted
    */
   void sleep(long nanos) throws InterruptedException;

@@ -4,27 +4,28 @@ package haltere.core.playback;
  * Divides the elapsed timeline into slices: start of the next one, end and progress of the open
  * one. Independent of source and sinks.
  *
- * <p>Places are on the elapsed timeline, in microseconds. Thread rule: the processing thread only.
+ * <p>Positions are on the elapsed timeline, in microseconds. Thread rule: the processing thread
+ * only.
  */
 final class SliceCutter {
-  /** A place that is never reached. */
-  static final long NO_PLACE = Long.MAX_VALUE;
+  /** A position that is never reached. */
+  static final long NO_POSITION = Long.MAX_VALUE;
 
   private final PlaybackClock clock;
   private Slicing slicing;
   private Loop loop;
 
-  // Where the next slice starts, unless only the next event tells.
+  // Start of the next slice, unless the next event decides it.
   private long position;
   private boolean positionKnown = true;
-  private long outPoint = NO_PLACE;
-  private long keepGridTo = NO_PLACE;
+  private long outPoint = NO_POSITION;
+  private long keepGridTo = NO_POSITION;
   private boolean repeats;
   private long repeatToUs;
   private long repeatEvents;
   private long slicesSinceMove;
 
-  // The slice that is open, and whether the first piece of it is due or was handed over.
+  // The open slice, and whether its first piece is due or was passed on.
   private boolean open;
   private boolean begun;
   private long fromUs;
@@ -43,21 +44,21 @@ final class SliceCutter {
 
   // ---- How to cut
 
-  /** Other slices from here on; one that has not begun is cut anew. */
+  /** Changes the slicing, also of an open slice that has not begun. */
   void setSlicing(Slicing newSlicing) {
     slicing = newSlicing;
-    keepGridTo = NO_PLACE;
+    keepGridTo = NO_POSITION;
     reopen();
   }
 
-  /** Another loop from here on. An out point that lies before the place that is played is none. */
+  /** Changes the loop. An out point before the present position is ignored. */
   void setLoop(Loop newLoop) {
     loop = newLoop;
-    long out = loop.on() ? loop.outUs().orElse(NO_PLACE) : NO_PLACE;
-    outPoint = position < out ? out : NO_PLACE;
+    long out = loop.on() ? loop.outUs().orElse(NO_POSITION) : NO_POSITION;
+    outPoint = position < out ? out : NO_POSITION;
   }
 
-  /** A slice that has not begun is cut anew. */
+  /** Cuts an open slice that has not begun again. */
   void reopen() {
     if (open && !begun) {
       open = false;
@@ -90,7 +91,7 @@ final class SliceCutter {
     return loop.on() ? loop.inUs().orElse(0) : 0;
   }
 
-  /** Whether playback is to start again at the end: not if nothing lies between in and out. */
+  /** Whether playback starts again at the end: not if no slice lies between in and out. */
   boolean loops() {
     return loop.on() && slicesSinceMove > 0;
   }
@@ -98,16 +99,16 @@ final class SliceCutter {
   // ---- Where
 
   /** The next slice starts here. */
-  void moveTo(long place) {
-    position = place;
+  void moveTo(long positionUs) {
+    position = positionUs;
     positionKnown = true;
-    keepGridTo = NO_PLACE;
+    keepGridTo = NO_POSITION;
     repeats = false;
     slicesSinceMove = 0;
     setLoop(loop);
   }
 
-  /** The next slice is one that has been shown, however slices are cut now. */
+  /** The next slice is one that was shown before, independent of the present slicing. */
   void repeat(long from, long to, long count) {
     moveTo(from);
     repeats = true;
@@ -115,27 +116,27 @@ final class SliceCutter {
     repeatEvents = count;
   }
 
-  /** Only the next event tells where the next slice starts. */
-  void losePlace() {
+  /** The next event decides where the next slice starts. */
+  void losePosition() {
     positionKnown = false;
   }
 
-  /** Where the next slice starts as far as is known. */
+  /** Start of the next slice, as far as known. */
   long position() {
     return position;
   }
 
-  /** Where the slice starts that is open or else comes next. */
+  /** Start of the open slice, or of the next one. */
   long nextUs() {
     return open ? fromUs : position;
   }
 
   /**
-   * Whether what is ahead waits for its slice: what lies between the first and the last event does,
-   * unless nobody knows where the next slice starts.
+   * Whether a sample at a position waits for its slice, as those between the first and the last
+   * event do if the start of the next slice is known.
    */
-  boolean waitsForSlice(long place, long durationUs) {
-    return !byCount() && positionKnown && place >= position && place < durationUs;
+  boolean waitsForSlice(long positionUs, long durationUs) {
+    return !byCount() && positionKnown && positionUs >= position && positionUs < durationUs;
   }
 
   // ---- The open slice
@@ -144,7 +145,7 @@ final class SliceCutter {
     return open;
   }
 
-  /** Whether the open slice is due or was handed over in part. */
+  /** Whether the open slice is due or was passed on in part. */
   boolean hasBegun() {
     return open && begun;
   }
@@ -152,8 +153,8 @@ final class SliceCutter {
   /**
    * Opens the next slice; false at the out point of the loop.
    *
-   * @param next where the next event or sample lies
-   * @param offset elapsed time less time of that
+   * @param next position of the next event or sample
+   * @param offset its elapsed time minus its time
    */
   boolean openBefore(long next, long offset) {
     if (repeats) {
@@ -162,11 +163,12 @@ final class SliceCutter {
       return true;
     }
     if (!positionKnown) {
-      keepGridTo = NO_PLACE;
+      keepGridTo = NO_POSITION;
     }
     if (!positionKnown || next < position || byCount() && next < outPoint) {
-      // By count a slice starts at its first event. By time an event can lie before the start if it
-      // is of the very microsecond after which the last slice was cut short.
+      // A slice by count starts at its first event. By time, an event can lie before the start if
+      // it
+      // is of the microsecond after which the last slice was cut short.
       position = next;
     }
     positionKnown = true;
@@ -176,8 +178,8 @@ final class SliceCutter {
     if (byCount()) {
       begin(offset, outPoint, countPerSlice());
     } else {
-      long gridTo = keepGridTo > position ? keepGridTo : NO_PLACE;
-      long length = Math.min(lengthUs(), NO_PLACE - position);
+      long gridTo = keepGridTo > position ? keepGridTo : NO_POSITION;
+      long length = Math.min(lengthUs(), NO_POSITION - position);
       begin(offset, Math.min(Math.min(position + length, gridTo), outPoint), Long.MAX_VALUE);
     }
     return true;
@@ -188,7 +190,7 @@ final class SliceCutter {
     offsetUs = offset;
     toUs = to;
     countLeft = count;
-    keepGridTo = NO_PLACE;
+    keepGridTo = NO_POSITION;
     events = 0;
     lastFed = fromUs - 1;
     open = true;
@@ -203,39 +205,39 @@ final class SliceCutter {
     return fromUs;
   }
 
-  /** Where the open slice ends at the latest. */
+  /** Latest end of the open slice. */
   long toUs() {
     return toUs;
   }
 
-  /** Elapsed time less time in the open slice. */
+  /** Elapsed time minus time in the open slice. */
   long offsetUs() {
     return offsetUs;
   }
 
-  /** Events of the open slice that were handed over. */
+  /** Number of events of the open slice that were passed on. */
   long events() {
     return events;
   }
 
-  /** Most events that the open slice still takes. */
+  /** Maximum number of events that may still be added to the open slice. */
   long countLeft() {
     return countLeft;
   }
 
-  /** Some events are handed over, the last of them at a time of the source's clock. */
+  /** Counts events that are passed on; the time of the last is on the source's clock. */
   void handOver(int count, long lastTimeUs) {
     lastFed = lastTimeUs + offsetUs;
     events += count;
     countLeft -= count;
   }
 
-  /** Just after the last event that was handed over. */
+  /** Position just after the last event that was passed on. */
   long afterLast() {
     return lastFed + 1;
   }
 
-  /** Ends the open slice; false if it was empty of time and so is none. */
+  /** Ends the open slice; false if it has no length and does not count. */
   boolean end(long to) {
     open = false;
     position = to;
@@ -246,18 +248,18 @@ final class SliceCutter {
     return true;
   }
 
-  /** Gives the open slice up. */
+  /** Drops the open slice. */
   void drop() {
     open = false;
   }
 
-  /** Where the open slice was to end, for {@link #keepGridTo}, if it was cut short. */
+  /** Planned end of the open slice, for {@link #keepGridTo} if it is cut short. */
   long gridTo() {
-    return hasBegun() ? toUs : NO_PLACE;
+    return hasBegun() ? toUs : NO_POSITION;
   }
 
-  /** The next slice ends where the one would have ended that was cut short, so the grid stays. */
-  void keepGridTo(long place) {
-    keepGridTo = place;
+  /** Ends the next slice at the planned end of the one that was cut short, to keep the grid. */
+  void keepGridTo(long positionUs) {
+    keepGridTo = positionUs;
   }
 }

@@ -11,13 +11,14 @@ import java.io.IOException;
 import java.util.function.Consumer;
 
 /**
- * Takes what is ahead in the source through the chain, slice by slice, in turns that are short:
- * hand one piece over, end a slice, go back to the start of a loop.
+ * Processes the source through the chain, slice by slice, in short turns: each passes on one piece,
+ * ends a slice or returns to the start of a loop.
  *
- * <p>Places are on the elapsed timeline, in microseconds. Thread rule: the processing thread only.
+ * <p>Positions are on the elapsed timeline, in microseconds. Thread rule: the processing thread
+ * only.
  */
 final class SliceRunner {
-  /** Runs begin at multiples of this part of the memory. */
+  /** Run-ups begin on a grid of this fraction of the memory. */
   private static final int RUNS_PER_MEMORY = 16;
 
   private final Playable playable;
@@ -31,18 +32,18 @@ final class SliceRunner {
   private final EventTies ties = new EventTies();
   private final RunUp runUp;
 
-  // A jump whose notification is still to be given, before whatever comes next.
-  private Reset.Cause pendingBreak = Reset.Cause.REWIND;
+  // A jump whose notification is sent before the next element.
+  private Reset.Cause pendingJump = Reset.Cause.REWIND;
 
-  // Where the run began that led to what is shown, for slices of what length, and whether it was
-  // neither played nor changed by hand since then.
+  // Start of the run-up to the displayed slice, the length of its slices, and whether nothing was
+  // played or changed manually since then.
   private long runFromUs;
   private long runSliceUs;
   private boolean isExact = true;
-  private boolean isByHand;
+  private boolean isManual;
 
-  private boolean remakeWanted;
-  private boolean isRemaking;
+  private boolean repeatRequested;
+  private boolean isRepeating;
 
   SliceRunner(
       Playable playable,
@@ -64,40 +65,40 @@ final class SliceRunner {
     runUp = new RunUp(cursor, runner, ties, pace.meter());
   }
 
-  // ---- Elsewhere
+  // ---- Jumps
 
   /**
-   * Goes to a place, brought into its range, by way of a run-up; the notification is given before
-   * whatever comes next.
+   * Jumps to a position, limited to its range, with a run-up; the notification is sent before the
+   * next element.
    */
   void jump(long to, Reset.Cause cause) throws IOException {
-    jump(new StepBackSearch.Place(playable.nearestUs(to), 0), cause);
+    jump(new StepBackSearch.Position(playable.nearestUs(to), 0), cause);
   }
 
-  /** The same, to a place among events of one time. */
-  void jump(StepBackSearch.Place target, Reset.Cause cause) throws IOException {
-    long place = target.elapsedUs();
-    if (place != 0 && !playable.seekable()) {
+  /** The same, to a position among events of equal time. */
+  void jump(StepBackSearch.Position target, Reset.Cause cause) throws IOException {
+    long positionUs = target.elapsedUs();
+    if (positionUs != 0 && !playable.seekable()) {
       throw new IOException(playable.name() + " cannot seek; it can be rewound");
     }
     endSliceEarly();
     awaited.endSteps();
     approach(target, slices.byCount() ? board.shownLengthUs() : slices.lengthUs());
-    slices.moveTo(place);
-    pendingBreak = cause;
-    pace.jumpTo(place);
-    board.setPlace(place);
+    slices.moveTo(positionUs);
+    pendingJump = cause;
+    pace.jumpTo(positionUs);
+    board.setPosition(positionUs);
   }
 
-  /** Puts the source where the run-up to a slice begins. */
-  private void approach(StepBackSearch.Place target, long sliceUs) throws IOException {
+  /** Moves the source to the start of the run-up to a slice. */
+  private void approach(StepBackSearch.Position target, long sliceUs) throws IOException {
     long from = runFrom(target.elapsedUs(), sliceUs);
     cursor.seek(from);
     runFromUs = from;
     runSliceUs = sliceUs;
     isExact = true;
-    isByHand = false;
-    endRemake();
+    isManual = false;
+    endRepeat();
     ties.forget();
     pace.meter().forgetRate();
     if (from < target.elapsedUs() || target.ties() > 0) {
@@ -106,10 +107,10 @@ final class SliceRunner {
   }
 
   /**
-   * Where the run to a slice begins: as far before it as the chain and those who show it remember,
-   * on a grid, so that neighbouring slices share their run and what filters number in it.
+   * Start of the run-up to a slice: before it by the memory of the chain and the slice sinks, on a
+   * grid, so that neighbouring slices share their run-up and the numbers that filters give in it.
    */
-  private long runFrom(long place, long sliceUs) {
+  private long runFrom(long positionUs, long sliceUs) {
     long[] memoryUs = {chain.memoryUs()};
     runner.forEachSink(
         sink -> {
@@ -118,95 +119,97 @@ final class SliceRunner {
           }
         });
     long gridUs = Math.max(1, memoryUs[0] / RUNS_PER_MEMORY);
-    long from = place - Math.floorMod(place, gridUs) - memoryUs[0];
-    return playable.seekable() ? Math.min(place, Math.max(playable.earliestUs(), from)) : place;
+    long from = positionUs - Math.floorMod(positionUs, gridUs) - memoryUs[0];
+    return playable.seekable()
+        ? Math.min(positionUs, Math.max(playable.earliestUs(), from))
+        : positionUs;
   }
 
-  /** The place so many events before the slice that is shown. */
-  StepBackSearch.Place eventsBack(long events) throws IOException {
+  /** The position a number of events before the displayed slice. */
+  StepBackSearch.Position eventsBack(long events) throws IOException {
     endSliceEarly();
-    pendingBreak = Reset.Cause.SEEK;
+    pendingJump = Reset.Cause.SEEK;
     return new StepBackSearch(cursor, pace.meter().eventRateEps()).before(board.shown(), events);
   }
 
-  /** Whether a place was jumped to of which nothing is shown yet. */
+  /** Whether nothing has been shown yet since the last jump. */
   boolean isJumping() {
-    return pendingBreak != null || runUp.isOpen();
+    return pendingJump != null || runUp.isOpen();
   }
 
-  /** Whether what goes through the chain leads to a moment, or is one that has been shown. */
+  /** Whether the chain processes a run-up, or repeats a slice. */
   boolean isLeading() {
-    return runUp.isOpen() || isRemaking;
+    return runUp.isOpen() || isRepeating;
   }
 
-  // ---- The same moment anew
+  // ---- Repetition of the displayed slice
 
-  /** What is shown depends on something that has changed: in pause it is made anew. */
-  void remake() {
-    remakeWanted = !board.playing() && board.isShown();
+  /** Requests a repetition of the displayed slice, while paused. */
+  void requestRepeat() {
+    repeatRequested = !board.playing() && board.isShown();
   }
 
-  /** The same, unless filters were changed by hand, which would be lost. */
+  /** The same, unless it would lose manual changes of filters. */
   void refresh() {
-    if (!isByHand) {
-      remake();
+    if (!isManual) {
+      requestRepeat();
     }
   }
 
-  /** Filters were told something that their settings do not tell. */
-  void changedByHand() {
-    isByHand = true;
+  /** Filters have a state that their settings do not determine. */
+  void changedManually() {
+    isManual = true;
   }
 
-  private boolean isRemakeDue() {
+  private boolean isRepeatDue() {
     if (awaited.stepping() || isJumping() || !board.isShown() || !playable.seekable()) {
       return false;
     }
     return switch (board.state()) {
-      case PAUSED -> remakeWanted || !isByHand && !isReproducible();
-      case ENDED -> remakeWanted;
+      case PAUSED -> repeatRequested || !isManual && !isReproducible();
+      case ENDED -> repeatRequested;
       default -> false;
     };
   }
 
   private boolean isReproducible() {
-    long place = board.shown().elapsedUs();
+    long positionUs = board.shown().elapsedUs();
     long sliceUs = board.shownLengthUs();
-    long from = runFrom(place, sliceUs);
-    return from == place || isExact && runFromUs == from && runSliceUs == sliceUs;
+    long from = runFrom(positionUs, sliceUs);
+    return from == positionUs || isExact && runFromUs == from && runSliceUs == sliceUs;
   }
 
-  private void beginRemake() throws IOException {
-    StepBackSearch.Place shown = board.shown();
+  private void beginRepeat() throws IOException {
+    StepBackSearch.Position shown = board.shown();
     long lengthUs = board.shownLengthUs();
-    remakeWanted = false;
+    repeatRequested = false;
     approach(shown, lengthUs);
-    isRemaking = true;
+    isRepeating = true;
     slices.drop();
     slices.repeat(shown.elapsedUs(), shown.elapsedUs() + lengthUs, board.shownEvents());
-    pendingBreak = Reset.Cause.SEEK;
+    pendingJump = Reset.Cause.SEEK;
     board.setState(State.PAUSED);
     awaited.awaitSlice();
   }
 
-  /** What comes next is the slice that the run-up led to. */
+  /** Ends the run-up; its target slice comes next. */
   private void endRunUp() {
-    tellSinks(SliceSink::runUpEnds);
-    runner.setRunUp(isRemaking);
+    forEachSliceSink(SliceSink::runUpEnds);
+    runner.setRunUp(isRepeating);
   }
 
-  /** What was asked for is no longer wanted, or has been made. */
-  private void endRemake() {
+  /** Ends a repetition, complete or not. */
+  private void endRepeat() {
     if (runUp.isOpen() && runner.isRunUp()) {
-      tellSinks(SliceSink::runUpEnds);
+      forEachSliceSink(SliceSink::runUpEnds);
     }
     runUp.cancel();
     runner.setRunUp(false);
     board.setRunUp(0);
-    isRemaking = false;
+    isRepeating = false;
   }
 
-  private void tellSinks(Consumer<SliceSink> action) {
+  private void forEachSliceSink(Consumer<SliceSink> action) {
     runner.forEachSink(
         sink -> {
           if (sink instanceof SliceSink sliced) {
@@ -220,27 +223,27 @@ final class SliceRunner {
     return playable.seekable() ? slices.inPoint() : 0;
   }
 
-  /** Tells everybody to forget, in the midst of a slice if need be. */
+  /** Resets filters and sinks, also inside a slice. */
   void userReset() {
-    if (pendingBreak != null || !runner.streamRunning()) {
+    if (pendingJump != null || !runner.streamRunning()) {
       return;
     }
     long gridTo = slices.gridTo();
     endSliceEarly();
     slices.keepGridTo(gridTo);
     runner.notified(new Reset(Reset.Cause.USER, runner.lastUs(), StreamNotification.NO_TIME_US));
-    changedByHand();
+    changedManually();
   }
 
   // ---- Turns
 
-  /** Works a little; returns nanoseconds until the next turn has something to do. */
+  /** Runs a short turn; returns the time until the next one is due, nanoseconds. */
   long turn() {
     try {
-      if (isRemakeDue()) {
-        beginRemake();
+      if (isRepeatDue()) {
+        beginRepeat();
       }
-      return idle() && pendingBreak == null ? Long.MAX_VALUE : advance();
+      return idle() && pendingJump == null ? Long.MAX_VALUE : advance();
     } catch (IOException | RuntimeException thrown) {
       fail(thrown);
       return 0;
@@ -256,8 +259,8 @@ final class SliceRunner {
     if (ahead == SourceCursor.Ahead.UNKNOWN) {
       return 0;
     }
-    if (pendingBreak != null) {
-      giveBreak(ahead);
+    if (pendingJump != null) {
+      notifyJump(ahead);
     }
     if (idle()) {
       return Long.MAX_VALUE;
@@ -287,19 +290,19 @@ final class SliceRunner {
       pace.jumpTo(runUp.targetUs());
       endRunUp();
     }
-    if (!goesOn && !isRemaking) {
+    if (!goesOn && !isRepeating) {
       slices.moveTo(runUp.targetUs());
     }
     board.publish();
   }
 
-  private void giveBreak(SourceCursor.Ahead ahead) {
+  private void notifyJump(SourceCursor.Ahead ahead) {
     long nextUs =
         ahead == SourceCursor.Ahead.EVENTS ? cursor.timeUs() : StreamNotification.NO_TIME_US;
-    Reset.Cause cause = pendingBreak;
-    pendingBreak = null;
-    tellSinks(sink -> sink.runUpBegins(runSliceUs));
-    runner.setRunUp(isRemaking && runner.streamRunning());
+    Reset.Cause cause = pendingJump;
+    pendingJump = null;
+    forEachSliceSink(sink -> sink.runUpBegins(runSliceUs));
+    runner.setRunUp(isRepeating && runner.streamRunning());
     runner.notified(
         runner.streamRunning() ? new Reset(cause, runner.lastUs(), nextUs) : cursor.start());
     runner.setRunUp(true);
@@ -309,12 +312,12 @@ final class SliceRunner {
     awaited.jumped();
   }
 
-  /** Opens a slice before what is ahead; false if that was something else. */
+  /** Opens the next slice; false if the next element is processed outside of slices. */
   private boolean openSlice(SourceCursor.Ahead ahead) throws IOException {
     if (ahead == SourceCursor.Ahead.NOTIFICATION) {
       StreamNotification notification = cursor.takeNotification();
       if (notification instanceof Reset) {
-        slices.losePlace();
+        slices.losePosition();
       }
       runner.notified(notification);
       return false;
@@ -364,7 +367,7 @@ final class SliceRunner {
     }
     if (ahead != SourceCursor.Ahead.EVENTS) {
       boolean gridStays = ahead == SourceCursor.Ahead.NOTIFICATION && !slices.byCount();
-      long gridTo = gridStays ? slices.toUs() : SliceCutter.NO_PLACE;
+      long gridTo = gridStays ? slices.toUs() : SliceCutter.NO_POSITION;
       endSlice(slices.afterLast());
       slices.keepGridTo(gridTo);
       return;
@@ -387,9 +390,9 @@ final class SliceRunner {
 
   private void endSlice(long to) {
     boolean lastAsked = cut(to) && awaited.sliceShown();
-    isExact &= isRemaking || !board.playing();
-    if (isRemaking) {
-      endRemake();
+    isExact &= isRepeating || !board.playing();
+    if (isRepeating) {
+      endRepeat();
     }
     if (lastAsked) {
       hold();
@@ -400,21 +403,21 @@ final class SliceRunner {
     }
   }
 
-  /** Playback stands at the slice that ended last. */
+  /** Tells slice sinks that the last slice stays displayed. */
   void hold() {
-    tellSinks(SliceSink::sliceHeld);
+    forEachSliceSink(SliceSink::sliceHeld);
   }
 
-  /** Cuts a slice that is half done where it is; it counts for no step. */
+  /** Ends an incomplete slice at its last event; it does not count as a step. */
   private void endSliceEarly() {
-    if (slices.hasBegun() && slices.events() > 0 && !isRemaking) {
+    if (slices.hasBegun() && slices.events() > 0 && !isRepeating) {
       cut(slices.afterLast());
       board.publish();
     }
     slices.drop();
   }
 
-  /** Ends the open slice and tells the sinks; false if it is none. */
+  /** Ends the open slice and notifies the sinks; false if it does not count. */
   private boolean cut(long to) {
     if (!slices.end(to)) {
       return false;
@@ -423,15 +426,15 @@ final class SliceRunner {
     long offset = slices.offsetUs();
     board.setShownLength(to - from, slices.events());
     pace.meter().sliceEnded(to);
-    tellSinks(sink -> sink.sliceEnd(from - offset, to - offset));
+    forEachSliceSink(sink -> sink.sliceEnd(from - offset, to - offset));
     return true;
   }
 
   private void wrap() throws IOException {
     long from = slices.position();
     long to = playable.nearestUs(startOfLoop());
-    approach(new StepBackSearch.Place(to, 0), slices.lengthUs());
-    pendingBreak = Reset.Cause.REWIND;
+    approach(new StepBackSearch.Position(to, 0), slices.lengthUs());
+    pendingJump = Reset.Cause.REWIND;
     slices.moveTo(to);
     pace.shift(to - from);
   }
@@ -441,7 +444,7 @@ final class SliceRunner {
   private void end() {
     board.setState(State.ENDED);
     pace.hold();
-    // Whoever is told of the end may ask at once.
+    // A sink may read the status when it is notified of the end.
     board.publish();
     runner.notified(cursor.end());
     hold();
@@ -449,11 +452,11 @@ final class SliceRunner {
     awaited.endSteps();
   }
 
-  /** Gives up; another jump may try again. */
+  /** Enters the state FAILED, which a jump may leave. */
   void fail(Throwable thrown) {
     endSliceEarly();
-    endRemake();
-    pendingBreak = null;
+    endRepeat();
+    pendingJump = null;
     board.setState(State.FAILED);
     pace.hold();
     board.setMessage(thrown instanceof IOException ? thrown.getMessage() : thrown.toString());
@@ -465,7 +468,7 @@ final class SliceRunner {
   /** Ends the stream and closes the playable; nothing may be called afterwards. */
   void close() {
     endSliceEarly();
-    endRemake();
+    endRepeat();
     if (board.state() != State.FAILED) {
       board.setState(State.ENDED);
     }

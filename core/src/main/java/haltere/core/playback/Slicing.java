@@ -1,8 +1,8 @@
 package haltere.core.playback;
 
 /**
- * How a stream is cut into the slices that are shown one after the other. A slice does not depend
- * on the packets of the source. What ends the continuity of the stream ends a slice too.
+ * How a stream is cut into consecutive slices. A slice does not depend on the packets of the
+ * source. A notification that ends the continuity of the stream also ends a slice.
  *
  * @since 0.1
  */
@@ -22,8 +22,8 @@ public sealed interface Slicing {
   }
 
   /**
-   * Slices of the same number of events, from the time of the first to behind the time of the last
-   * of them. Events of one time may fall into two slices.
+   * Slices of the same number of events, from the time of the first to just after the time of the
+   * last. Events of equal time may fall into two slices.
    *
    * @param events number of events before the chain, at least 1
    */
@@ -37,10 +37,10 @@ public sealed interface Slicing {
   }
 
   /**
-   * Slices of the recording time that passes while a picture is on the screen: speed divided by
-   * picture rate, and at least 1 us. At unlimited speed the slices are those of speed 1.
+   * Slices of the recording time of one picture: speed divided by frame rate, at least 1 us. At
+   * unlimited speed the slices are those of speed 1.
    *
-   * @param framesPerSecond pictures in a second of real time, above 0
+   * @param framesPerSecond frame rate in real time, Hz, above 0
    */
   record PerFrame(double framesPerSecond) implements Slicing {
     /** Checks the rate. */

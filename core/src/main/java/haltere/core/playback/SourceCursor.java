@@ -11,14 +11,14 @@ import java.io.IOException;
 import java.util.function.LongSupplier;
 
 /**
- * Reads one packet, sample or notification ahead of a playable and passes it on in pieces.
+ * Reads one packet, sample or notification of a playable ahead and passes it on in pieces.
  * Notifications after a seek or at the start are removed, since the player sends its own. Measures
- * the time of the playable.
+ * the time spent in the playable.
  *
  * <p>Thread rule: the processing thread only.
  */
 final class SourceCursor implements StreamHandler {
-  /** What comes next. */
+  /** Kind of the next element. */
   enum Ahead {
     EVENTS,
     SAMPLE,
@@ -38,7 +38,7 @@ final class SourceCursor implements StreamHandler {
   private StreamNotification notification;
   private StreamStarted start;
   private EndOfStream end;
-  private boolean breakExpected = true;
+  private boolean jumpExpected = true;
   private long offsetUs;
   private long busyNanos;
 
@@ -78,7 +78,7 @@ final class SourceCursor implements StreamHandler {
 
   @Override
   public void packet(EventPacket packet) {
-    breakExpected = false;
+    jumpExpected = false;
     if (packet.isEmpty()) {
       return;
     }
@@ -91,15 +91,15 @@ final class SourceCursor implements StreamHandler {
 
   @Override
   public void sample(SensorSample given) {
-    breakExpected = false;
+    jumpExpected = false;
     sample = given;
     offsetUs = playable.elapsedUs(given.timeUs()) - given.timeUs();
   }
 
   @Override
   public void notified(StreamNotification given) {
-    boolean expected = breakExpected;
-    breakExpected = false;
+    boolean expected = jumpExpected;
+    jumpExpected = false;
     if (given instanceof EndOfStream last) {
       end = last;
     } else if (given instanceof StreamStarted started) {
@@ -112,7 +112,7 @@ final class SourceCursor implements StreamHandler {
     }
   }
 
-  /** Goes to a place; on failure everything is as it was. */
+  /** Moves to a position; a failure changes nothing. */
   void seek(long elapsedUs) throws IOException {
     playable.seek(elapsedUs);
     index = 0;
@@ -120,10 +120,10 @@ final class SourceCursor implements StreamHandler {
     sample = null;
     notification = null;
     end = null;
-    breakExpected = true;
+    jumpExpected = true;
   }
 
-  /** The earliest place that can be gone to at once. */
+  /** The earliest position that can be reached at once. */
   long earliestUs() {
     return playable.earliestUs();
   }
@@ -172,12 +172,12 @@ final class SourceCursor implements StreamHandler {
     return pending.timeUs(index) + offsetUs;
   }
 
-  /** Elapsed time less time in the stretch of the last packet. */
+  /** Elapsed time minus time in the stretch of the last packet. */
   long offsetUs() {
     return offsetUs;
   }
 
-  /** How many of the events that are ahead lie before a place of the elapsed timeline. */
+  /** Number of events ahead that lie before a position of the elapsed timeline. */
   int countBefore(long elapsedUs) {
     if (elapsedUs == Long.MAX_VALUE || pending.timeUs(limit - 1) < elapsedUs - offsetUs) {
       return limit - index;
@@ -185,7 +185,7 @@ final class SourceCursor implements StreamHandler {
     return pending.indexAtOrAfter(elapsedUs - offsetUs, index) - index;
   }
 
-  /** Takes events that are ahead, to be worked on at will until the next call. */
+  /** Takes events that are ahead; the packet may be changed until the next call. */
   EventPacket take(int count) {
     if (index == 0 && count == limit) {
       limit = 0;
@@ -197,7 +197,7 @@ final class SourceCursor implements StreamHandler {
     return piece;
   }
 
-  /** Passes over events that are ahead. */
+  /** Skips events that are ahead. */
   void skip(int count) {
     index += count;
   }

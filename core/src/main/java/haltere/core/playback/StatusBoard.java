@@ -18,8 +18,8 @@ final class StatusBoard {
   private State state;
   private String message = "";
 
-  // The slice that was shown last.
-  private StepBackSearch.Place shown = new StepBackSearch.Place(0, 0);
+  // The displayed slice.
+  private StepBackSearch.Position shown = new StepBackSearch.Position(0, 0);
   private long shownTimeUs = StreamNotification.NO_TIME_US;
   private long shownLengthUs;
   private long shownEvents;
@@ -41,7 +41,7 @@ final class StatusBoard {
     publish();
   }
 
-  /** The reading that was put up last. */
+  /** The last published snapshot. */
   PlayerStatus status() {
     return status;
   }
@@ -58,55 +58,55 @@ final class StatusBoard {
     state = newState;
   }
 
-  /** Something failed, in one line. */
+  /** Sets the last failure, in one line. */
   void setMessage(String line) {
     message = line;
   }
 
-  /** Where the slice starts that is shown. */
-  StepBackSearch.Place shown() {
+  /** Start of the displayed slice. */
+  StepBackSearch.Position shown() {
     return shown;
   }
 
-  /** The player is somewhere; nothing of it is shown yet. */
-  void setPlace(long elapsedUs) {
-    shown = new StepBackSearch.Place(elapsedUs, 0);
+  /** Sets the position after a jump; no slice is displayed yet. */
+  void setPosition(long elapsedUs) {
+    shown = new StepBackSearch.Position(elapsedUs, 0);
     shownTimeUs = StreamNotification.NO_TIME_US;
   }
 
-  /** A slice is shown from now on. */
+  /** Sets the displayed slice. */
   void setShown(long elapsedUs, int ties, long timeUs) {
-    shown = new StepBackSearch.Place(elapsedUs, ties);
+    shown = new StepBackSearch.Position(elapsedUs, ties);
     shownTimeUs = timeUs;
   }
 
-  /** The slice that is shown has ended. */
+  /** Sets the length of the displayed slice, at its end. */
   void setShownLength(long lengthUs, long events) {
     shownLengthUs = lengthUs;
     shownEvents = events;
   }
 
-  /** Whether a slice is shown. */
+  /** Whether a slice is displayed. */
   boolean isShown() {
     return shownTimeUs != StreamNotification.NO_TIME_US;
   }
 
-  /** Length of the slice that is shown, microseconds. */
+  /** Length of the displayed slice, microseconds. */
   long shownLengthUs() {
     return shownLengthUs;
   }
 
-  /** Events before the chain in the slice that is shown. */
+  /** Number of events before the chain in the displayed slice. */
   long shownEvents() {
     return shownEvents;
   }
 
-  /** So much of a run-up is still to come, microseconds of recording time. */
+  /** Sets the rest of a run-up, microseconds of recording time. */
   void setRunUp(long leftUs) {
     runUpUs = leftUs;
   }
 
-  /** Puts up a new reading. */
+  /** Publishes a new snapshot. */
   void publish() {
     PlaybackMeter meter = pace.meter();
     status =

@@ -3,19 +3,19 @@ package haltere.core.playback;
 import java.io.IOException;
 
 /**
- * Finds the place so many events before another one, in growing windows, because sources play
- * forward only. It leaves its cursor anywhere.
+ * Finds the position a number of events before another one, in growing windows, because sources
+ * play forward only. It leaves its cursor at an arbitrary position.
  */
 final class StepBackSearch {
   private static final long SMALLEST_WINDOW_US = 1000;
 
   /**
-   * A place among events.
+   * A position among events.
    *
    * @param elapsedUs elapsed time
-   * @param ties events of this very microsecond that lie before the place
+   * @param ties events with this elapsed time before the position
    */
-  record Place(long elapsedUs, int ties) {}
+  record Position(long elapsedUs, int ties) {}
 
   private final SourceCursor cursor;
   private final double eventRateEps;
@@ -26,7 +26,7 @@ final class StepBackSearch {
     this.eventRateEps = Math.max(1, eventRateEps);
   }
 
-  Place before(Place boundary, long events) throws IOException {
+  Position before(Position boundary, long events) throws IOException {
     long end = boundary.elapsedUs();
     long window = Math.max(SMALLEST_WINDOW_US, (long) (2 * events / eventRateEps * 1e6));
     long earliest = cursor.earliestUs();
@@ -42,13 +42,13 @@ final class StepBackSearch {
       }
       window = window > end / 4 ? end : window * 4;
     }
-    return new Place(earliest, 0);
+    return new Position(earliest, 0);
   }
 
   /**
    * Skips events between two positions, or a number of them; returns the position of the next one.
    */
-  private Place pass(long from, long to, long most) throws IOException {
+  private Position pass(long from, long to, long most) throws IOException {
     cursor.seek(from);
     passed = 0;
     long last = Long.MIN_VALUE;
@@ -58,12 +58,12 @@ final class StepBackSearch {
         case NOTIFICATION -> cursor.takeNotification();
         case SAMPLE -> cursor.takeSample();
         case END -> {
-          return new Place(last, ties);
+          return new Position(last, ties);
         }
         case EVENTS -> {
           long elapsedUs = cursor.elapsedUs();
           if (elapsedUs >= to || passed == most) {
-            return new Place(elapsedUs, elapsedUs == last ? ties : 0);
+            return new Position(elapsedUs, elapsedUs == last ? ties : 0);
           }
           ties = elapsedUs == last ? ties + 1 : 1;
           last = elapsedUs;

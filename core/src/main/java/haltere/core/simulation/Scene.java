@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.OptionalLong;
 
 /**
- * A simulated source with ground truth. Its ground truth is a function of time alone: it can be
- * asked for at any time, in any order, before or after the events were pulled.
+ * A simulated source with ground truth. The ground truth is a pure function of time: it can be
+ * queried for any time, in any order, before or after the events were pulled.
  *
- * <p>Thread rule: events are pulled by one thread at a time; the truth may be asked for by any
- * thread at the same time.
+ * <p>Thread rule: events are pulled by one thread at a time; the truth may be queried by any thread
+ * at the same time.
  *
  * @param <T> the record of one row of ground truth; its component names are the columns
  * @since 0.1
@@ -31,16 +31,16 @@ public interface Scene<T extends Record> extends EventSource {
   List<T> truthRows(long timeUs);
 
   /**
-   * When it begins, how long it is, how often the truth is wanted.
+   * Start, length and rate of the truth.
    *
    * @return always the same
    */
   RunSettings run();
 
   /**
-   * How often the settings want the truth to be written.
+   * Rate at which the truth is written.
    *
-   * @return rows a second, greater than 0
+   * @return hertz, greater than 0
    */
   default double truthRateHz() {
     return run().truthRateHz();
@@ -74,7 +74,7 @@ public interface Scene<T extends Record> extends EventSource {
     return startUs() + Math.round(row * 1e6 / truthRateHz());
   }
 
-  /** Nothing is held open. */
+  /** Does nothing. */
   @Override
   default void close() {}
 }

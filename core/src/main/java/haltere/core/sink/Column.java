@@ -23,17 +23,17 @@ public @interface Column {
   String value() default "";
 
   /**
-   * Digits behind the decimal point of a floating-point number.
+   * Digits after the decimal point of a floating-point number.
    *
-   * @return 0 to 9, or -1 for as many as it takes to read the same number back
+   * @return 0 to 9, or -1 for as many as are needed to read the same number back
    */
   int decimals() default -1;
 
   /**
-   * Whether the component is a record whose columns stand in its place.
+   * Whether the component is a record whose columns replace it.
    *
-   * @return true for all of its columns but those of components whose names, or whose columns,
-   *     stand before already; a plain component behind it takes its column to its own place
+   * @return true for all of its columns except those whose component or column name exists before;
+   *     a plain component after it takes the column of its name to its own position
    */
   boolean joined() default false;
 }

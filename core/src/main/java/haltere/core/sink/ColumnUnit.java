@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The unit of a column, which stands at the end of its name.
+ * The unit of a column, which is the ending of its name.
  *
  * @param ending of the name, such as {@code _px_s}
- * @param symbol as it is shown, such as px/s
+ * @param symbol for users, such as px/s
  * @since 0.1
  */
 public record ColumnUnit(String ending, String symbol) {
@@ -36,7 +36,7 @@ public record ColumnUnit(String ending, String symbol) {
    * The unit of a column.
    *
    * @param column its name
-   * @return empty where the name has none
+   * @return empty if the name has none
    */
   public static Optional<ColumnUnit> of(String column) {
     return ALL.stream().filter(unit -> column.endsWith(unit.ending())).findFirst();

@@ -10,9 +10,9 @@ import java.util.Objects;
 
 /**
  * Writes records as rows of a table: comma separated, UTF-8, a header line, lines that end in a
- * line feed, a point as decimal point whatever the locale. Names of components become names of
- * columns in snake_case unless {@link Column} renames them. Not-a-number, null and an empty
- * optional are empty fields; infinity is {@code inf}; enum constants are as their {@code toString}.
+ * line feed, a decimal point in every locale. Names of components become names of columns in
+ * snake_case unless {@link Column} renames them. Not-a-number, null and an empty optional are empty
+ * fields; infinity is {@code inf}; enum constants are as their {@code toString}.
  *
  * <p>Thread rule: one thread at a time.
  *
@@ -40,14 +40,14 @@ public final class CsvSink<R extends Record> implements TableSink<R> {
   }
 
   /**
-   * Starts a table beside its place, where it appears when it is {@link #finish() finished}.
+   * Starts a table, whose file appears when it is {@link #finish() finished}.
    *
    * @param <R> type of the rows
-   * @param file where it will be
+   * @param file its path
    * @param type class of the rows
-   * @param overwrite whether a file that is there may be replaced
+   * @param overwrite whether an existing file may be replaced
    * @return an open table
-   * @throws IOException if the file is there and may not be replaced, or cannot be written
+   * @throws IOException if the file exists and may not be replaced, or cannot be written
    * @throws IllegalArgumentException if the type is not flat
    */
   public static <R extends Record> CsvSink<R> create(Path file, Class<R> type, boolean overwrite)
@@ -56,13 +56,13 @@ public final class CsvSink<R extends Record> implements TableSink<R> {
   }
 
   /**
-   * Starts a table in a file that was begun.
+   * Starts a table in a new file.
    *
    * @param <R> type of the rows
    * @param file empty; owned by the table from now on
    * @param type class of the rows
    * @return an open table
-   * @throws IOException if the file cannot be given back after a failure
+   * @throws IOException if the file cannot be closed after a failure
    * @throws IllegalArgumentException if the type is not flat
    */
   public static <R extends Record> CsvSink<R> of(AtomicFile file, Class<R> type)

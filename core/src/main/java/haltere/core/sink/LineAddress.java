@@ -7,9 +7,9 @@ import java.util.regex.Pattern;
 /**
  * An address of live results, such as {@code tcp://127.0.0.1:5555}.
  *
- * @param scheme the way of transport
- * @param host a name or a number, {@code *} for all of this machine, without the brackets of IPv6
- * @param port 0 to 65535; 0 has one chosen where the transport listens
+ * @param scheme the transport
+ * @param host a name or an address, {@code *} for all interfaces, without the brackets of IPv6
+ * @param port 0 to 65535; with 0 a listening transport chooses one
  * @since 0.1
  */
 public record LineAddress(String scheme, String host, int port) {
@@ -30,7 +30,7 @@ public record LineAddress(String scheme, String host, int port) {
    *
    * @param text such as {@code udp://192.168.1.2:5555}
    * @return its parts
-   * @throws IllegalArgumentException with a line for users if it is none
+   * @throws IllegalArgumentException with a line for users if it is invalid
    */
   public static LineAddress parse(String text) {
     Matcher parts = FORM.matcher(text);
@@ -55,7 +55,7 @@ public record LineAddress(String scheme, String host, int port) {
     return new LineAddress(scheme, host, newPort);
   }
 
-  /** As it is written. */
+  /** The address as text. */
   @Override
   public String toString() {
     return scheme + "://" + (host.indexOf(':') >= 0 ? "[" + host + "]" : host) + ":" + port;

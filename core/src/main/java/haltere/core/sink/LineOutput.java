@@ -8,7 +8,7 @@ import java.util.Optional;
  * room, a line is dropped and counted. The receiver is notified when there is room again, if the
  * transport allows it.
  *
- * <p>Thread rule: lines are handed over by one thread; everything else may be called by any.
+ * <p>Thread rule: lines are sent by one thread; everything else may be called by any.
  *
  * @since 0.1
  */
@@ -16,7 +16,7 @@ public interface LineOutput extends Closeable {
   /**
    * Where the lines can be received.
    *
-   * @return the address as given, with the port that was chosen where none was
+   * @return the address as given, with the chosen port if none was given
    */
   String address();
 
@@ -30,9 +30,9 @@ public interface LineOutput extends Closeable {
   void send(String topic, byte[] line);
 
   /**
-   * Those who receive at present.
+   * Number of connected receivers.
    *
-   * @return how many, or -1 where the transport does not know
+   * @return -1 if the transport does not know
    */
   int receivers();
 
@@ -44,7 +44,7 @@ public interface LineOutput extends Closeable {
   long lost();
 
   /**
-   * Receivers that were turned away because there were too many.
+   * Receivers that were refused because there were too many.
    *
    * @return a count
    */
@@ -61,7 +61,7 @@ public interface LineOutput extends Closeable {
     return Optional.empty();
   }
 
-  /** Sends what waits, for a second at most, and ends. */
+  /** Sends waiting lines, for a second at most, and closes. */
   @Override
   void close();
 }

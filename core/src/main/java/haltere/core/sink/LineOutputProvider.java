@@ -4,8 +4,8 @@ import java.io.IOException;
 
 /**
  * A transport for lines, found as a service ({@code
- * META-INF/services/haltere.core.sink.LineOutputProvider}), so that one that needs a library can
- * come in a jar of its own.
+ * META-INF/services/haltere.core.sink.LineOutputProvider}), so that a transport with a library can
+ * have a jar of its own.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *
@@ -13,14 +13,14 @@ import java.io.IOException;
  */
 public interface LineOutputProvider {
   /**
-   * What its addresses start with.
+   * The scheme of its addresses.
    *
    * @return a word such as {@code tcp}
    */
   String scheme();
 
   /**
-   * What it does, in one sentence for users.
+   * Description in one sentence for users.
    *
    * @return ends with a full stop
    */
@@ -31,7 +31,7 @@ public interface LineOutputProvider {
    *
    * @param address host and port
    * @return an open output
-   * @throws IOException with a line for users if that cannot be
+   * @throws IOException with a line for users if it cannot be opened
    */
   LineOutput open(LineAddress address) throws IOException;
 }

@@ -16,9 +16,9 @@ public final class LineOutputs {
   private LineOutputs() {}
 
   /**
-   * All ways of transport.
+   * All transports.
    *
-   * @return by the word that their addresses start with, in alphabetical order
+   * @return by the scheme of their addresses, in alphabetical order
    */
   public static Map<String, LineOutputProvider> all() {
     Map<String, LineOutputProvider> found = new TreeMap<>();
@@ -33,8 +33,8 @@ public final class LineOutputs {
    *
    * @param address such as {@code tcp://127.0.0.1:5555}
    * @return its parts
-   * @throws IllegalArgumentException with a line for users if it is none, or nothing here
-   *     transports that way
+   * @throws IllegalArgumentException with a line for users if it is invalid or its transport is
+   *     missing
    */
   public static LineAddress check(String address) {
     LineAddress parts = LineAddress.parse(address);
@@ -51,7 +51,7 @@ public final class LineOutputs {
    *
    * @param address such as {@code tcp://127.0.0.1:5555}
    * @return an open output
-   * @throws IOException with a line for users if that cannot be
+   * @throws IOException with a line for users if it cannot be opened
    * @throws IllegalArgumentException as {@link #check}
    */
   public static LineOutput open(String address) throws IOException {

@@ -23,13 +23,13 @@ import java.util.Objects;
  * {"sent_us":1795278123459000,"notification":"lost","messages":12,"place":"this receiver is too slow"}
  * }</pre>
  *
- * <p>{@code number} counts the messages of a run from 1: a gap tells how many are missing. {@code
+ * <p>{@code number} counts the messages of a run from 1: a gap shows how many were lost. {@code
  * sent_us} is the time of sending, microseconds since 1970 (UTC). {@code row} is a result; its
- * names are the columns of its table ({@link CsvSink#columns}), and what a table leaves empty is
+ * names are the columns of its table ({@link CsvSink#columns}), and empty fields of a table are
  * null, as is infinity, which JSON does not have. A {@code notification} is one of {@code started},
- * {@code reset}, {@code data-lost}, {@code device-lost}, {@code end} (the stream's own, see {@link
- * StreamNotification}), or {@code lost}: messages that were not sent because there was no room for
- * them, or {@code refused}: there are too many receivers; those two have no number.
+ * {@code reset}, {@code data-lost}, {@code device-lost}, {@code end} (those of the stream, see
+ * {@link StreamNotification}), or {@code lost} (messages dropped because a buffer was full) or
+ * {@code refused} (there are too many receivers); these two have no number.
  *
  * <p>Thread rule: one thread at a time.
  *
@@ -73,7 +73,7 @@ public final class LiveMessages {
    * The message of a notification.
    *
    * @param number of the message
-   * @param notification what happened in the stream
+   * @param notification of the stream
    * @return a line in ASCII with its line feed
    */
   public byte[] notification(long number, StreamNotification notification) {
@@ -107,10 +107,10 @@ public final class LiveMessages {
   }
 
   /**
-   * The message that others are missing.
+   * The message about lost messages.
    *
-   * @param messages how many
-   * @param place who had no room for them, in words for users
+   * @param messages their number
+   * @param place where they were dropped, in words for users
    * @return a line in ASCII with its line feed
    */
   public byte[] lost(long messages, String place) {
@@ -123,9 +123,9 @@ public final class LiveMessages {
   }
 
   /**
-   * The only message of a receiver that is turned away.
+   * The only message to a refused receiver.
    *
-   * @param place why, in words for users
+   * @param place the reason, in words for users
    * @return a line in ASCII with its line feed
    */
   public byte[] refused(String place) {

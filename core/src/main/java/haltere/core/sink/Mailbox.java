@@ -10,7 +10,7 @@ import java.util.concurrent.atomic.AtomicReference;
  *
  * <p>Thread rule: one thread puts, another takes; the counts may be read from any thread.
  *
- * @param <T> type of the values, immutable or handed over for good
+ * @param <T> type of the values, immutable or no longer used by the producer
  * @since 0.1
  */
 public final class Mailbox<T> {
@@ -22,7 +22,7 @@ public final class Mailbox<T> {
   public Mailbox() {}
 
   /**
-   * Puts a value in.
+   * Puts a value.
    *
    * @param value the latest
    * @return the replaced value, which was never taken and can be reused, or null
@@ -38,7 +38,7 @@ public final class Mailbox<T> {
   }
 
   /**
-   * Takes the latest value out.
+   * Takes the latest value.
    *
    * @return the value, or null if none came since the last call
    */
@@ -47,7 +47,7 @@ public final class Mailbox<T> {
   }
 
   /**
-   * Values put in.
+   * Values that were put.
    *
    * @return a count
    */

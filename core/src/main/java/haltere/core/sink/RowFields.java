@@ -69,7 +69,7 @@ public final class RowFields {
     void nothing();
   }
 
-  /** What values of a component are. */
+  /** Type of the values of a component. */
   public enum Kind {
     /** 64-bit integers. */
     LONG,
@@ -105,7 +105,7 @@ public final class RowFields {
     }
   }
 
-  /** Hands on one component of a row. */
+  /** Passes on one component of a row. */
   private interface Field {
     void write(Object row, Values values) throws Throwable;
   }
@@ -167,7 +167,7 @@ public final class RowFields {
     }
   }
 
-  /** A column with the way from a row to its value. */
+  /** A column with the accessor of its value. */
   private record Leaf(String component, String name, int decimals, MethodHandle get) {}
 
   private static List<Leaf> leaves(Class<?> type) {
@@ -235,7 +235,7 @@ public final class RowFields {
   }
 
   /**
-   * What the values of the columns are.
+   * Types of the columns.
    *
    * @return in order
    */
@@ -244,11 +244,11 @@ public final class RowFields {
   }
 
   /**
-   * Hands on one component of a row.
+   * Passes on one component of a row.
    *
-   * @param index which, from 0
+   * @param index of the component, from 0
    * @param row a record of the type
-   * @param values takes the value
+   * @param values receives the value
    */
   public void write(int index, Record row, Values values) {
     try {
@@ -261,9 +261,9 @@ public final class RowFields {
   /**
    * The value of one component of a row.
    *
-   * @param index which, from 0
+   * @param index of the component, from 0
    * @param row a record of the type
-   * @return as the record has it, a number in a box
+   * @return as in the record; numbers are boxed
    */
   public Object value(int index, Record row) {
     try {

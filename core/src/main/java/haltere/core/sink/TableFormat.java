@@ -5,8 +5,8 @@ import java.io.IOException;
 
 /**
  * A format of tables beside CSV, found as a service ({@code
- * META-INF/services/haltere.core.sink.TableFormat}), so that one that needs a library can come in a
- * jar of its own.
+ * META-INF/services/haltere.core.sink.TableFormat}), so that a format with a library can have a jar
+ * of its own.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *
@@ -14,7 +14,7 @@ import java.io.IOException;
  */
 public interface TableFormat {
   /**
-   * What names of its files end in.
+   * Ending of the names of its files.
    *
    * @return lower case, without the dot, such as {@code parquet}
    */

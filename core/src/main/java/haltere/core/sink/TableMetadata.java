@@ -10,11 +10,11 @@ import java.util.Map;
  */
 @FunctionalInterface
 public interface TableMetadata {
-  /** Says nothing. */
+  /** No metadata. */
   TableMetadata NONE = Map::of;
 
   /**
-   * The entries, asked for once, when the table is finished.
+   * The entries; called once, when the table is finished.
    *
    * @return values by name; the same bytes for the same chain and recording
    * @throws IOException if the recording cannot be read

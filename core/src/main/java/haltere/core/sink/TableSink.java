@@ -5,8 +5,8 @@ import java.io.IOException;
 import java.util.function.Consumer;
 
 /**
- * A table that is being written, a row for each record. It appears in its place when it is {@link
- * #finish() finished}; closed before that, it leaves nothing.
+ * A table that is being written, one row per record. Its file appears when it is {@link #finish()
+ * finished}; closed before that, it leaves nothing.
  *
  * <p>Thread rule: one thread at a time.
  *
@@ -31,9 +31,9 @@ public interface TableSink<R extends Record> extends Consumer<R>, Closeable {
   long rows();
 
   /**
-   * Completes the file and puts it in its place.
+   * Completes the file, which then appears.
    *
-   * @throws IOException if that fails; the target is then as it was
+   * @throws IOException if that fails; an existing file is then unchanged
    */
   void finish() throws IOException;
 

@@ -36,7 +36,7 @@ public final class Tables {
   }
 
   /**
-   * The endings that there are.
+   * The available endings.
    *
    * @return CSV first
    */
@@ -49,9 +49,8 @@ public final class Tables {
   /**
    * Why a table cannot be written under a name.
    *
-   * @param file where it will be
-   * @return one line for users; empty if its format is there, which is CSV for all names that no
-   *     format answers to
+   * @param file its path
+   * @return one line for users; empty if its format is available; unknown endings mean CSV
    */
   public static Optional<String> problem(Path file) {
     String ending = ending(file);
@@ -66,15 +65,15 @@ public final class Tables {
   }
 
   /**
-   * Starts a table beside its place, where it appears when it is finished.
+   * Starts a table, whose file appears when it is finished.
    *
    * @param <R> type of the rows
-   * @param file where it will be
+   * @param file its path
    * @param type class of the rows
-   * @param overwrite whether a file that is there may be replaced
-   * @param metadata kept in the file where its format can
+   * @param overwrite whether an existing file may be replaced
+   * @param metadata stored in the file if its format can
    * @return an open table
-   * @throws IOException if its format is missing, the file is there and may not be replaced, or
+   * @throws IOException if its format is missing, the file exists and may not be replaced, or it
    *     cannot be written
    * @throws IllegalArgumentException if the type is not {@link CsvSink#isFlat flat}
    */
@@ -88,12 +87,12 @@ public final class Tables {
   }
 
   /**
-   * Starts a table in a file that was begun.
+   * Starts a table in a new file.
    *
    * @param <R> type of the rows
    * @param file empty; owned by the table from now on
    * @param type class of the rows
-   * @param metadata kept in the file where its format can
+   * @param metadata stored in the file if its format can
    * @return an open table
    * @throws IOException if its format is missing, or the file cannot be written
    * @throws IllegalArgumentException if the type is not flat

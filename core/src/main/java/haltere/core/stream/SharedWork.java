@@ -1,5 +1,6 @@
 package haltere.core.stream;
 
+import haltere.core.stream.internal.Daemon;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.IntConsumer;
@@ -64,8 +65,7 @@ public final class SharedWork implements AutoCloseable {
       return;
     }
     if (second == null) {
-      second = new Thread(this::help, "haltere-filter");
-      second.setDaemon(true);
+      second = Daemon.thread(this::help, "haltere-filter");
       second.start();
     }
     first = Thread.currentThread();

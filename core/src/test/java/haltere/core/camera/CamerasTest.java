@@ -42,7 +42,7 @@ class CamerasTest {
   }
 
   @Test
-  void whoAsksForAnUnknownOneIsToldWhatThereIs() {
+  void unknownCamerasAreRejectedWithTheListOfCameras() {
     CameraProblem problem =
         assertThrows(CameraProblem.class, () -> cameras.open("b:3", CameraOptions.DEFAULT));
 
@@ -53,7 +53,7 @@ class CamerasTest {
   }
 
   @Test
-  void withoutAnyCameraThatIsSaid() {
+  void absenceOfCamerasIsReported() {
     CameraProblem problem =
         assertThrows(
             CameraProblem.class, () -> new Cameras(List.of()).open("", CameraOptions.DEFAULT));
@@ -62,7 +62,7 @@ class CamerasTest {
   }
 
   @Test
-  void whatKeepsAProviderFromSeeingAnyIsSaid() {
+  void providersReportWhyTheyFindNoCamera() {
     CameraProvider blind =
         new CameraProvider() {
           @Override

@@ -45,7 +45,7 @@ class ChainFileTest {
   }
 
   @Test
-  void whatIsWrittenReadsTheSame() throws IOException {
+  void writtenChainsAreReadBackUnchanged() throws IOException {
     FilterChain chain = new FilterChain(SENSOR);
     chain.add("every-nth", new EveryNthFilter(EveryNthFilter.Settings.of(7)));
     FilterChain nested = new FilterChain(SENSOR);
@@ -94,7 +94,7 @@ class ChainFileTest {
   }
 
   @Test
-  void anUnknownFilterIsNamedWithThoseThatThereAre() {
+  void unknownFiltersAreRejectedWithTheListOfFilters() {
     String message = problem("{\"filters\": [{\"filter\": \"wings\"}]}");
     assertTrue(
         message.startsWith(
@@ -104,7 +104,7 @@ class ChainFileTest {
   }
 
   @Test
-  void anUnknownSettingIsNamedWithThoseThatThereAre() {
+  void unknownSettingsAreRejectedWithTheListOfSettings() {
     assertEquals(
         "chain.json: filter 1 (every-nth): there is no setting m; there are n, start, extras.ratio",
         problem("{\"filters\": [{\"filter\": \"every-nth\", \"settings\": {\"m\": 1}}]}"));

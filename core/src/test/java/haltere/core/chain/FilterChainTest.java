@@ -56,7 +56,7 @@ class FilterChainTest {
   }
 
   @Test
-  void aFilterThatIsEnabledAgainIsToldBeforeItsNextPacket() {
+  void reenabledFiltersAreResetBeforeTheNextPacket() {
     chain.process(events(0, 4));
     chain.setEnabled(firstStage, false);
     chain.process(events(4, 4));
@@ -80,7 +80,7 @@ class FilterChainTest {
   }
 
   @Test
-  void enablingWhatIsEnabledChangesNothing() {
+  void enablingAnEnabledStageChangesNothing() {
     chain.process(events(0, 4));
     chain.setEnabled(firstStage, true);
     chain.process(events(4, 4));
@@ -113,7 +113,7 @@ class FilterChainTest {
   }
 
   @Test
-  void movingAStageResetsWhatSeesAnotherStreamFromThenOn() {
+  void movingAStageResetsAllStagesWithAnotherInput() {
     EveryNthFilter third = new EveryNthFilter(EveryNthFilter.Settings.of(1));
     ChainStage thirdStage = chain.add("every-nth", third);
     chain.move(thirdStage, 1);
@@ -126,7 +126,7 @@ class FilterChainTest {
   }
 
   @Test
-  void aStageThatIsTakenOutIsClosedAndNoLongerOfThisChain() {
+  void removedStagesAreClosedAndLeaveTheChain() {
     chain.remove(firstStage);
     assertTrue(first.closed);
     assertEquals(List.of(secondStage), chain.stages());
@@ -151,7 +151,7 @@ class FilterChainTest {
   }
 
   @Test
-  void aStageThatHasSeenNothingHasCostNothing() {
+  void unusedStagesHaveNoCost() {
     assertEquals(0, firstStage.timing().microsPerThousandEvents());
     assertEquals(2.5, new FilterTiming(1, 1000, 10, 2500).microsPerThousandEvents());
   }
@@ -208,7 +208,7 @@ class FilterChainTest {
   }
 
   @Test
-  void aFilterThatFailsIsNamed() {
+  void failuresNameTheFilter() {
     FilterChain outer = new FilterChain(SENSOR);
     ChainStage broken =
         chain.add(

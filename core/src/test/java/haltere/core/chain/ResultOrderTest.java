@@ -47,7 +47,7 @@ class ResultOrderTest {
   }
 
   @Test
-  void aClockThatRestartsKeepsTheOrderOfTheRecording() {
+  void clockRestartsKeepTheOrderOfTheRecording() {
     take(9_000_000, 9_500_000, 100_000, 200_000);
     sorter.finish();
     assertEquals(List.of(9_000_000L, 9_500_000L, 100_000L, 200_000L), times());

@@ -70,7 +70,7 @@ class EventPacketTest {
   }
 
   @Test
-  void whatDoesNotFitIsRefused() {
+  void valuesOutOfRangeAreRejected() {
     EventPacket packet = new EventPacket(0);
     packet.append(10, 0, 0, true);
     assertThrows(IllegalArgumentException.class, () -> packet.append(9, 0, 0, true));

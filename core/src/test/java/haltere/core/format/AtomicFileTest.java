@@ -33,7 +33,7 @@ class AtomicFileTest {
   }
 
   @Test
-  void aCommittedFileIsInItsPlace() throws IOException {
+  void committedFilesAppear() throws IOException {
     Path target = folder.resolve("a.txt");
     try (AtomicFile file = AtomicFile.create(target, false)) {
       write(file, "whole");
@@ -46,7 +46,7 @@ class AtomicFileTest {
   }
 
   @Test
-  void aFileThatIsNotCommittedLeavesNothing() throws IOException {
+  void uncommittedFilesLeaveNothing() throws IOException {
     try (AtomicFile file = AtomicFile.create(folder.resolve("a.txt"), false)) {
       write(file, "half");
       assertEquals(1, names().size());
@@ -73,7 +73,7 @@ class AtomicFileTest {
   }
 
   @Test
-  void aFileThatAppearsInTheMeantimeIsNotReplaced() throws IOException {
+  void filesThatAppearMeanwhileAreNotReplaced() throws IOException {
     Path target = folder.resolve("a.txt");
     try (AtomicFile file = AtomicFile.create(target, false)) {
       write(file, "mine");
@@ -97,7 +97,7 @@ class AtomicFileTest {
   }
 
   @Test
-  void aFolderAndAPlaceInNoFolderAreRefused() throws IOException {
+  void foldersAndPathsInMissingFoldersAreRejected() throws IOException {
     assertThrows(RecordingProblem.class, () -> AtomicFile.create(folder, true));
     RecordingProblem problem =
         assertThrows(
@@ -113,8 +113,7 @@ class AtomicFileTest {
     "Input/output error, copy what can be read",
     "Read-only file system, choose another place"
   })
-  void whatTheSystemRefusesIsSaidWithTheNameTheCauseAndWhatToDo(String cause, String advice)
-      throws IOException {
+  void systemErrorsNameTheFileTheCauseAndARemedy(String cause, String advice) throws IOException {
     OutputStream full =
         new OutputStream() {
           @Override

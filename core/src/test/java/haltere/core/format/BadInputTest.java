@@ -84,7 +84,7 @@ class BadInputTest {
   }
 
   @Test
-  void aFileThatMayNotBeReadIsRefused() throws IOException {
+  void unreadableFilesAreRejected() throws IOException {
     Path file = Files.writeString(folder.resolve("secret.aedat"), "#!AER-DAT2.0\n");
     Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("---------"));
     Assumptions.assumeFalse(
@@ -93,7 +93,7 @@ class BadInputTest {
   }
 
   @Test
-  void aPictureNamedLikeARecordingIsRefusedWithWhatEachFormatSaw() throws IOException {
+  void picturesNamedLikeRecordingsAreRejectedWithEachFormatsReason() throws IOException {
     for (String name : new String[] {"picture.aedat", "picture.dat"}) {
       RecordingProblem problem = refused(Files.write(folder.resolve(name), PNG));
       assertSays("aedat1: ", problem);
@@ -133,7 +133,7 @@ class BadInputTest {
   }
 
   @Test
-  void aFormatThatDoesNotExistIsRefusedWithTheNamesOfThoseThatDo() throws IOException {
+  void unknownFormatsAreRejectedWithTheListOfFormats() throws IOException {
     Path file = Files.writeString(folder.resolve("a.aedat"), "#!AER-DAT2.0\n");
     RecordingProblem problem =
         assertThrows(

@@ -150,7 +150,7 @@ class DamagedFilesTest {
 
   @ParameterizedTest
   @MethodSource("formats")
-  void damageIsFoundAndWhatWasBeforeItIsRead(String name) {
+  void damageIsFoundAndEarlierEventsAreRead(String name) {
     assertTimeoutPreemptively(SOON, () -> damageAndRead(Recordings.formats().get(name)));
   }
 

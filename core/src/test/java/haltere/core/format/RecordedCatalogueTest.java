@@ -33,7 +33,7 @@ class RecordedCatalogueTest {
 
   @ParameterizedTest
   @MethodSource("recordings")
-  void aRecordingGivesTheEventsThatOtherProgramsRead(RecordedPackets facts) throws IOException {
+  void recordingsYieldTheSameEventsAsInOtherPrograms(RecordedPackets facts) throws IOException {
     StreamRecorder recorder = new StreamRecorder();
     try (RecordingReader reader = facts.open()) {
       assertEquals(facts.format(), reader.formatName());

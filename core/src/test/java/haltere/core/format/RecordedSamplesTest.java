@@ -40,7 +40,7 @@ class RecordedSamplesTest {
   }
 
   @Test
-  void framesOfADavisAreThoseThatOtherProgramsSee() throws IOException {
+  void davisFramesAreTheSameAsInOtherPrograms() throws IOException {
     List<Frame> frames = read(DAVIS346, WITH_SAMPLES).samples(Frame.class);
     assertEquals(59, frames.size());
     Frame first = frames.get(0);
@@ -67,7 +67,7 @@ class RecordedSamplesTest {
   }
 
   @Test
-  void inertialSamplesOfADavisAreThoseThatOtherProgramsSee() throws IOException {
+  void davisInertialSamplesAreTheSameAsInOtherPrograms() throws IOException {
     List<InertialSample> samples = read(DAVIS346, WITH_SAMPLES).samples(InertialSample.class);
     assertEquals(2363, samples.size());
     assertEquals(

@@ -153,7 +153,7 @@ class RecordingFolderTest {
   }
 
   @Test
-  void aClockThatRestartsWithAPartIsReported() throws IOException {
+  void clockRestartsBetweenPartsAreReported() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 5, 5_000, 500, 7);
     write(bag.resolve("a.mcap"), SENSOR, events);
     write(bag.resolve("b.mcap"), SENSOR, events);
@@ -175,7 +175,7 @@ class RecordingFolderTest {
   }
 
   @Test
-  void aPartThatIsMissingOrElsewhereOrOfAnotherSensorIsReported() throws IOException {
+  void missingMisplacedAndForeignPartsAreReported() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 6, 100, 500, 7);
     write(bag.resolve("a.mcap"), SENSOR, events);
     list("a.mcap", "b.mcap");

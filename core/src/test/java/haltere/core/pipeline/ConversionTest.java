@@ -89,7 +89,7 @@ class ConversionTest {
   }
 
   @Test
-  void aStageWorksOnWhatIsCopiedAndHearsEverything() throws IOException {
+  void stagesProcessCopiedEventsAndReceiveAllNotifications() throws IOException {
     Path source = write("source.aedat", EventPackets.uniform(SENSOR, 1, 20_000, 0, 10));
     Path target = folder.resolve("target.aedat");
     StreamRecorder heard = new StreamRecorder();

@@ -83,7 +83,7 @@ class HostFaultTest {
   }
 
   @Test
-  void aSubscriberThatThrowsIsReportedAndDroppedAndTheFilterContinues() {
+  void throwingSubscribersAreReportedAndRemovedAndTheFilterContinues() {
     List<Long> heard = new ArrayList<>();
     List<RuntimeException> reported = new ArrayList<>();
     counter.counts.subscribe(
@@ -99,7 +99,7 @@ class HostFaultTest {
   }
 
   @Test
-  void aChainAtWorkSaysWhichThreadHasItToAnotherThatTouchesIt() throws Exception {
+  void concurrentUseOfAChainNamesTheOwningThread() throws Exception {
     CountDownLatch working = new CountDownLatch(1);
     CountDownLatch seen = new CountDownLatch(1);
     counter.atWork =
@@ -136,7 +136,7 @@ class HostFaultTest {
   }
 
   @Test
-  void aChangeThatIsQueuedFromAnotherThreadComesBeforeTheNextPacket() {
+  void queuedChangesAreAppliedBeforeTheNextPacket() {
     ChainRunner runner =
         new ChainRunner(chain, new PipelineCounters(), OnFailure.STOP, failure -> {});
     runner.packet(packet(0, 1));
@@ -157,7 +157,7 @@ class HostFaultTest {
   }
 
   @Test
-  void aSinkThatCannotWriteEndsTheRunBehindTheFilters() {
+  void sinkFailuresEndTheRunAfterTheFilters() {
     ResultFailure failure = new ResultFailure();
     counter.counts.subscribe(
         count -> {

@@ -74,7 +74,7 @@ class LiveBufferTest {
   }
 
   @Test
-  void theNewestIsDroppedAndToldAtItsPlace() throws IOException {
+  void newestPacketsAreDroppedAndReportedAtTheirPosition() throws IOException {
     LiveBuffer buffer = buffer(4, OverflowPolicy.DROP_NEWEST);
     buffer.notified(new StreamStarted(SENSOR, "test"));
     for (long t = 10; t <= 50; t += 10) {
@@ -94,7 +94,7 @@ class LiveBufferTest {
   }
 
   @Test
-  void theOldestIsDroppedAndToldAtItsPlace() throws IOException {
+  void oldestPacketsAreDroppedAndReportedAtTheirPosition() throws IOException {
     LiveBuffer buffer = buffer(4, OverflowPolicy.DROP_OLDEST);
     buffer.notified(new StreamStarted(SENSOR, "test"));
     for (long t = 10; t <= 50; t += 10) {
@@ -211,7 +211,7 @@ class LiveBufferTest {
   }
 
   @Test
-  void underLoadEveryEventIsHandedOverOrToldToBeLost() throws Exception {
+  void everyEventIsPassedOnOrReportedLostUnderLoad() throws Exception {
     for (OverflowPolicy policy :
         new OverflowPolicy[] {OverflowPolicy.DROP_NEWEST, OverflowPolicy.DROP_OLDEST}) {
       LiveBuffer buffer = buffer(12, policy);

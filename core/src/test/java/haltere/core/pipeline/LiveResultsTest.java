@@ -127,7 +127,7 @@ class LiveResultsTest {
   }
 
   @Test
-  void anOutputThatFailsIsReportedAtOnceAndWhatWaitsIsCounted() throws IOException {
+  void outputFailuresAreReportedAtOnceAndQueuedLinesCounted() throws IOException {
     List<String> told = new CopyOnWriteArrayList<>();
     Kept output =
         new Kept(true) {
@@ -149,7 +149,7 @@ class LiveResultsTest {
   }
 
   @Test
-  void aSenderThatFailsIsReportedAtOnceAndWhatItDidNotSendIsCounted() throws IOException {
+  void senderFailuresAreReportedAtOnceAndUnsentLinesCounted() throws IOException {
     List<String> told = new CopyOnWriteArrayList<>();
     Kept output =
         new Kept(false) {
@@ -196,7 +196,7 @@ class LiveResultsTest {
   }
 
   @Test
-  void anOutputThatIsHeldUpHoldsUpNobodyAndEveryLossIsReported() throws IOException {
+  void blockedOutputsBlockNobodyAndEveryLossIsReported() throws IOException {
     FilterChain chain = new FilterChain(SENSOR);
     chain.add("every-event", new EveryEvent());
     Kept output = new Kept(true);
@@ -222,7 +222,7 @@ class LiveResultsTest {
   }
 
   @Test
-  void onlyWhatIsWantedIsSentAndFiltersHearOfNobodyElse() throws IOException {
+  void onlyRequestedOutletsAreSentAndOthersHaveNoSubscriber() throws IOException {
     FilterChain chain = new FilterChain(SENSOR);
     EveryEvent first = new EveryEvent();
     EveryEvent second = new EveryEvent();

@@ -84,7 +84,7 @@ class PipelineTest {
   }
 
   @Test
-  void whatComesInGoesOutOrIsDroppedOrIsLostAndCounted() throws IOException {
+  void inputEqualsOutputPlusDroppedPlusLost() throws IOException {
     ChainStage on = chain.add("on", filter(PipelineTest::keepOn));
     ChainStage weak = chain.add("weak", filter(packet -> failAt(packet, 6000)));
     List<String> failures =
@@ -111,7 +111,7 @@ class PipelineTest {
   }
 
   @Test
-  void aFailureStopsARunThatIsNotToldOtherwise() {
+  void failuresStopARunByDefault() {
     chain.add("weak", filter(packet -> failAt(packet, 6000)));
     FilterFailure failure =
         assertThrows(

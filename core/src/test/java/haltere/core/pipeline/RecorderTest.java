@@ -130,7 +130,7 @@ class RecorderTest {
   }
 
   @Test
-  void aDiskThatIsHeldUpCostsACameraEventsThatAreCountedAndReported() throws Exception {
+  void eventsLostToABlockedDiskAreCountedAndReported() throws Exception {
     disk.gate = new CountDownLatch(1);
     EventPacket all = packet(12 * Recorder.PACKET_EVENTS, 1000);
     int shown = 100;
@@ -170,7 +170,7 @@ class RecorderTest {
   }
 
   @Test
-  void whatHasComeIsInTheFileSoonThoughNothingFollows() throws Exception {
+  void eventsReachTheFileSoonWithoutSuccessors() throws Exception {
     try (Recorder recorder = recorder(OverflowPolicy.BLOCK, 2, LONG)) {
       recorder.packet(packet(3, 0));
       assertTrue(disk.flushed.await(20, TimeUnit.SECONDS));
@@ -179,7 +179,7 @@ class RecorderTest {
   }
 
   @Test
-  void aFullDiskIsToldToWhoeverHandsOverAndToWhoeverEnds() throws Exception {
+  void fullDisksFailTheProducerAndTheEnd() throws Exception {
     disk.room = 5;
     Recorder recorder = recorder(OverflowPolicy.BLOCK, 2, LONG);
     recorder.packet(packet(5, 0));
@@ -203,7 +203,7 @@ class RecorderTest {
   }
 
   @Test
-  void aDiskThatAnswersNoMoreHoldsUpNeitherTheProducerNorTheEnd() throws Exception {
+  void hungDisksBlockNeitherTheProducerNorTheEnd() throws Exception {
     disk.gate = new CountDownLatch(1);
     Recorder recorder = recorder(OverflowPolicy.BLOCK, 2, Duration.ofMillis(20));
     Thread producer =

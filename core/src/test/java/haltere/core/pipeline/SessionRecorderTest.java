@@ -145,7 +145,7 @@ class SessionRecorderTest {
   }
 
   @Test
-  void aDiskThatGetsFullEndsTheRecordingBeforeWithAWholeFile() throws IOException {
+  void recordingEndsWithACompleteFileBeforeTheDiskIsFull() throws IOException {
     try (SessionRecorder session = session()) {
       session.notified(new StreamStarted(SENSOR, "camera"));
       session.packet(events(0, 100));
@@ -172,7 +172,7 @@ class SessionRecorderTest {
   }
 
   @Test
-  void aDiskThatIsFullIsNotWrittenToAtAll() throws IOException {
+  void fullDisksAreNotWrittenTo() throws IOException {
     free.set(0);
     try (SessionRecorder session = session()) {
       session.packet(events(0, 10));
@@ -185,7 +185,7 @@ class SessionRecorderTest {
   }
 
   @Test
-  void aRecordingDoesNotBeginOnADiskThatHasNotTheSpaceThatIsToStay() throws IOException {
+  void recordingsDoNotStartBelowTheReservedDiskSpace() throws IOException {
     free.set(999);
     try (SessionRecorder session = session()) {
       String refused = assertThrows(RecordingProblem.class, session::checkSpace).getMessage();
@@ -207,7 +207,7 @@ class SessionRecorderTest {
   }
 
   @Test
-  void aPartThatCannotBeStartedIsAProblem() throws IOException {
+  void failureToStartAPartIsReported() throws IOException {
     Files.writeString(folder.resolve("out.aedat4"), "mine");
     try (SessionRecorder session = session()) {
       EventPacket packet = events(0, 10);

@@ -29,7 +29,7 @@ import org.junit.jupiter.api.Test;
 /** What continues where a filter, a sink or a source fails. */
 class EngineFailuresTest {
   @Test
-  void aFilterThatThrowsIsSwitchedOffAndPlaybackContinues() throws IOException {
+  void throwingFiltersAreDisabledAndPlaybackContinues() throws IOException {
     EngineRig rig = new EngineRig(recording(even(8)), byTime(20));
     ChainStage broken =
         rig.chain.add(
@@ -61,7 +61,7 @@ class EngineFailuresTest {
   }
 
   @Test
-  void aFilterThatThrowsAtANotificationDoesNotHideItFromTheOthers() throws IOException {
+  void notificationsReachAllFiltersDespiteAnException() throws IOException {
     EngineRig rig = new EngineRig(recording(even(8)), byTime(20).withPaused(true)).run();
     List<String> heard = new ArrayList<>();
     rig.chain.add(
@@ -93,7 +93,7 @@ class EngineFailuresTest {
   }
 
   @Test
-  void aSinkThatThrowsIsRemovedAndTheOthersGoOn() throws IOException {
+  void throwingSinksAreRemovedAndOthersContinue() throws IOException {
     EngineRig rig = new EngineRig(recording(even(8)), byTime(20));
     rig.ask(
         new PlaybackCommand.AddSink(
@@ -114,7 +114,7 @@ class EngineFailuresTest {
   }
 
   @Test
-  void aSourceThatCannotBeReadAnyMoreEndsTheStreamAndSaysSo() throws IOException {
+  void readFailuresEndTheStreamWithAMessage() throws IOException {
     MemoryRecording bad = new MemoryRecording(SENSOR, () -> 2, even(8)).failingAt(1045);
     EngineRig rig = new EngineRig(new RecordingPlayable(bad), byTime(20)).run();
     assertEquals(State.FAILED, rig.engine.status().state());
@@ -128,7 +128,7 @@ class EngineFailuresTest {
   }
 
   @Test
-  void anEditThatThrowsFailsOnlyItself() throws IOException {
+  void throwingEditsFailAlone() throws IOException {
     EngineRig rig = new EngineRig(recording(even(8)), byTime(20));
     CompletableFuture<Void> edit =
         rig.ask(new PlaybackCommand.Edit(chain -> chain.stage("none"), false));

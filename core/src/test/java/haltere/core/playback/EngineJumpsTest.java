@@ -53,7 +53,7 @@ class EngineJumpsTest {
   }
 
   @Test
-  void everyJumpTellsExactlyOnceBeforeThePacketsItConcerns() throws IOException {
+  void jumpsSendOneNotificationBeforeTheirPackets() throws IOException {
     EngineRig rig = new EngineRig(recording(even(20)), byTime(20).withPaused(true)).run();
     rig.ask(new PlaybackCommand.Seek(100));
     rig.run();
@@ -106,7 +106,7 @@ class EngineJumpsTest {
   }
 
   @Test
-  void aResetSaysWhatTimesItStandsBetween() throws IOException {
+  void resetsStateTheTimesBeforeAndAfter() throws IOException {
     List<StreamNotification> seen = new ArrayList<>();
     EngineRig rig = new EngineRig(recording(even(20)), byTime(20).withPaused(true)).run();
     rig.ask(new PlaybackCommand.AddSink(noting(seen), false));

@@ -35,7 +35,7 @@ class EngineLoopsTest {
   }
 
   @Test
-  void aLoopOverEverythingNeverTellsOfAnEnd() throws IOException {
+  void fullLoopsNeverSendAnEnd() throws IOException {
     EngineRig rig = new EngineRig(recording(even(3)), byTime(100).withLoop(Loop.ALL));
     rig.runUntil(43_000);
     assertEquals(

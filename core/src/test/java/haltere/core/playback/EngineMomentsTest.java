@@ -38,7 +38,7 @@ class EngineMomentsTest {
   }
 
   @Test
-  void aMomentThatWasPlayedToIsMadeAsOneThatWasSought() throws IOException {
+  void playedAndSoughtMomentsAreEqual() throws IOException {
     EngineRig played = rig(false);
     played.runUntil(2_050_000);
     assertEquals(2000, played.engine.status().elapsedUs());
@@ -50,7 +50,7 @@ class EngineMomentsTest {
   }
 
   @Test
-  void aMomentThatWasSteppedToIsMadeAsOneThatWasSought() throws IOException {
+  void steppedAndSoughtMomentsAreEqual() throws IOException {
     for (int steps : new int[] {1, 3, 7, -1, -5}) {
       EngineRig stepped = sought(2000);
       stepped.ask(new PlaybackCommand.Step(steps));
@@ -81,7 +81,7 @@ class EngineMomentsTest {
   }
 
   @Test
-  void aChangeInPauseShowsTheSameSliceAnewAndNothingIsPlayedTwice() throws IOException {
+  void changesWhilePausedRepeatTheSliceForSliceSinksOnly() throws IOException {
     EngineRig rig = sought(2000);
     List<String> before = run(rig);
     List<Long> file = new ArrayList<>();
@@ -144,7 +144,7 @@ class EngineMomentsTest {
   }
 
   @Test
-  void whatIsOnlyLookedAtAndWhatIsChangedByHandStays() throws IOException {
+  void readsAndManualChangesRepeatNothing() throws IOException {
     EngineRig rig = sought(2000);
     rig.log.take();
     rig.ask(new PlaybackCommand.Read(chain -> {}));
@@ -161,7 +161,7 @@ class EngineMomentsTest {
   }
 
   @Test
-  void aPauseDuringARunUpShowsWhatWasSought() throws IOException {
+  void pausingDuringARunUpShowsTheTarget() throws IOException {
     EngineRig rig = rig(false);
     rig.runUntil(50_000);
     rig.ask(new PlaybackCommand.Seek(2000));
@@ -176,7 +176,7 @@ class EngineMomentsTest {
   }
 
   @Test
-  void aKeptSceneIsMadeAnewFromWhatIsKept() throws IOException {
+  void keptScenesRepeatSlicesFromKeptEvents() throws IOException {
     KeptPlayable kept = new KeptPlayable(recording(even(400)), 100_000);
     EngineRig rig = new EngineRig(kept, byTime(100), MEMORY_US);
     rig.runUntil(2_050_000);

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 /** How fast the engine plays, and what it says when it cannot. */
 class EnginePaceTest {
   @Test
-  void atSpeedOneAMinuteTakesAMinuteWhateverTheChainCosts() throws IOException {
+  void realTimePlaybackDoesNotDriftWithTheCostOfTheChain() throws IOException {
     Random random = new Random(11);
     long[] times = LongStream.range(0, 60_000).map(i -> i * 1000).toArray();
     EngineRig rig =
@@ -55,7 +55,7 @@ class EnginePaceTest {
   }
 
   @Test
-  void aChainThatCannotKeepUpIsReportedAndLosesNothing() throws IOException {
+  void slowChainsAreReportedAndLoseNothing() throws IOException {
     long[] times = LongStream.range(0, 5_000).map(i -> i * 1000).toArray();
     EngineRig rig =
         new EngineRig(
@@ -85,7 +85,7 @@ class EnginePaceTest {
   }
 
   @Test
-  void aSourceThatCannotKeepUpIsToldFromTheChain() throws IOException {
+  void slowSourcesAreDistinguishedFromSlowChains() throws IOException {
     EngineRig[] rig = new EngineRig[1];
     long[] next = new long[1];
     EventSource slow =
@@ -186,7 +186,7 @@ class EnginePaceTest {
   }
 
   @Test
-  void whatWasPlayedAtUnlimitedSpeedContinuesAtALimitedOneWithoutAWait() throws IOException {
+  void changingFromUnlimitedSpeedContinuesWithoutAWait() throws IOException {
     EngineRig rig =
         new EngineRig(recording(even(5000)), byTime(20).withSpeed(Double.POSITIVE_INFINITY));
     while (rig.log.slices < 100) {

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 /** Scenes in the engine. */
 class EngineSceneTest {
   @Test
-  void aSceneIsMadeAnewByARewindAndSeeksNowhereElse() {
+  void scenesRestartOnRewindAndSeekNowhereElse() {
     int[] made = new int[1];
     ScenePlayable scene =
         new ScenePlayable(

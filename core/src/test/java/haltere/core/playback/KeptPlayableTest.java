@@ -105,7 +105,7 @@ class KeptPlayableTest {
   }
 
   @Test
-  void theNewestEventsArePlayedAgainAndThenWhatComes() throws IOException {
+  void keptEventsAreReplayedBeforeNewOnes() throws IOException {
     KeptPlayable kept = kept();
     StreamRecorder first = new StreamRecorder();
     pull(kept, first, 900_000);
@@ -137,7 +137,7 @@ class KeptPlayableTest {
   }
 
   @Test
-  void onlySoMuchIsKeptAndASceneIsMadeAnewForItsStart() throws IOException {
+  void memoryIsBoundedAndScenesRestartForTheirStart() throws IOException {
     KeptPlayable kept = kept();
     pull(kept, new StreamRecorder(), 900_000);
     long from = kept.keptFromUs();
@@ -152,7 +152,7 @@ class KeptPlayableTest {
   }
 
   @Test
-  void whatIsKeptIsTheSameHoweverTheSourceCutsItsPackets() throws IOException {
+  void keptEventsDoNotDependOnPacketBorders() throws IOException {
     SplittableRandom random = new SplittableRandom(5);
     EventHistory history = new EventHistory(16 * ROOM);
     List<Long> expected = new ArrayList<>();
@@ -194,7 +194,7 @@ class KeptPlayableTest {
   }
 
   @Test
-  void whereTheClockRestartedItIsSaidAgain() throws IOException {
+  void replayRepeatsClockRestarts() throws IOException {
     Reset restarted = new Reset(Reset.Cause.CLOCK_RESTARTED, 30, 5);
     KeptPlayable kept =
         new KeptPlayable(

@@ -28,7 +28,7 @@ class KeptSamplesTest {
   private static final int ROOM = 4 * EventHistory.CHUNK_EVENTS;
 
   @Test
-  void samplesAreKeptInTheirPlacesAlsoWhereTheClockRestarted() throws IOException {
+  void samplesKeepTheirPositionsAcrossClockRestarts() throws IOException {
     Reset restarted = new Reset(Reset.Cause.CLOCK_RESTARTED, 30, 5);
     KeptPlayable kept =
         new KeptPlayable(

@@ -59,7 +59,7 @@ class PlaybackClockTest {
   }
 
   @Test
-  void jumpsDelaysAndShiftsMoveWhatIsDue() {
+  void jumpsDelaysAndShiftsChangeDueTimes() {
     clock.resume();
     time.advance(1_000_000);
     clock.setPosition(50_000);

@@ -170,7 +170,7 @@ class PlayerTest {
   }
 
   @Test
-  void closingAnswersWhatIsLeftAndClosesTheRecording() throws Exception {
+  void closingEndsTheStreamFailsCommandsAndClosesTheRecording() throws Exception {
     MemoryRecording memory = new MemoryRecording(SENSOR, events(0, 1_000_000));
     Player player = player(new RecordingPlayable(memory), byTime(1000).withSpeed(1e-4));
     End end = new End();
@@ -185,7 +185,7 @@ class PlayerTest {
   }
 
   @Test
-  void aPlayerThatNeverStartedClosesItsRecordingToo() throws Exception {
+  void unstartedPlayersCloseTheirRecording() throws Exception {
     MemoryRecording memory = new MemoryRecording(SENSOR, events(0, 1));
     Player player = player(new RecordingPlayable(memory), byTime(1000));
     CompletableFuture<Void> waiting = player.seek(1);

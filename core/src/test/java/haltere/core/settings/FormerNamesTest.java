@@ -59,7 +59,7 @@ class FormerNamesTest {
   }
 
   @Test
-  void aSettingThatIsNoMoreIsLeftOutAndALineSaysWhatTakesItsPlace() {
+  void removedSettingsAreSkippedWithAHintToTheReplacement() {
     Map<String, Object> values = Map.of("group", Map.of("a", 1), "inner", Map.of("leastPx", 2));
     assertEquals(Outer.defaults(), read(values));
     assertTrue(notes.get(0).contains("inner.leastPx -> no size is too small"), notes.get(0));
@@ -77,7 +77,7 @@ class FormerNamesTest {
   }
 
   @Test
-  void aNameThatHasNeverExistedIsRefused() {
+  void unknownNamesAreRejected() {
     assertThrows(SettingsProblem.class, () -> read(Map.of("off", true)));
   }
 

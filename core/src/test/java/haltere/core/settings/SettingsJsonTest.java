@@ -40,7 +40,7 @@ class SettingsJsonTest {
   }
 
   @Test
-  void whatIsMissingKeepsItsDefault() {
+  void missingSettingsKeepTheirDefaults() {
     assertEquals(Whole.defaults(), SettingsJson.fromMap(Map.of(), schema));
     assertEquals(
         new Band(0.25, 0.5),

@@ -53,7 +53,7 @@ class SettingsSchemaTest {
   }
 
   @Test
-  void aParameterSaysWhatTheAnnotationsSay() {
+  void parametersStateTheirAnnotations() {
     Parameter time = schema.parameter("timeUs");
     assertEquals(long.class, time.type());
     assertEquals("us", time.unit());
@@ -149,7 +149,7 @@ class SettingsSchemaTest {
   }
 
   @Test
-  void aNameThatDoesNotExistIsAnsweredWithThoseThatDo() {
+  void unknownNamesAreRejectedWithTheListOfNames() {
     assertProblem(
         "there is no setting size; there are"
             + " count, timeUs, on, mood, text, band.low, band.high",
@@ -196,7 +196,7 @@ class SettingsSchemaTest {
   }
 
   @Test
-  void aSettingsRecordThatLacksSomethingIsAFaultOfItsAuthor() {
+  void incompleteSettingsRecordsAreProgrammingErrors() {
     record WithoutDefaults(@Help("A switch.") boolean on) {}
     record WithoutHelp(boolean on) {
       static WithoutHelp defaults() {

@@ -32,7 +32,7 @@ class ScenesTest {
   }
 
   @Test
-  void aNameThatIsNotThereIsRefusedWithThoseThatAre() {
+  void unknownNamesAreRejectedWithTheListOfNames() {
     var problem = assertThrows(IllegalArgumentException.class, () -> Scenes.named("moon"));
 
     assertTrue(problem.getMessage().contains("moon"), problem.getMessage());
@@ -40,14 +40,14 @@ class ScenesTest {
   }
 
   @Test
-  void aSettingThatIsNotThereIsRefused() {
+  void unknownSettingsAreRejected() {
     var provider = Scenes.named("fly");
 
     assertThrows(SettingsProblem.class, () -> provider.create(List.of("wings=4")));
   }
 
   @Test
-  void everySceneSaysWhatItShows() {
+  void scenesHaveADescription() {
     for (SceneProvider<?> provider : Scenes.all().values()) {
       assertTrue(provider.description().endsWith("."), provider.name());
     }

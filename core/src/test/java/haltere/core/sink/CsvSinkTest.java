@@ -87,7 +87,7 @@ class CsvSinkTest {
   }
 
   @Test
-  void whatIsNotThereIsAnEmptyField() {
+  void absentValuesAreEmptyFields() {
     Row row =
         new Row(
             0,
@@ -253,7 +253,7 @@ class CsvSinkTest {
   }
 
   @Test
-  void columnsOfAJoinedRecordStandInItsPlaceButThoseThatAPlainComponentTakes() {
+  void joinedColumnsReplaceTheirComponentExceptPlainOnes() {
     record Point(int x, int y, int age) {}
     record Seen(@Column("y") int row, @Column(joined = true) Point point, int lane, int age) {}
     assertEquals(List.of("y", "x", "lane", "age"), CsvSink.columns(Seen.class));

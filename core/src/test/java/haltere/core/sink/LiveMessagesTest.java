@@ -56,7 +56,7 @@ class LiveMessagesTest {
   }
 
   @Test
-  void whatATableLeavesEmptyIsNull() throws IOException {
+  void emptyTableFieldsAreNull() throws IOException {
     Row row =
         new Row(7, 3, Double.NaN, Float.POSITIVE_INFINITY, false, null, null, OptionalLong.empty());
     Map<?, ?> read = (Map<?, ?>) Json.parse(text(messages.result(1, "a/b", row)), "a message");
@@ -79,7 +79,7 @@ class LiveMessagesTest {
   }
 
   @Test
-  void whatIsSaidInTheStreamComesToo() {
+  void notificationsOfTheStreamAreSent() {
     String begin = "{\"number\":2,\"sent_us\":12345678,\"notification\":";
     Map<StreamNotification, String> expected =
         Map.of(
@@ -103,14 +103,14 @@ class LiveMessagesTest {
   }
 
   @Test
-  void whatIsMissingIsCounted() {
+  void lossMessagesStateTheirCount() {
     assertEquals(
         "{\"sent_us\":12345678,\"notification\":\"lost\",\"messages\":12,\"place\":\"slow\"}\n",
         text(messages.lost(12, "slow")));
   }
 
   @Test
-  void aRecordThatIsNoRowIsRefused() {
+  void recordsThatAreNoRowsAreRejected() {
     record Nested(Row row) {}
     assertThrows(IllegalArgumentException.class, () -> messages.result(1, "a/b", new Nested(null)));
   }

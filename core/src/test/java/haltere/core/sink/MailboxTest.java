@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Timeout;
 
 class MailboxTest {
   @Test
-  void theLatestValueTakesThePlaceOfOneThatNobodyTook() {
+  void newValuesReplaceUnreadOnes() {
     Mailbox<String> mailbox = new Mailbox<>();
     assertNull(mailbox.poll());
     assertNull(mailbox.put("a"));

@@ -29,7 +29,7 @@ class TablesTest {
   }
 
   @Test
-  void aNameThatNoFormatAnswersToIsCsv() throws IOException {
+  void unknownExtensionsAreCsv() throws IOException {
     for (String name : List.of("a.csv", "a.txt", "a")) {
       assertEquals("time_us,x_px\n5,0.5\n", Files.readString(write(name)));
     }

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class ReportClockTest {
   @Test
-  void aRateThatDoesNotDivideASecondDoesNotDrift() {
+  void ratesThatDoNotDivideASecondDoNotDrift() {
     ReportClock clock = new ReportClock();
     clock.setRate(30);
     clock.skipTo(0);

@@ -61,7 +61,7 @@ class SharedWorkTest {
   }
 
   @Test
-  void whatAPieceThrowsOnEitherThreadIsThrownToTheCallerWhenNoPieceIsAtWork() {
+  void exceptionsOfPiecesReachTheCallerAfterAllPieces() {
     for (int throwing = 0; throwing < 2; throwing++) {
       int bad = throwing;
       CountDownLatch both = new CountDownLatch(2);

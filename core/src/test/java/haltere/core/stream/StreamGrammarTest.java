@@ -35,7 +35,7 @@ class StreamGrammarTest {
           });
 
   @Test
-  void aStreamThatKeepsTheGrammarPassesUnchanged() {
+  void validStreamsPassUnchanged() {
     grammar.notified(START);
     grammar.packet(event(5, 0, 0));
     grammar.packet(new EventPacket(0));

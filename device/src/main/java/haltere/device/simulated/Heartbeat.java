@@ -1,6 +1,7 @@
 package haltere.device.simulated;
 
 import haltere.core.playback.Sleeper;
+import haltere.core.stream.internal.Daemon;
 import java.util.function.Consumer;
 
 /**
@@ -26,8 +27,7 @@ final class Heartbeat {
   Heartbeat(SimulatedTransfers transfers, String name, Consumer<Throwable> failed) {
     this.transfers = transfers;
     this.failed = failed;
-    thread = new Thread(this::run, "haltere-" + name);
-    thread.setDaemon(true);
+    thread = Daemon.thread(this::run, "haltere-" + name);
   }
 
   synchronized void start() {

@@ -1,5 +1,6 @@
 package haltere.device.usb;
 
+import haltere.core.stream.internal.Daemon;
 import java.nio.IntBuffer;
 import java.util.concurrent.TimeUnit;
 import org.usb4java.Context;
@@ -39,8 +40,7 @@ final class LibusbEvents implements BusWork {
   synchronized void join() {
     users++;
     if (thread == null) {
-      thread = new Thread(this::run, "haltere-usb");
-      thread.setDaemon(true);
+      thread = Daemon.thread(this::run, "haltere-usb");
       thread.start();
     }
   }

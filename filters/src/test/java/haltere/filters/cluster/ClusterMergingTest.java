@@ -84,7 +84,7 @@ class ClusterMergingTest {
   }
 
   @Test
-  void theMergedClusterHasTheEventsAndTheSizeOfBothIfThatIsAsked() {
+  void mergedClustersHaveTheEventsAndSizeOfBothOnRequest() {
     ClusterRun joined =
         new ClusterRun("merging.joinSize=true", "growth.maxScale=4").take(meeting());
     ClusterTrack before = joined.at(100_000).get(0);

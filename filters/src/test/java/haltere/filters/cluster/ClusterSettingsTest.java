@@ -22,7 +22,7 @@ class ClusterSettingsTest extends SettingsContract {
   }
 
   @Test
-  void settingsOfEarlierVersionsAreReadWithALineThatSaysWhatTakesTheirPlace() {
+  void settingsOfEarlierVersionsAreReadWithAHintToTheReplacement() {
     List<String> notes = new ArrayList<>();
     ClusterTrackerSettings read =
         SettingsJson.fromMap(

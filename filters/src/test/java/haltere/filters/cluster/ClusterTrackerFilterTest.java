@@ -85,7 +85,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void aBlobThatMovesIsOneClusterAtItsPositionWithItsVelocity() {
+  void aMovingBlobIsOneClusterWithItsPositionAndVelocity() {
     run(EventPackets.blob(SENSOR, 1, 3 * SECOND_US, CIRCLE, 50_000, 0));
     assertEquals(Set.of(1), identities());
     assertEquals(0, tracks.get(0).timeUs() % 10_000);
@@ -154,7 +154,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void aGapInTheDataThatIsShorterThanALifetimeIsBridged() {
+  void gapsShorterThanALifetimeAreBridged() {
     EventPacket blob = EventPackets.blob(SENSOR, 11, 400_000, CIRCLE, 50_000, 0);
     ClusterTrackerFilter filter = subscribed();
     filter.process(EventPackets.part(blob, 0, blob.indexAtOrAfter(200_000)));
@@ -165,7 +165,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void newSettingsAreTakenWithTheClustersThatThereAre() {
+  void newSettingsKeepExistingClusters() {
     ClusterTrackerFilter filter = subscribed();
     EventPacket blob = EventPackets.blob(SENSOR, 12, 400_000, CIRCLE, 50_000, 0);
     int half = blob.indexAtOrAfter(200_000);
@@ -195,7 +195,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void onlyEventsOfVisibleClustersArePassedOnIfThatIsAsked() {
+  void onlyEventsOfVisibleClustersPassOnRequest() {
     EventPacket blob = EventPackets.blob(SENSOR, 14, 500_000, CIRCLE, 20_000, 0);
     EventPacket noise = EventPackets.uniform(SENSOR, 15, 500, 0, 1000);
     EventPacket events = ClusterRun.merged(blob, noise);

@@ -56,7 +56,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void aWeightPerTimeIsOneLessTheDecayBetweenTwoEventsWhateverTheRate() {
+  void weightPerTimeDoesNotDependOnTheEventRate() {
     for (long stepUs : new long[] {50, 500}) {
       EventPacket events = ClusterRun.pixel(60, 60, 0, 400_000, stepUs);
       long steps = 20_000 / stepUs;
@@ -79,7 +79,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void aboveTheVisibleRateOfAPixelAnEventCountsLessIfThatIsAsked() {
+  void eventsAboveTheVisibleRateCountLessOnRequest() {
     EventPacket events = EventPackets.blob(SENSOR, 1, 1_000_000, STILL, 40_000, 0);
     double alike = scatter(events, "motion.weight=per-event");
     // 40 kHz on a box of 15.36 px are 170 Hz a pixel: a tenth of the weight, root of the scatter.
@@ -121,7 +121,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void aNewbornClusterHasTheMeanVelocityIfThatIsAsked() {
+  void newClustersHaveTheMeanVelocityOnRequest() {
     BlobPath first = new BlobPath(40, 40, 20, 500_000, 4);
     EventPacket events =
         ClusterRun.merged(
@@ -139,7 +139,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void noClusterIsFasterThanItsFastestNeighbourIfThatIsAsked() {
+  void clusterSpeedIsLimitedByNeighboursOnRequest() {
     EventPacket events =
         ClusterRun.merged(
             blob(8, new BlobPath(64, 64, 40, 1_000_000, 5), 400_000),
@@ -207,7 +207,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void theAngleIsThatOfTheVelocityIfThatIsAsked() {
+  void angleFollowsTheVelocityOnRequest() {
     ClusterRun run = new ClusterRun("shape.angle=of-velocity").take(blob(12, CIRCLE, 600_000));
     assertTrue(run.after(200_000).size() > 30);
     for (ClusterTrack row : run.after(200_000)) {
@@ -255,7 +255,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void aNewbornClusterWithoutSupportDiesAfterItsLifetimeAndGivesItsPlaceToAnother() {
+  void unsupportedNewClustersExpireAndFreeTheirSlot() {
     EventPacket noise = new EventPacket(0);
     for (int i = 0; i < 10; i++) {
       noise.append(0, 10 + 32 * (i % 4), 50 + 32 * (i / 4), true);
@@ -282,7 +282,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void eventsInTheSurroundTakeMassAwayIfThatIsAsked() {
+  void surroundEventsReduceMassOnRequest() {
     EventPacket events = rectangle(14, 4, 0);
     String[] growing = {"growth.size=true", "growth.maxScale=1", "motion.mixingFactor=0.001"};
     double free = new ClusterRun(growing).take(events).last().mass();
@@ -293,7 +293,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void onlyEventsAtTheEdgeMoveAClusterIfThatIsAsked() {
+  void onlyEdgeEventsMoveAClusterOnRequest() {
     SplittableRandom random = new SplittableRandom(5);
     EventPacket events = new EventPacket(0);
     for (long timeUs = 0; timeUs < 500_000; timeUs += 100) {

@@ -96,7 +96,7 @@ class MendedSlipsTest {
   }
 
   @Test
-  void aClusterThatMovesFarBetweenTwoUpdatesIsFoundWhereItIs() {
+  void clustersThatMoveFarBetweenUpdatesKeepTheirPosition() {
     EventPacket events = new EventPacket(0);
     for (long timeUs = 0; timeUs < 90_000; timeUs += 10) {
       // 1000 px/s: ten pixels from one update to the next.
@@ -111,7 +111,7 @@ class MendedSlipsTest {
   }
 
   @Test
-  void aRotatedBoxContainsWhatItContainsRotated() {
+  void rotatedBoxesContainPointsAlongTheirAxis() {
     String[] slender = {
       "shape.size=0.1", "shape.aspect=0.1", "shape.angleDeg=45", "merging.allowed=false"
     };
@@ -190,7 +190,7 @@ class MendedSlipsTest {
   }
 
   @Test
-  void aResetClearsWhatIsVisibleToo() {
+  void resetClearsVisibleClusters() {
     ClusterRun run = new ClusterRun().take(EventPackets.blob(SENSOR, 8, 200_000, STILL, 20_000, 0));
     run.tracker.reset();
     assertEquals(List.of(), run.tracker.tracks(200_000));

@@ -24,7 +24,7 @@ class AnglesTest {
   }
 
   @Test
-  void aDirectionIsWrappedIntoACircleThatBeginsAtZero() {
+  void directionsAreWrappedIntoZeroToTwoPi() {
     assertEquals(0, Angles.wrapTwoPi(2 * Math.PI));
     assertEquals(2 * Math.PI - 0.5, Angles.wrapTwoPi(-0.5), 1e-15);
     assertEquals(0.5, Angles.wrapTwoPi(4 * Math.PI + 0.5), 1e-14);
@@ -40,7 +40,7 @@ class AnglesTest {
   }
 
   @Test
-  void whatIsNotANumberStaysNone() {
+  void nanStaysNan() {
     assertTrue(Double.isNaN(Angles.wrapPi(Double.NaN)));
     assertTrue(Double.isNaN(Angles.wrapPi(Double.POSITIVE_INFINITY)));
     assertTrue(Double.isNaN(Angles.wrapTwoPi(Double.NaN)));

@@ -165,7 +165,7 @@ class AssignmentTest {
   }
 
   @Test
-  void aNewProblemKnowsNothingOfTheLast() {
+  void assignmentProblemsAreIndependent() {
     Assignment assignment = new Assignment(2, 2);
     solve(assignment, new double[][] {{1, 2}, {2, 1}}, 2, 10, 10);
     assignment.start(1, 2);

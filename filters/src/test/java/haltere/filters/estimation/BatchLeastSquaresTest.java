@@ -64,7 +64,7 @@ class BatchLeastSquaresTest {
   }
 
   @Test
-  void theCostTellsWhetherResidualsAreNoise() {
+  void costDistinguishesNoiseFromModelErrors() {
     Interval band = Consistency.meanBand(1, 300, 0.999);
     assertTrue(band.contains(oscillation(0.001).fit(START).orElseThrow().cost() / 300));
     assertTrue(oscillation(0.003).fit(START).orElseThrow().cost() / 300 > 5);

@@ -30,7 +30,7 @@ class CovarianceEditTest {
   }
 
   @Test
-  void whatIsNoCovarianceIsRefused() {
+  void invalidCovariancesAreRejected() {
     assertThrows(IllegalArgumentException.class, () -> edited(P, 0, 0, -1));
     assertThrows(IllegalArgumentException.class, () -> edited(P, 0, 1, 6.1));
     assertThrows(IllegalArgumentException.class, () -> edited(P, 2, 0, 0.1));

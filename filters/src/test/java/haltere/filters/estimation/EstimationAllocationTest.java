@@ -14,7 +14,7 @@ class EstimationAllocationTest {
   private static final int STEPS = 500;
 
   @Test
-  void aFilterThatNobodyObservesAllocatesNothing() {
+  void unobservedFiltersAllocateNothing() {
     AxisMotion plane = AxisMotion.constantVelocity(2, 10);
     LinearMeasurement position = LinearMeasurement.ofEntries(4, 1, 0, 2);
     DMatrixRMaj x = column(0, 0, 0, 0);

@@ -82,7 +82,7 @@ class GaussianStateTest {
   }
 
   @Test
-  void whatDecaysReturnsToItsStationaryMeanAndDeviation() {
+  void decayingStatesReturnToTheirStationaryMeanAndDeviation() {
     GaussianState state = new GaussianState(2);
     state.set(Matrices.column(5, 1), Matrices.rows(new double[] {9, 1}, new double[] {1, 4}));
     for (int k = 0; k < 400; k++) {

@@ -219,7 +219,7 @@ class KalmanFilterTest {
   }
 
   @Test
-  void whatWasObservedDoesNotChangeAfterwards() {
+  void estimatesDoNotChangeWithTheFilter() {
     KalmanFilter filter =
         new KalmanFilter(AxisMotion.constantVelocity(1, 2), column(1, 3), diagonal(4, 9));
     Estimate before = filter.estimate();
@@ -247,7 +247,7 @@ class KalmanFilterTest {
   }
 
   @Test
-  void aYearOfSilencesLeavesACovarianceThatCanStillBeUsed() {
+  void covarianceStaysUsableAfterAYearWithoutMeasurements() {
     KalmanFilter filter =
         new KalmanFilter(AxisMotion.constantVelocity(1, 1e6), column(0, 1), diagonal(1, 1));
     LinearMeasurement position = LinearMeasurement.ofEntries(2, 1, 0);

@@ -30,7 +30,7 @@ class PicturesTest {
   }
 
   @Test
-  void theMeanSquaredInnovationTellsAFilterThatTrustsTooMuch() throws IOException {
+  void meanSquaredInnovationRevealsOverconfidence() throws IOException {
     int window = 50;
     SvgPlot plot = new SvgPlot(0, 50, 0, 5.5);
     Interval band = Consistency.meanBand(1, window, 0.95);

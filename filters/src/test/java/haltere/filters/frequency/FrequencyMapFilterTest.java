@@ -77,7 +77,7 @@ class FrequencyMapFilterTest extends EventFilterContract {
 
   @ParameterizedTest
   @ValueSource(doubles = {8, 100, 500})
-  void aLampHasItsFrequencyAndWhatIsDarkHasNone(double frequencyHz) {
+  void lampsHaveAFrequencyAndDarkPixelsNone(double frequencyHz) {
     FrequencyMap map = new FrequencyMap(SENSOR, FrequencyMapSettings.defaults());
     EventPacket events = lamp(frequencyHz, true);
     map.add(events);
@@ -91,7 +91,7 @@ class FrequencyMapFilterTest extends EventFilterContract {
   }
 
   @Test
-  void aPixelThatIsSilentLosesItsFrequency() {
+  void silentPixelsLoseTheirFrequency() {
     FrequencyMap map = new FrequencyMap(SENSOR, FrequencyMapSettings.defaults());
     EventPacket events = lamp(100, false);
     map.add(events);
@@ -101,7 +101,7 @@ class FrequencyMapFilterTest extends EventFilterContract {
   }
 
   @Test
-  void whatPassesTwiceInAPeriodHasTheFrequencyOfThePeriod() {
+  void twoPassagesPerPeriodYieldTheFrequencyOfThePeriod() {
     FrequencyMap map = new FrequencyMap(SENSOR, FrequencyMapSettings.defaults());
     EventPacket events = new EventPacket(0);
     for (int k = 0; k < 20; k++) {

@@ -58,7 +58,7 @@ class RegionMeterTest {
   }
 
   @Test
-  void burstsAtRandomTimesAreReadSoonWhateverTheirLength() {
+  void irregularBurstsNeverHangTheMeter() {
     assertTimeoutPreemptively(
         Duration.ofSeconds(30),
         () -> {

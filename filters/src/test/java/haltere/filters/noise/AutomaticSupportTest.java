@@ -105,7 +105,7 @@ class AutomaticSupportTest {
   }
 
   @Test
-  void itTellsWhatShareItTookAwayEachTenthOfASecond() throws IOException {
+  void removedShareIsPublishedEveryTenthOfASecond() throws IOException {
     Run run = run(AUTOMATIC, 9, 1, "dots.eventsPerPixel=1");
     assertEquals(39, run.shares.size(), 1);
     for (BackgroundActivityShare share : run.shares) {
@@ -118,7 +118,7 @@ class AutomaticSupportTest {
   }
 
   @Test
-  void aTimeThatIsGivenIsKept() throws IOException {
+  void explicitTimesAreKept() throws IOException {
     Run run = run(new BackgroundActivitySettings(25_000, 1, false), 10, 1);
     assertTrue(run.shares.stream().allMatch(share -> share.correlationUs() == 25_000));
   }

@@ -106,7 +106,7 @@ class HotPixelsFilterTest extends EventFilterContract {
   }
 
   @Test
-  void aPixelThatHasCalmedDownPassesAgainAfterTheStatedPeriods() {
+  void calmPixelsPassAgainAfterTheStatedPeriods() {
     HotPixels filter = new HotPixels(SENSOR, HotPixelsSettings.defaults());
     filter.filter(EventPackets.withHotPixels(noise(SECOND_US), 200, HOT));
     assertTrue(filter.isBlocked(40, 50));
@@ -155,7 +155,7 @@ class HotPixelsFilterTest extends EventFilterContract {
   }
 
   @Test
-  void whatIsLearnedOutlivesALossOfData() {
+  void hotPixelsAreRememberedAcrossALossOfData() {
     HotPixelsFilter filter = new HotPixelsFilter(SENSOR, HotPixelsSettings.defaults());
     filter.process(EventPackets.withHotPixels(noise(SECOND_US), 200, HOT));
     filter.notified(new DataLost(512, 128, SECOND_US, SECOND_US + 1, "the test"));

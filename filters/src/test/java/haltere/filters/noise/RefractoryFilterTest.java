@@ -40,7 +40,7 @@ class RefractoryFilterTest extends EventFilterContract {
   }
 
   @Test
-  void aPixelThatFiresAllTheTimePassesOncePerPeriodOrIsMute() {
+  void continuouslyFiringPixelsPassOncePerPeriodOrNever() {
     EventPacket packet = new EventPacket(0);
     for (int i = 0; i < 100; i++) {
       packet.append(i * 100L, 5, 5, true);

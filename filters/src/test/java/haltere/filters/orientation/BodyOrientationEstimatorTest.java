@@ -159,7 +159,7 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void oneCameraAloneTellsNoOrientationAndItIsCounted() {
+  void singleCameraLinesAreCountedWithoutAnOrientation() {
     FlightScene scene = clean(1, 1);
     BodyOrientationEstimator body = new BodyOrientationEstimator(Flights.cameras(scene), USUAL);
     for (long k = 0; k < 20; k++) {
@@ -187,7 +187,7 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void aCameraThatCannotBeUsedIsLeftOutAndTheOthersGoOn() {
+  void unusableCamerasAreSkippedAndOthersContinue() {
     FlightScene scene = clean(3, 6);
     List<CameraModel> cameras = new ArrayList<>(Flights.cameras(scene));
     double[] flat = cameras.get(1).matrix();
@@ -201,7 +201,7 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void whatIsNoNumberOrComesTooLateOrTwiceIsCountedAndChangesNothing() {
+  void invalidLateAndRepeatedLinesAreCountedAndIgnored() {
     FlightScene scene = clean(3, 7);
     BodyOrientationEstimator body = new BodyOrientationEstimator(Flights.cameras(scene), USUAL);
     BodyOrientationEstimator plain = new BodyOrientationEstimator(Flights.cameras(scene), USUAL);
@@ -224,7 +224,7 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void aBodyThatComesThroughACamerasCentreLeavesNoNaN() {
+  void passingThroughACameraCentreLeavesNoNaN() {
     FlightScene scene = clean(3, 8);
     List<CameraModel> cameras = Flights.cameras(scene);
     double[] centre = cameras.get(0).centre();
@@ -273,7 +273,7 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void aBodyThatWasAwayForLongRestarts() {
+  void bodiesRestartAfterALongAbsence() {
     FlightScene scene = clean(3, 10);
     BodyOrientationEstimator body = new BodyOrientationEstimator(Flights.cameras(scene), USUAL);
     body.update(scene.pictureTimeUs(0), seen(scene, 0));

@@ -75,7 +75,7 @@ class CalibrationFilesTest {
   }
 
   @Test
-  void whatIsWrongWithJsonIsSaidWithTheCamera() throws IOException {
+  void errorsInJsonNameTheCamera() throws IOException {
     assertRefused("{}", "\"cameras\"");
     assertRefused("{\"cameras\": []}", "no camera");
     assertRefused("{\"cameras\": [{\"matrix\": []}]}", "camera 1", "id");
@@ -136,7 +136,7 @@ class CalibrationFilesTest {
   }
 
   @Test
-  void whatIsWrongWithXmlIsSaid() throws IOException {
+  void errorsInXmlAreReported() throws IOException {
     String good = xml(Flights.cameras(Flights.scene(2, 1)));
     assertRefused(good.substring(0, 400), "line");
     assertRefused(good.replace(";", " "), "calibration_matrix");
@@ -221,7 +221,7 @@ class CalibrationFilesTest {
   }
 
   @Test
-  void whatABraidzFileSawGoesStraightIntoTheFilter() throws IOException {
+  void braidzFilesFeedTheFilterDirectly() throws IOException {
     FlightScene scene = Flights.scene(3, 5, "run.startUs=1700000000000000");
     Path file = braidz(scene, 80, "");
     assertTrue(ObservationFile.hasCameras(file));
@@ -261,7 +261,7 @@ class CalibrationFilesTest {
   }
 
   @Test
-  void whatIsMissingInABraidzFileIsSaid() throws IOException {
+  void missingPartsOfABraidzFileAreReported() throws IOException {
     FlightScene scene = Flights.scene(2, 5);
     for (String missing :
         List.of(

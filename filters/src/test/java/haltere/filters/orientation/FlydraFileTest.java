@@ -150,7 +150,7 @@ class FlydraFileTest {
   }
 
   @Test
-  void whatAFrameDoesNotTellIsUnknownAndWhatCannotBeIsSaid() throws IOException {
+  void missingValuesOfAFrameAreUnknownAndInvalidOnesReported() throws IOException {
     double nan = Double.NaN;
     double inf = Double.POSITIVE_INFINITY;
     Heard heard =
@@ -186,7 +186,7 @@ class FlydraFileTest {
   }
 
   @Test
-  void missingColumnsAndOtherTypesAreSaidWithTheFile() throws IOException {
+  void missingColumnsAndTypesAreReportedWithTheFile() throws IOException {
     List<String> all = List.of("camn", "frame", "timestamp", "x", "y", "slope");
     for (String missing : all) {
       List<String> others = new ArrayList<>(all);
@@ -206,7 +206,7 @@ class FlydraFileTest {
   }
 
   @Test
-  void aFileThatIsCutOrDamagedIsRefusedOrReadAndNeverHangs() throws IOException {
+  void truncatedAndDamagedFilesAreRejectedOrReadAndNeverHang() throws IOException {
     byte[] whole = Files.readAllBytes(resource("flydra.h5"));
     Path broken = folder.resolve("broken.h5");
     int refused = 0;

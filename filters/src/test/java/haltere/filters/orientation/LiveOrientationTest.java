@@ -78,7 +78,7 @@ class LiveOrientationTest {
   }
 
   @Test
-  void aCameraThatSaysNothingIsNotWaitedForLongAndItsLateLinesAreCounted() {
+  void silentCamerasDelayLittleAndTheirLateLinesAreCounted() {
     List<OrientationEstimate> all = new ArrayList<>();
     LiveOrientation live =
         new LiveOrientation(

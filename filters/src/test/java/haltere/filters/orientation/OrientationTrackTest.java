@@ -30,7 +30,7 @@ class OrientationTrackTest {
   }
 
   @Test
-  void lookingBackMakesAxesAndPlacesBetterAndChoosesEverySignRight() {
+  void smoothingImprovesAxesAndPositionsAndResolvesAllSigns() {
     List<Double> online = new ArrayList<>();
     List<Double> smoothed = new ArrayList<>();
     List<Double> positions = new ArrayList<>();

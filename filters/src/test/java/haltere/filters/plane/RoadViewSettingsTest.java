@@ -16,7 +16,7 @@ class RoadViewSettingsTest extends SettingsContract {
   }
 
   @Test
-  void aRoadThatDoesNotGoAwayIsRefused() {
+  void roadsThatDoNotRecedeAreRejected() {
     VanishingPoint any = VanishingPoint.defaults();
     for (double farthest : new double[] {50, 20}) {
       SettingsProblem problem =

@@ -24,7 +24,7 @@ class LaneSettingsTest extends SettingsContract {
   }
 
   @Test
-  void whatIsBesideTheLanesOrNowhereHasNoLane() {
+  void positionsOutsideTheLanesHaveNoLane() {
     assertEquals(LaneSettings.BESIDE, lanes.laneAt(-7.01));
     assertEquals(LaneSettings.BESIDE, lanes.laneAt(7));
     assertEquals(LaneSettings.BESIDE, lanes.laneAt(Double.NaN));

@@ -49,7 +49,7 @@ class LineCounterTest {
   }
 
   @Test
-  void whatStandsOnALineIsNotCountedUntilItIsClearOfIt() {
+  void objectsOnALineAreCountedAfterLeavingIt() {
     Stream.of(19.0, 19.9, 20.1, 19.9, 20.1, 20.3).forEach(yM -> at(yM, 1, 1, yM, 0.3));
     assertEquals(0, crossings.size());
     at(21, 1, 1, 21, 0.3);
@@ -57,7 +57,7 @@ class LineCounterTest {
   }
 
   @Test
-  void whatAppearsBeyondALineIsNotCountedThere() {
+  void objectsThatAppearBeyondALineAreNotCounted() {
     drive(1, 1, 21, 29);
     assertEquals(0, crossings.size());
   }

@@ -34,7 +34,7 @@ class ObjectsOnPlaneTest {
   }
 
   @Test
-  void whatIsAboveTheHorizonIsNotOnThePlane() {
+  void pointsAboveTheHorizonAreNotOnThePlane() {
     RoadMapping road = new RoadMapping(RoadViewSettings.defaults(), new SensorGeometry(128, 128));
     assertEquals(
         Optional.empty(),

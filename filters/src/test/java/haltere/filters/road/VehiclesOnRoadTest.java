@@ -36,7 +36,7 @@ class VehiclesOnRoadTest {
   }
 
   @Test
-  void aVehicleThatDrivesAwayHasAPositiveVelocity() {
+  void recedingVehiclesHaveAPositiveVelocity() {
     PlanePoint point = follow(usual(3, 9, 20), 1, new SeenVehicle.Errors(2, 1e-3));
     assertEquals(20, point.vyMS(), 0.2);
   }
@@ -50,7 +50,7 @@ class VehiclesOnRoadTest {
   }
 
   @Test
-  void theDeviationOfASpeedHoldsWhatTheHeightOfTheLowerEdgeLeavesOpen() {
+  void speedDeviationIncludesTheUnknownHeightOfTheLowerEdge() {
     PlanePoint point = follow(usual(3, 9, 20), 2, new SeenVehicle.Errors(4, 1e-3));
     double byHeight = 20 * PRIOR.lowEdgeM() / SeenVehicle.HEIGHT_M;
     assertTrue(point.sdVyMS() > 0.8 * byHeight, point.sdVyMS() + " m/s");

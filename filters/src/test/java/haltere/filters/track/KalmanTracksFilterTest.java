@@ -59,7 +59,7 @@ class KalmanTracksFilterTest extends EventFilterContract {
   }
 
   @Test
-  void eachOutletHasWhatItSays() {
+  void outletsPublishTheirStatedResults() {
     BlobPath circle = new BlobPath(64, 40, 25, 1_000_000, 4);
     KalmanTracksFilter filter =
         new KalmanTracksFilter(SENSOR, KalmanTracksSettings.defaults().with("road.mapToRoad=true"));

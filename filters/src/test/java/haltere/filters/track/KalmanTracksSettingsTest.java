@@ -36,7 +36,7 @@ class KalmanTracksSettingsTest extends SettingsContract {
   }
 
   @Test
-  void settingsOfEarlierVersionsAreReadWithALineThatSaysWhatTakesTheirPlace() {
+  void settingsOfEarlierVersionsAreReadWithAHintToTheReplacement() {
     List<String> notes = new ArrayList<>();
     KalmanTracksSettings read =
         SettingsJson.fromMap(

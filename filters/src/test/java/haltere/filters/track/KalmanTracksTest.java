@@ -171,7 +171,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void aTrackThatLeavesThePictureEnds() {
+  void tracksEndOutsideThePicture() {
     EventPacket events = passing(60, 64, 120, 1_000_000, 1_000_000);
     events.append(1_200_000, 5, 5, true);
     run(events, "shape.size=0.04", "coastTimeS=10");
@@ -378,7 +378,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void aResetForgetsTracksAndCountsAnew() {
+  void resetRemovesTracksAndRestartsNumbering() {
     EventPacket events = EventPackets.blob(SENSOR, 14, 300_000, CIRCLE, 20_000, 0);
     run(events, "eventsOf=all-clusters", "eventsTillTrack=500");
     tracks.reset();

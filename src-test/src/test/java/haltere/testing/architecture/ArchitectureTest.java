@@ -144,10 +144,10 @@ class ArchitectureTest {
     check(
         classes()
             .that()
-            .resideInAPackage("haltere.core.stream")
+            .resideInAPackage("haltere.core.stream..")
             .should()
             .onlyDependOnClassesThat(
-                resideInAnyPackage("java..", "haltere.core.stream", "haltere.core.event")));
+                resideInAnyPackage("java..", "haltere.core.stream..", "haltere.core.event")));
     check(
         classes()
             .that()

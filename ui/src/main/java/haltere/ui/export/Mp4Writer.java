@@ -1,6 +1,6 @@
 package haltere.ui.export;
 
-import haltere.core.sink.internal.Daemon;
+import haltere.core.stream.internal.Daemon;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;

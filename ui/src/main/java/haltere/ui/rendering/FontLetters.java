@@ -1,6 +1,6 @@
 package haltere.ui.rendering;
 
-import haltere.core.sink.internal.Daemon;
+import haltere.core.stream.internal.Daemon;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;

@@ -1,7 +1,7 @@
 package haltere.ui.viewer;
 
 import haltere.core.format.ReadOptions;
-import haltere.core.sink.internal.Daemon;
+import haltere.core.stream.internal.Daemon;
 import haltere.ui.user.ConfigFolder;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.controls.Theme;

@@ -54,7 +54,7 @@ public final class PacedSource implements EventSource {
     return giveDue(handler);
   }
 
-  /** Waits for the next events and gives them. */
+  /** Waits for the next events and passes them on. */
   private boolean giveDue(StreamHandler handler) throws InterruptedIOException {
     int end = Math.max(index + 1, pending.indexAtOrAfter(pending.timeUs(index) + PIECE_US, index));
     await(pending.timeUs(end - 1));
@@ -80,7 +80,7 @@ public final class PacedSource implements EventSource {
     }
   }
 
-  /** Keeps a packet until it is due; the rest has no time of its own and continues at once. */
+  /** Keeps a packet until it is due; passes on samples and notifications at once. */
   private final class Forwarder implements StreamHandler {
     private final StreamHandler handler;
 

@@ -2,6 +2,7 @@ package haltere.core.sink.internal;
 
 import haltere.core.sink.LineAddress;
 import haltere.core.sink.LineOutput;
+import haltere.core.stream.internal.Daemon;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;

@@ -1,6 +1,7 @@
 package haltere.core.sink.internal;
 
 import haltere.core.sink.LiveMessages;
+import haltere.core.stream.internal.Daemon;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;

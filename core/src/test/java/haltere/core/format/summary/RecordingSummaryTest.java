@@ -85,7 +85,7 @@ class RecordingSummaryTest {
   }
 
   @Test
-  void theWarningsTellWhatWasAssumedAndLeftOut() throws IOException {
+  void warningsStateAssumptionsAndOmissions() throws IOException {
     try (RecordingReader reader = RecordedPackets.ROTATING_DISK.open()) {
       RecordingSummary summary = RecordingSummary.scan(reader, ProgressListener.NONE);
       assertEquals(List.of(), summary.warnings(), "its samples are no damage");

@@ -61,7 +61,7 @@ class JsonTest {
   }
 
   @Test
-  void aFileThatIsNoTextIsNamed(@TempDir Path folder) throws IOException {
+  void nonUtf8FilesAreRejectedByName(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("x.json");
     Files.write(file, "[\"ü\"]".getBytes(StandardCharsets.ISO_8859_1));
     JsonProblem problem = assertThrows(JsonProblem.class, () -> Json.read(file));

@@ -88,7 +88,7 @@ class LineOutputsTest {
   }
 
   @Test
-  void aReceiverThatIsTooSlowLosesCountedLinesAndIsNotified() throws IOException {
+  void slowReceiversLoseCountedLinesAndAreNotified() throws IOException {
     TcpLines output = new TcpLines(LineAddress.parse("tcp://127.0.0.1:0"), new PlainProtocol(), 16);
     try (Socket socket = connect(output);
         BufferedReader reader = reader(socket)) {
@@ -128,7 +128,7 @@ class LineOutputsTest {
   }
 
   @Test
-  void aReceiverThatVanishesIsForgotten() throws IOException {
+  void disconnectedReceiversAreRemoved() throws IOException {
     try (LineOutput output = LineOutputs.open("tcp://127.0.0.1:0")) {
       Socket socket = connect(output);
       socket.setSoLinger(true, 0);
@@ -155,7 +155,7 @@ class LineOutputsTest {
   }
 
   @Test
-  void aPortThatIsTakenIsSaid() throws IOException {
+  void usedPortsAreReported() throws IOException {
     try (LineOutput output = LineOutputs.open("tcp://127.0.0.1:0")) {
       String address = output.address();
       String said = assertThrows(IOException.class, () -> LineOutputs.open(address)).getMessage();
@@ -181,7 +181,7 @@ class LineOutputsTest {
   }
 
   @Test
-  void aDatagramThatIsTooLargeIsCounted() throws IOException {
+  void oversizedDatagramsAreCounted() throws IOException {
     try (LineOutput output = LineOutputs.open("udp://127.0.0.1:9")) {
       output.send("a/b", new byte[70_000]);
       assertEquals(1, output.lost());
@@ -189,7 +189,7 @@ class LineOutputsTest {
   }
 
   @Test
-  void moreReceiversThanThereMayBeAreToldAndTurnedAway() throws IOException {
+  void excessReceiversAreNotifiedAndDisconnected() throws IOException {
     List<Socket> sockets = new ArrayList<>();
     try (LineOutput output = LineOutputs.open("tcp://127.0.0.1:0")) {
       int port = LineAddress.parse(output.address()).port();

@@ -61,7 +61,7 @@ class ZeroMqLinesTest {
   }
 
   @Test
-  void aSubscriberGetsWhatItAskedForAndNothingElse() throws IOException {
+  void subscribersReceiveOnlyTheirTopics() throws IOException {
     try (LineOutput output = LineOutputs.open("zmq://127.0.0.1:0");
         ZmtpSubscriber subscriber = subscriber(output, "wanted/")) {
       await(output, 1);
@@ -79,7 +79,7 @@ class ZeroMqLinesTest {
   }
 
   @Test
-  void aSubscriberThatLeavesIsForgotten() throws IOException {
+  void disconnectedSubscribersAreRemoved() throws IOException {
     try (LineOutput output = LineOutputs.open("zmq://127.0.0.1:0")) {
       ZmtpSubscriber subscriber = subscriber(output, "");
       await(output, 1);
@@ -114,7 +114,7 @@ class ZeroMqLinesTest {
   }
 
   @Test
-  void whatASlowSubscriberMissesIsCountedAndToldAndTheOthersGetAll() throws IOException {
+  void lossesOfASlowSubscriberAreCountedReportedAndItsOwn() throws IOException {
     try (TcpLines output =
             new TcpLines(LineAddress.parse("zmq://127.0.0.1:0"), new ZmtpProtocol(), 16);
         ZmtpSubscriber fast = subscriber(output, "a/");
@@ -172,7 +172,7 @@ class ZeroMqLinesTest {
             + "7fffffff535542",
         ZmtpSubscriber.GREETING + "0400",
       })
-  void aPeerThatIsNoSubscriberIsDisconnectedAndTheOthersReceive(String says) throws IOException {
+  void peersThatAreNoSubscribersAreDisconnectedAlone(String says) throws IOException {
     try (LineOutput output = LineOutputs.open("zmq://127.0.0.1:0")) {
       Socket hostile = new Socket("127.0.0.1", port(output));
       hostile
@@ -191,7 +191,7 @@ class ZeroMqLinesTest {
   }
 
   @Test
-  void aPeerThatDoesNotIntroduceItselfInTimeIsDisconnected() throws IOException {
+  void peersWithoutATimelyGreetingAreDisconnected() throws IOException {
     try (TcpLines output =
         new TcpLines(LineAddress.parse("zmq://127.0.0.1:0"), new ZmtpProtocol(100), 16)) {
       Socket silent = new Socket("127.0.0.1", port(output));
@@ -230,7 +230,7 @@ class ZeroMqLinesTest {
   }
 
   @Test
-  void aPeerThatAsksWhetherWeAreThereIsAnswered() throws IOException {
+  void pingsAreAnswered() throws IOException {
     try (LineOutput output = LineOutputs.open("zmq://127.0.0.1:0");
         ZmtpSubscriber peer = new ZmtpSubscriber(output)) {
       peer.write("040a" + "0450494e47" + "000a" + "616263");
@@ -257,7 +257,7 @@ class ZeroMqLinesTest {
   }
 
   @Test
-  void aPortThatIsTakenIsSaid() throws IOException {
+  void usedPortsAreReported() throws IOException {
     try (LineOutput output = LineOutputs.open("zmq://127.0.0.1:0")) {
       String said =
           assertThrows(IOException.class, () -> LineOutputs.open(output.address())).getMessage();

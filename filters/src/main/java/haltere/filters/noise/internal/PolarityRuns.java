@@ -9,8 +9,8 @@ import java.util.Arrays;
  * time of the edge.
  */
 public final class PolarityRuns {
-  /** A run ends after this time, whatever comes. */
-  private static final int LONGEST_RUN_US = 2500;
+  /** Longest run of one polarity at a pixel. */
+  public static final int LONGEST_RUN_US = 2500;
 
   /**
    * A pixel that is quiet for so long after an ON event is no longer passed: less than half of the
@@ -18,15 +18,18 @@ public final class PolarityRuns {
    */
   private static final int QUIET_US = 1000;
 
-  /** Bits of pixels that do not tell of passages: one of 16 does, as many as a median needs. */
+  /** Passages are seen at every fourth pixel of every fourth row, enough for a median. */
   private static final int LEFT_OUT = EventAddress.pack(3, 3, 0);
+
+  private static final int LEFT_OUT_BITS = 2;
 
   private static final long NO_EVENT = Long.MIN_VALUE >> 1;
 
   private final int width;
   private final long[] lastOfPixel;
+  private final int passageColumns;
 
-  /** First OFF event of the passage of a pixel. */
+  /** First OFF event of the passage of a pixel that is not left out. */
   private final long[] openedUs;
 
   /** Its last ON event, were its run of ON events as long as its first run of OFF events. */
@@ -43,9 +46,14 @@ public final class PolarityRuns {
   public PolarityRuns(SensorGeometry geometry) {
     width = geometry.width();
     lastOfPixel = new long[geometry.pixels()];
-    openedUs = new long[geometry.pixels()];
-    answeredUs = new long[geometry.pixels()];
+    passageColumns = passagesAlong(width);
+    openedUs = new long[passageColumns * passagesAlong(geometry.height())];
+    answeredUs = new long[openedUs.length];
     clear();
+  }
+
+  private static int passagesAlong(int pixels) {
+    return (pixels - 1 >> LEFT_OUT_BITS) + 1;
   }
 
   /** Forgets all events. */
@@ -95,24 +103,26 @@ public final class PolarityRuns {
       return false;
     }
     if ((address & LEFT_OUT) == 0) {
-      passage(pixel, now, before);
+      int row = EventAddress.y(address) >> LEFT_OUT_BITS;
+      int column = EventAddress.x(address) >> LEFT_OUT_BITS;
+      passage(row * passageColumns + column, now, before);
     }
     return true;
   }
 
-  private void passage(int pixel, long now, long before) {
+  private void passage(int at, long now, long before) {
     long nowUs = now >> 1;
     long beforeUs = before >> 1;
     boolean wasOn = (before & EventAddress.ON_BIT) != 0;
     if ((now & EventAddress.ON_BIT) != 0) {
-      if (answeredUs[pixel] == NO_EVENT && !wasOn) {
-        answeredUs[pixel] = nowUs + beforeUs - openedUs[pixel];
+      if (answeredUs[at] == NO_EVENT && !wasOn) {
+        answeredUs[at] = nowUs + beforeUs - openedUs[at];
       }
     } else if (nowUs - beforeUs > QUIET_US) {
-      resolvedUs = beforeUs - answeredUs[pixel];
+      resolvedUs = beforeUs - answeredUs[at];
       hasPassed = wasOn && Math.abs(resolvedUs) < QUIET_US;
-      openedUs[pixel] = nowUs;
-      answeredUs[pixel] = NO_EVENT;
+      openedUs[at] = nowUs;
+      answeredUs[at] = NO_EVENT;
     }
   }
 }

@@ -48,7 +48,7 @@ class PolarityRunsTest {
   }
 
   @Test
-  void aVeinThatLeavesIsEarlierThanTheTrailingEdge() {
+  void leavingVeinsPrecedeTheTrailingEdge() {
     off(1000, 1010);
     on(1040, 1050, 1300);
     off(3500);
@@ -69,7 +69,7 @@ class PolarityRunsTest {
   }
 
   @Test
-  void aPassageWithoutATrailingEdgeTellsNothing() {
+  void passagesWithoutATrailingEdgeAreIgnored() {
     off(1000);
     on(1040);
     off(1100);
@@ -82,12 +82,35 @@ class PolarityRunsTest {
   }
 
   @Test
-  void onlyOneOfSixteenPixelsTells() {
+  void oneOfSixteenPixelsReportsPassages() {
     for (int x = 0; x < 8; x++) {
       runs.begins(1000, EventAddress.pack(x, 0, 0));
       runs.begins(1200, EventAddress.pack(x, 0, 1));
       runs.begins(3500, EventAddress.pack(x, 0, 0));
       assertEquals(x % 4 == 0, runs.hasPassed());
+    }
+  }
+
+  @Test
+  void pixelsInTheLastRowAndColumnHavePassagesOfTheirOwn() {
+    PolarityRuns odd = new PolarityRuns(new SensorGeometry(17, 13));
+    for (int i = 0; i < 3; i++) {
+      int on = 1200 + 10 * i;
+      for (int x = 0; x < 17; x += 4) {
+        odd.begins(1000 + i, EventAddress.pack(x, 4 * i, 0));
+        odd.begins(on, EventAddress.pack(x, 4 * i, 1));
+        odd.begins(on + x, EventAddress.pack(x, 4 * i, 1));
+      }
+    }
+    odd.begins(1000, EventAddress.pack(16, 12, 0));
+    odd.begins(1200, EventAddress.pack(16, 12, 1));
+    odd.begins(3500, EventAddress.pack(16, 12, 0));
+    assertTrue(odd.hasPassed());
+    assertEquals(0, odd.resolvedUs());
+    for (int x = 0; x < 17; x += 4) {
+      odd.begins(3600, EventAddress.pack(x, 8, 0));
+      assertTrue(odd.hasPassed());
+      assertEquals(x, odd.resolvedUs());
     }
   }
 }

@@ -84,7 +84,7 @@ class CameraModelTest {
   }
 
   @Test
-  void aMatrixThatSeesNoLinesSaysSoAndIsNotUsed() {
+  void degenerateMatricesAreReportedAndNotUsed() {
     double[] rankTwo = {800, 0, 300, 300, 0, 800, 250, 250, 800, 800, 550, 550};
     CameraModel camera = CameraModel.of("flat", rankTwo, new double[0], 0, 0);
     assertTrue(camera.problem().orElseThrow().contains("rank"), camera.problem().toString());

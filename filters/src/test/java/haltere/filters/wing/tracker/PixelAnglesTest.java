@@ -47,7 +47,7 @@ class PixelAnglesTest {
   }
 
   @Test
-  void whenTheFlyIsElsewhereAnglesAreWorkedOutAnew() {
+  void anglesAreRecomputedAfterAMoveOfTheFly() {
     FlyPlace place = place();
     PixelAngles angles = new PixelAngles(128, 128, place);
     double before = PixelAngles.angle(angles.code(80, 80));

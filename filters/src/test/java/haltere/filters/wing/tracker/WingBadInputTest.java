@@ -100,7 +100,7 @@ class WingBadInputTest {
   }
 
   @Test
-  void aFlyThatStopsIsLostAndFoundAgainWhenItStarts() {
+  void stoppedFliesAreLostAndFoundAgain() {
     EventPacket fly = Flies.events(0.15, STEADY);
     EventPacket packet = new EventPacket(0);
     packet.append(fly, 0, fly.size());
@@ -157,7 +157,7 @@ class WingBadInputTest {
   }
 
   @Test
-  void aWingThatVanishesInFlightIsLostAndTheOtherKept() {
+  void vanishedWingsAreLostAndTheOtherIsKept() {
     EventPacket fly = Flies.events(0.4, STEADY);
     EventPacket packet = new EventPacket(0);
     for (int i = 0; i < fly.size(); i++) {
@@ -199,7 +199,7 @@ class WingBadInputTest {
   }
 
   @Test
-  void aClockThatRestartsInFlightIsDetectedAndTheFlyFoundAgain() {
+  void clockRestartsAreDetectedAndTheFlyIsFoundAgain() {
     EventPacket fly = Flies.events(0.1, STEADY, "run.startUs=9000000000");
     EventPacket again = Flies.events(0.1, STEADY, "run.startUs=0");
     WingTrackerFilter filter = new WingTrackerFilter(Said.SENSOR, WingTrackerSettings.defaults());

@@ -72,7 +72,7 @@ class WingEdgesTest {
         "original",
         "original filter.method=WRA"
       })
-  void anEdgeThatIsSwitchedOffIsNotTakenAndTheOtherCarriesTheWing(String method) {
+  void disabledEdgesAreIgnoredAndTheOtherTracksTheWing(String method) {
     EventPacket fly = Flies.events(0.6, FLY);
     FlyScene truth = Flies.scene(FLY);
     Said both = Said.of(fly, settings(method));
@@ -93,7 +93,7 @@ class WingEdgesTest {
 
   @ParameterizedTest
   @ValueSource(ints = {0, 1})
-  void anEdgeWithoutEventsCountsAsOneThatIsSwitchedOff(int polarity) {
+  void edgesWithoutEventsCountAsDisabled(int polarity) {
     EventPacket fly = Flies.events(0.6, FLY);
     FlyScene truth = Flies.scene(FLY);
     double usual = angleDeg(Said.of(fly, settings("filter.model=EDGES")), truth);
@@ -179,7 +179,7 @@ class WingEdgesTest {
   }
 
   @Test
-  void whatIsSaidOfAnEventIsThatOfItsEdge() {
+  void measurementsCarryTheStateOfTheirEdge() {
     EventPacket fly = Flies.events(0.12, FLY);
     List<WingMeasurement> rows = new ArrayList<>();
     WingListener listener =
@@ -207,7 +207,7 @@ class WingEdgesTest {
   }
 
   @Test
-  void bothMethodsTogetherSayWhatEachSaysAlone() {
+  void combinedMethodsYieldTheResultsOfEachAlone() {
     EventPacket fly = Flies.events(0.35, FLY);
     String[] follow = {"average.bodyUpdate=true", "average.headingUpdate=true"};
     Said average = Said.of(fly, settings("filter.method=WRA", follow));

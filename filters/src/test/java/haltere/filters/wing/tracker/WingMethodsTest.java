@@ -189,7 +189,7 @@ class WingMethodsTest {
   }
 
   @Test
-  void theRunningAverageByTimeForgetsAsFastWhateverTheRateOfTheEvents() {
+  void averageByTimeDoesNotDependOnTheEventRate() {
     String[] byTime = {"filter.method=WRA", "average.timeConstantUs=300"};
     double few =
         Said.with(Flies.events(0.3, STEADY, EVEN, SPARSE), byTime)

@@ -107,7 +107,7 @@ class WingOverlayTest {
   }
 
   @Test
-  void ofWingsThatAreLostOnlyThatIsSaid() {
+  void lostWingsShowOnlyTheirStatus() {
     FlyGeometry fly = new FlyGeometry(50, 60, Math.PI / 2, 40, 47, 60, 53, 60, 0.9, 0);
     ConstMatrix none = ConstMatrix.column(Double.NaN, Double.NaN, Double.NaN, Double.NaN);
     Marks marks = new Marks();
@@ -191,7 +191,7 @@ class WingOverlayTest {
   }
 
   @Test
-  void aWingThatIsNotTrackedIsNotDrawn() {
+  void untrackedWingsAreNotDrawn() {
     Marks marks = draw(1.5, Double.NaN);
     assertEquals(0, marks.all.stream().filter("line RIGHT"::equals).count());
   }

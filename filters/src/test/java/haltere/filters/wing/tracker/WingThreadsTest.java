@@ -36,7 +36,7 @@ class WingThreadsTest {
         "filter.method=WRA",
         "filter.model=EDGES"
       })
-  void twoThreadsSayWhatOneSaysAlsoAfterJumpsAndGaps(String setting) {
+  void twoThreadsYieldTheResultsOfOneAcrossJumpsAndGaps(String setting) {
     List<String> one = said(1, setting, true, 1);
     assertTrue(one.size() > 500, "rows: " + one.size());
     assertEquals(one, said(2, setting, true, 2));

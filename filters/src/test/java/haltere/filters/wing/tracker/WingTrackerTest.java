@@ -30,7 +30,7 @@ class WingTrackerTest {
 
   @ParameterizedTest
   @ValueSource(longs = {11, 12})
-  void aSteadyFlyIsTrackedWithinTheFiguresThatTheProjectPromises(long seed) {
+  void steadyFlightIsTrackedWithinTheStatedAccuracy(long seed) {
     WingScores scores =
         new WingScores(
                 Flies.scene(STEADY, "run.seed=" + seed, "fly.body.headingRad=" + seed % 6),
@@ -73,7 +73,7 @@ class WingTrackerTest {
   /** Each wing's events leave the place of its hinge along the body open in these scenes. */
   @ParameterizedTest
   @ValueSource(longs = {4126, 6192})
-  void aFlyThatSlowPixelsSeeAtItsReversalsAloneIsFoundWithItsHeading(long seed) {
+  void headingIsFoundFromEventsAtTheReversalsAlone(long seed) {
     FlyScene scene = new FlyScene(RandomFlies.random(seed));
     WingScores scores = new WingScores(scene, WingTrackerSettings.defaults()).run(0.06);
     assertEquals(0, scores.losses());
@@ -136,7 +136,7 @@ class WingTrackerTest {
   }
 
   @Test
-  void estimatesAreOfTheTimeThatTheEventsCarryUnlessADelayIsSaid() {
+  void estimatesHaveEventTimesUnlessADelayIsSet() {
     EventPacket fly = Flies.events(0.1, STEADY, "fly.wing.visibleShare=0.15");
     assertEquals(0, WingTrackerSettings.defaults().filter().latencyUs());
     Said usual = Said.with(fly);
@@ -163,7 +163,7 @@ class WingTrackerTest {
   }
 
   @Test
-  void whatAPersonChangesInAFilterHoldsUntilItIsRestarted() {
+  void userChangesOfAFilterHoldUntilItsRestart() {
     Said said = new Said();
     for (String model : new String[] {"WINGS", "EDGES"}) {
       WingTracker tracker =
@@ -234,7 +234,7 @@ class WingTrackerTest {
   }
 
   @Test
-  void whatAPersonSaysOfThePlaceIsAnOffsetThatOutlivesAReset() {
+  void userPositionsAreOffsetsThatSurviveAReset() {
     EventPacket events = Flies.events(0.1, STEADY);
     Said said = new Said();
     WingTracker tracker = new WingTracker(Said.SENSOR, WingTrackerSettings.defaults(), said);
@@ -265,7 +265,7 @@ class WingTrackerTest {
   }
 
   @Test
-  void aFlyThatStopsIsDetectedWhateverTheRateOfTheEstimates() {
+  void stopsAreDetectedAtEveryRateOfEstimates() {
     EventPacket fly = Flies.events(0.15, STEADY, "fly.wing.visibleShare=0.15");
     EventPacket packet = new EventPacket(0);
     packet.append(fly, 0, fly.size());

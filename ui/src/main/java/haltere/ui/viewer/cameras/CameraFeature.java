@@ -8,7 +8,7 @@ import haltere.core.camera.RegionOfInterest;
 import haltere.core.camera.RegionOfInterest.Region;
 import haltere.core.camera.TimestampReset;
 import haltere.core.playback.CameraPlayable;
-import haltere.core.sink.internal.Daemon;
+import haltere.core.stream.internal.Daemon;
 import haltere.device.simulated.Plug;
 import haltere.filters.frequency.PixelRegion;
 import haltere.ui.viewer.action.ViewerAction;

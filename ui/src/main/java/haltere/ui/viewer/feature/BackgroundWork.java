@@ -1,6 +1,6 @@
 package haltere.ui.viewer.feature;
 
-import haltere.core.sink.internal.Daemon;
+import haltere.core.stream.internal.Daemon;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutorService;

@@ -2,7 +2,7 @@ package haltere.ui.viewer.picture;
 
 import haltere.core.event.EventPacket;
 import haltere.core.pipeline.PacketPool;
-import haltere.core.sink.internal.Daemon;
+import haltere.core.stream.internal.Daemon;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;

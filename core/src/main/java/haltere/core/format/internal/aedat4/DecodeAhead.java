@@ -7,6 +7,7 @@ import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.compression.FileWindow;
 import haltere.core.format.internal.compression.LittleEndian;
+import haltere.core.stream.internal.Daemon;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -102,8 +103,7 @@ final class DecodeAhead implements Closeable {
     walk = layout.walk(new FileWindow(headers, HEADER_WINDOW), new ViolationCounts());
     walk.moveTo(start);
     readers = new Decompressor(readersFile);
-    thread = new Thread(() -> work(path), "haltere-decode");
-    thread.setDaemon(true);
+    thread = Daemon.thread(() -> work(path), "haltere-decode");
     thread.start();
   }
 

@@ -34,6 +34,7 @@ abstract class ChunkWalk implements MessageWalk {
   long recordedNs;
   BagTopic topic;
 
+  private final ChunkList chunks;
   private final FileWindow window;
   private final StoredPayload stored;
   private Lz4Payload lz4;
@@ -50,10 +51,12 @@ abstract class ChunkWalk implements MessageWalk {
   ChunkWalk(
       RecordingFile file,
       long firstRecord,
+      ChunkList chunks,
       BagTopics topics,
       Wanted wanted,
       ViolationCounts violations) {
     this.file = file;
+    this.chunks = chunks;
     this.topics = topics;
     this.wanted = wanted;
     this.violations = violations;
@@ -63,15 +66,6 @@ abstract class ChunkWalk implements MessageWalk {
     payload = stored;
     next = firstRecord;
   }
-
-  /** Where the first chunk after a place begins, as far as it is known; else the end of chunks. */
-  abstract long chunkAfter(long position);
-
-  /** Where chunks end. */
-  abstract long end();
-
-  /** Whether the bag was not closed, or has lost its end. */
-  abstract boolean cutOff();
 
   /** Opens the next chunk of the file; false at its end. */
   abstract boolean nextChunk() throws IOException;
@@ -119,7 +113,7 @@ abstract class ChunkWalk implements MessageWalk {
     chunkBytes = Math.max(1, decompressedBytes);
     recordAt = 0;
     messageAt = 0;
-    next = cut ? Math.min(chunkAfter(chunk), file.size()) : data + compressedBytes;
+    next = cut ? Math.min(chunks.chunkAfter(chunk), file.size()) : data + compressedBytes;
     inChunk = true;
     try {
       payload = decompressing(compression);
@@ -159,8 +153,8 @@ abstract class ChunkWalk implements MessageWalk {
   /** Passes over damage between chunks. */
   final void damagedBetweenChunks() {
     long at = next;
-    next = chunkAfter(at);
-    if (next >= end() && cutOff()) {
+    next = chunks.chunkAfter(at);
+    if (next >= chunks.end() && chunks.cutOff()) {
       violations.addOnce(Violation.CUT_OFF, at);
     } else {
       violations.add(Violation.LYING_LENGTH, at);
@@ -207,7 +201,7 @@ abstract class ChunkWalk implements MessageWalk {
     if (inChunk) {
       return place(recordAt);
     }
-    return next < end() ? next : file.size();
+    return next < chunks.end() ? next : file.size();
   }
 
   @Override
@@ -230,7 +224,7 @@ abstract class ChunkWalk implements MessageWalk {
     }
     inChunk = false;
     // A length that was too large leads past chunks that the index knows.
-    next = Math.min(next, chunkAfter(chunk));
+    next = Math.min(next, chunks.chunkAfter(chunk));
   }
 
   @Override

@@ -14,7 +14,7 @@ import java.util.Arrays;
  * The summary at the end of an MCAP file: channels and positions of chunks. Chunks are read in the
  * order of the file; the summary gives all topics and the next chunk after a damaged one.
  */
-final class McapIndex {
+final class McapIndex implements ChunkList {
   private static final byte[] MAGIC = {(byte) 0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
 
   /** Where the first record starts. */
@@ -26,7 +26,7 @@ final class McapIndex {
   private final ChunkPlaces chunks = new ChunkPlaces();
   private final McapSchemas schemas;
   private final long end;
-  private boolean closed;
+  private boolean cutOff = true;
 
   private McapIndex(long fileBytes, BagTopics topics) {
     end = fileBytes;
@@ -62,7 +62,7 @@ final class McapIndex {
     if (footerAt < FIRST_RECORD || !isMcap(file.read(file.size() - MAGIC.length, MAGIC.length))) {
       return index;
     }
-    index.closed = true;
+    index.cutOff = false;
     StoredPayload payload = new StoredPayload(new FileWindow(file));
     payload.open(footerAt, FOOTER_BYTES);
     try {
@@ -110,18 +110,18 @@ final class McapIndex {
     return schemas;
   }
 
-  /** Whether the file ends as one that was closed. */
-  boolean closed() {
-    return closed;
+  @Override
+  public boolean cutOff() {
+    return cutOff;
   }
 
-  /** Where the file ends. */
-  long end() {
+  @Override
+  public long end() {
     return end;
   }
 
-  /** Where the first chunk after a place begins, as far as it is known; else the end. */
-  long chunkAfter(long position) {
+  @Override
+  public long chunkAfter(long position) {
     return chunks.after(position, end);
   }
 }

@@ -28,23 +28,8 @@ final class McapWalk extends ChunkWalk {
       BagTopics topics,
       Wanted wanted,
       ViolationCounts violations) {
-    super(file, McapIndex.FIRST_RECORD, topics, wanted, violations);
+    super(file, McapIndex.FIRST_RECORD, index, topics, wanted, violations);
     this.index = index;
-  }
-
-  @Override
-  long chunkAfter(long position) {
-    return index.chunkAfter(position);
-  }
-
-  @Override
-  long end() {
-    return index.end();
-  }
-
-  @Override
-  boolean cutOff() {
-    return !index.closed();
   }
 
   @Override
@@ -61,7 +46,7 @@ final class McapWalk extends ChunkWalk {
         damagedBetweenChunks();
       }
     }
-    if (!ended || cutOff()) {
+    if (!ended || index.cutOff()) {
       violations.addOnce(Violation.CUT_OFF, file.size());
     }
     next = index.end();

@@ -17,7 +17,7 @@ import java.nio.charset.StandardCharsets;
  *
  * <p>Thread rule: immutable once read.
  */
-final class RosbagIndex {
+final class RosbagIndex implements ChunkList {
   /** The line that a bag begins with. */
   static final String MAGIC = "#ROSBAG V2.0\n";
 
@@ -101,18 +101,18 @@ final class RosbagIndex {
     }
   }
 
-  /** Where chunks end and the index begins, or the file ends. */
-  long end() {
+  @Override
+  public long end() {
     return end;
   }
 
-  /** Whether the bag was not closed, or has lost its end. */
-  boolean cutOff() {
+  @Override
+  public boolean cutOff() {
     return cutOff;
   }
 
-  /** Where the first chunk after a place begins, as far as it is known; else the end. */
-  long chunkAfter(long position) {
+  @Override
+  public long chunkAfter(long position) {
     return chunks.after(position, end);
   }
 }

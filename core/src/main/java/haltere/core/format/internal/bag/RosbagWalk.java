@@ -21,23 +21,8 @@ final class RosbagWalk extends ChunkWalk {
       BagTopics topics,
       Wanted wanted,
       ViolationCounts violations) {
-    super(file, RosbagIndex.FIRST_RECORD, topics, wanted, violations);
+    super(file, RosbagIndex.FIRST_RECORD, index, topics, wanted, violations);
     this.index = index;
-  }
-
-  @Override
-  long chunkAfter(long position) {
-    return index.chunkAfter(position);
-  }
-
-  @Override
-  long end() {
-    return index.end();
-  }
-
-  @Override
-  boolean cutOff() {
-    return index.cutOff();
   }
 
   @Override
@@ -67,7 +52,7 @@ final class RosbagWalk extends ChunkWalk {
         damagedBetweenChunks();
       }
     }
-    if (cutOff()) {
+    if (index.cutOff()) {
       violations.addOnce(Violation.CUT_OFF, file.size());
     }
     return false;

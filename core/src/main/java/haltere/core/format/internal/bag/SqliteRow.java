@@ -66,7 +66,7 @@ final class SqliteRow extends Payload {
   private void readTypes() throws IOException, DamagedPacketException {
     gather(MAX_HEAD);
     int start = from;
-    long head = takeVarint();
+    long head = SqliteVarint.take(this::takeByte);
     if (head > MAX_HEAD || head > to - start) {
       throw new DamagedPacketException("a row with too many columns");
     }
@@ -76,27 +76,15 @@ final class SqliteRow extends Payload {
       if (columns == MAX_COLUMNS) {
         throw new DamagedPacketException("a row with too many columns");
       }
-      types[columns++] = takeVarint();
+      types[columns++] = SqliteVarint.take(this::takeByte);
     }
   }
 
-  /** A number of 7 bits a byte; the ninth has 8. */
-  private long takeVarint() throws DamagedPacketException {
-    long value = 0;
-    for (int i = 0; i < 9; i++) {
-      if (from == to) {
-        throw new DamagedPacketException("a number that ends too early");
-      }
-      int next = data[from++];
-      if (i == 8) {
-        return value << 8 | next & 0xff;
-      }
-      value = value << 7 | next & 0x7f;
-      if (next >= 0) {
-        break;
-      }
+  private byte takeByte() throws DamagedPacketException {
+    if (from == to) {
+      throw new DamagedPacketException("a number that ends too early");
     }
-    return value;
+    return data[from++];
   }
 
   @Override

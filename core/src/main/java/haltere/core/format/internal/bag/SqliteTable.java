@@ -102,8 +102,8 @@ final class SqliteTable {
 
   private void readCell(int index) throws DamagedPacketException {
     at = unsignedShort(head + LEAF_HEAD + 2 * index);
-    rowBytes = takeVarint();
-    number = takeVarint();
+    rowBytes = SqliteVarint.take(this::takeByte);
+    number = SqliteVarint.take(this::takeByte);
   }
 
   /** Goes down from the root to the leaf that has the row that is wanted. */
@@ -137,7 +137,7 @@ final class SqliteTable {
       at = unsignedShort(head + INNER_HEAD + 2 * i);
       long page = unsignedInt(at);
       at += 4;
-      long last = takeVarint();
+      long last = SqliteVarint.take(this::takeByte);
       if (last >= wanted) {
         lastOfLeaf = Math.min(lastOfLeaf, last);
         return page;
@@ -162,19 +162,8 @@ final class SqliteTable {
     }
   }
 
-  private long takeVarint() throws DamagedPacketException {
-    long value = 0;
-    for (int i = 0; i < 9; i++) {
-      check(at, 1);
-      int next = leaf.get(at++);
-      if (i == 8) {
-        return value << 8 | next & 0xff;
-      }
-      value = value << 7 | next & 0x7f;
-      if (next >= 0) {
-        break;
-      }
-    }
-    return value;
+  private byte takeByte() throws DamagedPacketException {
+    check(at, 1);
+    return leaf.get(at++);
   }
 }

@@ -27,11 +27,11 @@ final class NumberText {
   static {
     for (int value = 0; value < TABLE; value++) {
       String plain = value + ",";
-      long compressed = (long) plain.length() << 56;
+      long packed = (long) plain.length() << 56;
       for (int i = 0; i < plain.length(); i++) {
-        compressed |= (long) plain.charAt(i) << 8 * i;
+        packed |= (long) plain.charAt(i) << 8 * i;
       }
-      SHORT[value] = compressed;
+      SHORT[value] = packed;
       String four = String.format(java.util.Locale.ROOT, "%04d", value);
       for (int i = 0; i < 4; i++) {
         FOUR[value] |= four.charAt(i) << 8 * i;
@@ -50,9 +50,9 @@ final class NumberText {
     if (value >= TABLE) {
       return number(bytes, at, value);
     }
-    long compressed = SHORT[value];
-    EIGHT_BYTES.set(bytes, at, compressed);
-    return at + (int) (compressed >>> 56);
+    long packed = SHORT[value];
+    EIGHT_BYTES.set(bytes, at, packed);
+    return at + (int) (packed >>> 56);
   }
 
   /** Writes a time; returns the index behind it. At least 32 bytes must be free. */

@@ -2,67 +2,67 @@ package haltere.core.format.internal.hdf5;
 
 import java.io.IOException;
 
-/** The index of datasets that cannot grow, in files of the newer kind: an array, with pages. */
-final class ChunkArray extends ChunkIndex {
-  private static final int CHECKSUM = 4;
+/** The index of a dataset in files of the newer kind: an array of chunks with a header. */
+abstract class ChunkArray extends ChunkIndex {
+  static final int CHECKSUM = 4;
 
-  private final ContainerFile file;
-  private final Dataset dataset;
-  private boolean opened;
-  private int elementBytes;
-  private int pageBits;
-  private long elements;
-  private long block;
+  private static final int MAX_PAGE_BITS = 31;
+
+  final ContainerFile file;
+  final Dataset dataset;
+
+  /** Size of an element of the array. */
+  int elementBytes;
+
+  /** A page has 2^pageBits elements. */
+  int pageBits;
+
+  /** Position of the block that the header states. */
+  long block;
+
+  private boolean isOpen;
 
   ChunkArray(ContainerFile file, Dataset dataset) {
     this.file = file;
     this.dataset = dataset;
   }
 
-  private void open() throws IOException {
-    Metadata head = file.at(dataset.position(), 8 + file.lengthBytes() + file.offsetBytes());
-    head.expect("FAHD");
-    head.skip(2);
-    elementBytes = head.u1();
-    pageBits = head.u1();
-    elements = head.length();
-    block = head.position();
-    if (elementBytes < file.offsetBytes() || pageBits > 31) {
-      throw head.problem("an array of chunks that cannot be");
-    }
-    opened = true;
-  }
+  /** Reads the header and checks it by {@link #check}. */
+  abstract void readHeader() throws IOException;
+
+  /** Finds a chunk, from 0, in an array that has a block. */
+  abstract boolean findInBlock(long chunk) throws IOException;
 
   @Override
-  boolean find(long chunk) throws IOException {
+  final boolean find(long chunk) throws IOException {
     if (dataset.position() == ContainerFile.NOWHERE) {
       return false;
     }
-    if (!opened) {
-      open();
+    if (!isOpen) {
+      readHeader();
+      isOpen = true;
     }
-    if (chunk >= elements || block == ContainerFile.NOWHERE) {
-      return false;
+    return block != ContainerFile.NOWHERE && chunk >= 0 && findInBlock(chunk);
+  }
+
+  final void check(Metadata head, boolean isPossible) throws IOException {
+    if (!isPossible || elementBytes < file.offsetBytes() || pageBits > MAX_PAGE_BITS) {
+      throw head.problem("an array of chunks that cannot be");
     }
-    long prefix = 6L + file.offsetBytes();
-    long pageElements = 1L << pageBits;
-    if (elements <= pageElements) {
-      Metadata at = file.at(block + prefix + chunk * elementBytes, elementBytes);
-      return element(file, dataset, at, elementBytes);
+  }
+
+  /** Reads the element at a position in the file; false if it states no chunk. */
+  final boolean element(long at) throws IOException {
+    Metadata element = file.at(at, elementBytes);
+    long position = element.position();
+    bytes = dataset.chunkBytes();
+    skippedFilters = 0;
+    int compressedSize = elementBytes - file.offsetBytes() - 4;
+    if (compressedSize > 0) {
+      bytes = element.number(Math.min(8, compressedSize));
+      skippedFilters = element.u4();
     }
-    long pages = (elements + pageElements - 1) >>> pageBits;
-    long page = chunk >>> pageBits;
-    Metadata bits = file.at(block + prefix + page / 8, 1);
-    if ((bits.u1() & 0x80 >> (int) (page % 8)) == 0) {
-      return false;
-    }
-    long start =
-        block
-            + prefix
-            + (pages + 7) / 8
-            + CHECKSUM
-            + page * (pageElements * elementBytes + CHECKSUM);
-    Metadata at = file.at(start + (chunk & pageElements - 1) * elementBytes, elementBytes);
-    return element(file, dataset, at, elementBytes);
+    offset = file.offsetOf(position);
+    return position != ContainerFile.NOWHERE;
   }
 }

@@ -20,7 +20,7 @@ abstract class ChunkIndex {
   static ChunkIndex of(ContainerFile file, Dataset dataset) {
     return switch (dataset.kind()) {
       case TREE_OF_CHUNKS -> new ChunkTree(file, dataset);
-      case ARRAY_OF_CHUNKS -> new ChunkArray(file, dataset);
+      case ARRAY_OF_CHUNKS -> new FixedChunkArray(file, dataset);
       case GROWING_ARRAY_OF_CHUNKS -> new GrowingChunkArray(file, dataset);
       default -> new PlainChunks(file, dataset);
     };
@@ -45,20 +45,6 @@ abstract class ChunkIndex {
 
   long skippedFilters() {
     return skippedFilters;
-  }
-
-  /** Reads an element of an array of chunks; false if there is no chunk. */
-  boolean element(ContainerFile file, Dataset dataset, Metadata at, int size) throws IOException {
-    long position = at.position();
-    bytes = dataset.chunkBytes();
-    skippedFilters = 0;
-    int compressedSize = size - file.offsetBytes() - 4;
-    if (compressedSize > 0) {
-      bytes = at.number(Math.min(8, compressedSize));
-      skippedFilters = at.u4();
-    }
-    offset = file.offsetOf(position);
-    return position != ContainerFile.NOWHERE;
   }
 
   /** A single chunk, or chunks that follow each other. */

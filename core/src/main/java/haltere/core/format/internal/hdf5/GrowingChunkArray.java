@@ -7,26 +7,18 @@ import java.io.IOException;
  * their size, the first of which are listed in an index block and the others in blocks of their
  * own.
  */
-final class GrowingChunkArray extends ChunkIndex {
-  private static final int CHECKSUM = 4;
-
-  private final ContainerFile file;
-  private final Dataset dataset;
-  private boolean opened;
-  private int elementBytes;
+final class GrowingChunkArray extends ChunkArray {
   private int offsetBytes;
   private int firstElements;
   private int smallestBlock;
   private int fewestBlocks;
-  private int pageBits;
-  private long indexBlock;
 
   GrowingChunkArray(ContainerFile file, Dataset dataset) {
-    this.file = file;
-    this.dataset = dataset;
+    super(file, dataset);
   }
 
-  private void open() throws IOException {
+  @Override
+  void readHeader() throws IOException {
     Metadata head = file.at(dataset.position(), 12 + 6L * file.lengthBytes() + file.offsetBytes());
     head.expect("EAHD");
     head.skip(2);
@@ -37,32 +29,16 @@ final class GrowingChunkArray extends ChunkIndex {
     fewestBlocks = head.u1();
     pageBits = head.u1();
     head.skip(6L * file.lengthBytes());
-    indexBlock = head.position();
+    block = head.position();
     offsetBytes = (bits + 7) / 8;
-    if (elementBytes < file.offsetBytes()
-        || Integer.bitCount(smallestBlock) != 1
-        || Integer.bitCount(fewestBlocks) != 1
-        || pageBits > 31) {
-      throw head.problem("an array of chunks that cannot be");
-    }
-    opened = true;
+    check(head, Integer.bitCount(smallestBlock) == 1 && Integer.bitCount(fewestBlocks) == 1);
   }
 
   @Override
-  boolean find(long chunk) throws IOException {
-    if (dataset.position() == ContainerFile.NOWHERE) {
-      return false;
-    }
-    if (!opened) {
-      open();
-    }
-    if (indexBlock == ContainerFile.NOWHERE || chunk < 0) {
-      return false;
-    }
-    long prefix = indexBlock + 6 + file.offsetBytes();
+  boolean findInBlock(long chunk) throws IOException {
+    long prefix = block + 6 + file.offsetBytes();
     if (chunk < firstElements) {
-      return element(
-          file, dataset, file.at(prefix + chunk * elementBytes, elementBytes), elementBytes);
+      return element(prefix + chunk * elementBytes);
     }
     return inBlocks(chunk - firstElements, prefix + (long) firstElements * elementBytes);
   }
@@ -102,17 +78,13 @@ final class GrowingChunkArray extends ChunkIndex {
               + bits
               + blockInGroup * file.offsetBytes();
     }
-    long block = file.at(listing, file.offsetBytes()).position();
-    if (block == ContainerFile.NOWHERE) {
+    long dataBlock = file.at(listing, file.offsetBytes()).position();
+    if (dataBlock == ContainerFile.NOWHERE) {
       return false;
     }
     long inBlock = inGroup % blockElements;
-    long start = block + 6 + file.offsetBytes() + offsetBytes + (paged ? CHECKSUM : 0);
+    long start = dataBlock + 6 + file.offsetBytes() + offsetBytes + (paged ? CHECKSUM : 0);
     long checksums = paged ? (inBlock >>> pageBits) * CHECKSUM : 0;
-    return element(
-        file,
-        dataset,
-        file.at(start + inBlock * elementBytes + checksums, elementBytes),
-        elementBytes);
+    return element(start + inBlock * elementBytes + checksums);
   }
 }

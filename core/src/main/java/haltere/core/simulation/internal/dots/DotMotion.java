@@ -49,7 +49,7 @@ final class DotMotion {
     return start + direction * speed / reach * seconds;
   }
 
-  /** Way along a line from its end at -reach, to and fro, in [0, 4 reach). */
+  /** Distance travelled to and fro along a line from its end at -reach, modulo 4 reach. */
   private double way(double seconds) {
     double turns = (start + speed * seconds) / (4 * reach);
     return (turns - Math.floor(turns)) * 4 * reach;

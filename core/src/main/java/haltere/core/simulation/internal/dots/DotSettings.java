@@ -5,7 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/** The dots of {@link MovingDotsScene}: dark discs before a bright background. */
+/** The dots of {@link MovingDotsScene}: dark discs in front of a bright background. */
 public record DotSettings(
     @Help("Motion of the dots.") DotPath path,
     @Help("Number of dots.") @Range(min = 1, max = 50) @Unit("dots") int count,

@@ -16,12 +16,12 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Dark discs on known paths through noise: the plainest scene for cluster trackers. The edge in
- * front makes OFF events, the edge behind ON events, at random times and at random places along the
- * edge, as many as pixels are swept; a pixel has neither latency nor memory.
+ * Dark discs on known paths through noise: the simplest scene for cluster trackers. The front edge
+ * makes OFF events, the rear edge ON events, at random times and random positions along the edge,
+ * in proportion to the pixels that are swept; a pixel has neither latency nor memory.
  *
  * <p>The same settings make the same events, bit for bit. Thread rule: pulled by one thread at a
- * time; the truth may be asked for by any thread.
+ * time; the truth may be queried by any thread.
  */
 public final class MovingDotsScene implements Scene<DotTruth> {
   private static final int MAX_EVENTS = 4096;

@@ -11,7 +11,7 @@ import haltere.core.simulation.internal.sensor.SensorSettings;
  *
  * @param sensor the sensor
  * @param dots the dots
- * @param noise events without a cause
+ * @param noise background noise
  * @param run seed, start and length
  */
 public record MovingDotsSettings(

@@ -1,2 +1,2 @@
-/** Discs that move, meet and part, and their truth. */
+/** Moving discs that meet and separate, and their truth. */
 package haltere.core.simulation.internal.dots;

@@ -5,7 +5,7 @@ import haltere.core.simulation.internal.sensor.SensorSettings;
 import java.util.List;
 
 /**
- * A camera of {@link FlightScene}, without a lens' faults.
+ * A camera of {@link FlightScene}, without lens distortion.
  *
  * @param id its name
  * @param matrix three rows of four numbers: from metres to pixels, x to the right, y up
@@ -67,7 +67,7 @@ public record FlightCamera(String id, List<List<Double>> matrix, int widthPx, in
     return m.get(0) * point[0] + m.get(1) * point[1] + m.get(2) * point[2] + m.get(3);
   }
 
-  /** Where a point is seen. */
+  /** Projects a point to pixels. */
   void project(double[] point, double[] pixel) {
     double depth = row(2, point);
     pixel[0] = row(0, point) / depth;

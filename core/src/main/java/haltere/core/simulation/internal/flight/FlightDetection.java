@@ -1,14 +1,14 @@
 package haltere.core.simulation.internal.flight;
 
 /**
- * What a detector makes of one camera's picture of {@link FlightScene}; a row of the table that
- * {@code haltere orient} reads.
+ * A detection in one camera's picture of {@link FlightScene}; a row of the table that {@code
+ * haltere orient} reads.
  *
  * @param tUs time, microseconds
  * @param camera the camera's name
  * @param object number of the body, 0
- * @param xPx column of its middle
- * @param yPx row of its middle
+ * @param xPx column of its centre
+ * @param yPx row of its centre
  * @param angleRad angle of its line, modulo pi, in (−pi/2, pi/2]
  * @param areaPx area of its outline, square pixels
  * @param eccentricity long axis over short axis of its outline

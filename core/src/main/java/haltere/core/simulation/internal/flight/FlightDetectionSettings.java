@@ -5,7 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/** What a detector makes of the pictures of {@link FlightScene}. */
+/** The detections of {@link FlightScene} and their errors. */
 public record FlightDetectionSettings(
     @Help("Pictures per second.") @Range(min = 1, max = 100000, logarithmic = true) @Unit("Hz")
         double rateHz,

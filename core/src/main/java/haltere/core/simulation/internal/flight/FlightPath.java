@@ -4,8 +4,8 @@ import haltere.core.simulation.internal.sensor.SeededRandom;
 import haltere.core.simulation.internal.sensor.SlowProcess;
 
 /**
- * How a body flies: along a wandering circle, with its head where it flies to but for an angle that
- * it changes in saccades, and its head up or down. A function of time alone.
+ * The flight of a body along a wandering circle, as a pure function of time. Its axis deviates from
+ * the course by a slip angle, which changes in saccades, and by a pitch.
  *
  * <p>Thread rule: immutable.
  */
@@ -36,7 +36,7 @@ final class FlightPath {
     pitch = new SlowProcess(random, Math.toRadians(8), 0.1, 0.7);
   }
 
-  /** Place in metres. */
+  /** Position in metres. */
   void position(double seconds, double[] out) {
     double r = radius + radial.at(seconds);
     double angle = startRad + turnsRadS * seconds + around.at(seconds);
@@ -65,7 +65,7 @@ final class FlightPath {
     out[2] = StrictMath.sin(up);
   }
 
-  /** Angle of the head to the course: constant but for one saccade in each stretch of time. */
+  /** Slip angle between axis and course: constant except for one saccade per interval. */
   private double slip(double seconds) {
     if (body.saccadesPerS() == 0) {
       return 0;

@@ -17,13 +17,13 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * A dark elongated body in free flight with saccades, before a bright ground, seen by one of
- * several cameras; {@link #detections} has the detections of all cameras.
+ * A dark elongated body in free flight with saccades, in front of a bright background, seen by one
+ * of several cameras; {@link #detections} has the detections of all cameras.
  *
  * <p>A pixel makes an OFF event when the body's outline comes over it and an ON event when it
  * leaves it, at the time of the crossing and a random while later. The same settings make the same
  * events, and scenes that differ in {@code view.camera} only show the same flight. Thread rule:
- * pulled by one thread at a time; the truth and the detections may be asked for by any thread.
+ * pulled by one thread at a time; the truth and the detections may be queried by any thread.
  */
 public final class FlightScene implements Scene<FlightTruth> {
   private static final int MAX_EVENTS = 4096;
@@ -104,7 +104,7 @@ public final class FlightScene implements Scene<FlightTruth> {
    * The truth at a time.
    *
    * @param timeUs microseconds on the clock of the events
-   * @return place, velocity and axis
+   * @return position, velocity and axis
    */
   public FlightTruth truthAt(long timeUs) {
     double seconds = (timeUs - startUs()) * 1e-6;
@@ -135,7 +135,7 @@ public final class FlightScene implements Scene<FlightTruth> {
   /**
    * The cameras.
    *
-   * @return their number is a setting
+   * @return as many as the settings state
    */
   public List<FlightCamera> cameras() {
     return cameras;
@@ -203,7 +203,7 @@ public final class FlightScene implements Scene<FlightTruth> {
     return all;
   }
 
-  /** Angle at which the line through the body's middle along its axis is seen. */
+  /** Projected angle of the line through the body's centre along its axis. */
   private double lineAngle(FlightCamera from, long timeUs) {
     FlightTruth truth = truthAt(timeUs);
     double[] ahead = new double[2];

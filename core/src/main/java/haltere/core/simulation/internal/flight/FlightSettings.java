@@ -12,8 +12,8 @@ import haltere.core.simulation.internal.sensor.SensorSettings;
  * @param sensor the sensor of each camera
  * @param body the body and how it flies
  * @param view the cameras around it
- * @param detection what detectors make of the pictures
- * @param noise events without a cause
+ * @param detection the detections and their errors
+ * @param noise background noise
  * @param run seed, start and length
  */
 public record FlightSettings(
@@ -32,7 +32,7 @@ public record FlightSettings(
   /**
    * The default settings.
    *
-   * @return a bumblebee before three cameras of 640 x 480 pixels
+   * @return a bumblebee and three cameras of 640 x 480 pixels
    */
   public static FlightSettings defaults() {
     return new FlightSettings(

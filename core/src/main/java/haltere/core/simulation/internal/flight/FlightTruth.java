@@ -4,9 +4,9 @@ package haltere.core.simulation.internal.flight;
  * The truth about the body of {@link FlightScene} at one time.
  *
  * @param tUs time on the clock of the events, microseconds
- * @param xM place, metres
- * @param yM place, metres
- * @param zM place, metres
+ * @param xM position, metres
+ * @param yM position, metres
+ * @param zM position, metres
  * @param vxMS velocity, metres a second
  * @param vyMS velocity, metres a second
  * @param vzMS velocity, metres a second

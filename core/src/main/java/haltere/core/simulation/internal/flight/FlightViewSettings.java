@@ -6,8 +6,8 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * The cameras of {@link FlightScene}: in a ring around the place of flight, all looking at its
- * middle.
+ * The cameras of {@link FlightScene}: in a ring around the flight volume, all directed at its
+ * centre.
  */
 public record FlightViewSettings(
     @Help("Number of cameras.") @Range(min = 1, max = 16) @Unit("cameras") int cameras,

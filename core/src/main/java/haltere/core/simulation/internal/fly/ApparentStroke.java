@@ -1,9 +1,8 @@
 package haltere.core.simulation.internal.fly;
 
 /**
- * The stroke of a wing as it is seen: its long axis is the mean of both its edges, which lies
- * behind the axis about which it pitches, so the stroke that is seen has a centre, an amplitude and
- * a phase of its own.
+ * The apparent stroke of a wing. Its long axis is the mean of both edges, which lies behind the
+ * pitch axis, so the apparent stroke has a centre, an amplitude and a phase of its own.
  *
  * <p>Thread rule: immutable.
  */
@@ -36,12 +35,12 @@ final class ApparentStroke {
     return planform.edgeRad(pitch.projection(phase), share);
   }
 
-  /** Angle of the wing's long axis from the axis about which it pitches. */
+  /** Angle of the wing's long axis from the pitch axis. */
   private double middleRad(double phase) {
     return (edgeRad(phase, 0) + edgeRad(phase, 1)) / 2;
   }
 
-  /** Stroke angle of the long axis from its mean over the cycle, straight between grid points. */
+  /** Stroke angle of the long axis from its mean over the cycle, linear between grid points. */
   private double fromCentre(double amplitude, double phase) {
     double position = FlyTruth.wrapped(phase) / (2 * Math.PI) * GRID;
     int low = (int) position % GRID;

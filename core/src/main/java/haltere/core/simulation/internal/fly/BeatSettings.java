@@ -6,7 +6,7 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * What the two wings have in common.
+ * Settings that both wings share.
  *
  * @param clapAndFling whether the wings nearly meet behind the body at each upstroke; sets both
  *     centres

@@ -73,21 +73,21 @@ final class BodyOutline {
         }
       }
     }
-    // those of a group lie together
+    // Pixels of a group are adjacent.
     Arrays.fill(groupEnd, 0);
     for (int i = 0; i < bandSize; i++) {
-      groupEnd[place(found[i]) % groups + 1]++;
+      groupEnd[hash(found[i]) % groups + 1]++;
     }
     for (int group = 0; group < groups; group++) {
       groupEnd[group + 1] += groupEnd[group];
     }
     for (int i = 0; i < bandSize; i++) {
-      band[groupEnd[place(found[i]) % groups]++] = found[i];
+      band[groupEnd[hash(found[i]) % groups]++] = found[i];
     }
   }
 
-  /** A number that has nothing to do with where a pixel is, 0 to 65535. */
-  private static int place(int pixel) {
+  /** A hash of a pixel, independent of its position, 0 to 65535. */
+  private static int hash(int pixel) {
     return (pixel * 0x9e3779b1) >>> 16;
   }
 
@@ -104,7 +104,7 @@ final class BodyOutline {
       return;
     }
     if (hasMoved(pose)) {
-      // the old band is seen a last time, so that nothing of it stays behind
+      // The old band is evaluated once more, so that its pixels return to the background.
       for (int i = 0; i < bandSize; i++) {
         see(band[i], fromUs, pose);
       }
@@ -115,7 +115,7 @@ final class BodyOutline {
       }
     }
     for (int i = group == 0 ? 0 : groupEnd[group - 1]; i < groupEnd[group]; i++) {
-      double share = (place(band[i]) / groups & 0xff) / 256.0;
+      double share = (hash(band[i]) / groups & 0xff) / 256.0;
       see(band[i], fromUs + lengthUs * share, pose);
     }
   }

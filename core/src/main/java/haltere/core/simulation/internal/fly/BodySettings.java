@@ -5,9 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/**
- * Where the fly is and how its body moves. The body centre is the middle between the two hinges.
- */
+/** Position and motion of the fly's body. The body centre is the midpoint of the two hinges. */
 public record BodySettings(
     @Help("Mean position of the body centre, to the right of the middle of the sensor.")
         @Range(min = -1000, max = 1000)

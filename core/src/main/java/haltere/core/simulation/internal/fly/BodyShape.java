@@ -25,7 +25,7 @@ final class BodyShape {
     length = lengthPx;
   }
 
-  /** No point of the body is further from the hinges' middle than this, pixels. */
+  /** Largest distance of a point of the body from the midpoint of the hinges, pixels. */
   double reach() {
     return 0.6 * length;
   }
@@ -33,7 +33,7 @@ final class BodyShape {
   /**
    * Distance from the outline, negative inside; close to exact near the outline.
    *
-   * @param forward along the axis from the middle of the hinges, pixels
+   * @param forward along the axis from the midpoint of the hinges, pixels
    * @param sideways from the axis, pixels
    */
   double distance(double forward, double sideways) {
@@ -73,7 +73,7 @@ final class BodyShape {
     return Math.abs(forward) < reach() && distance(forward, sideways) < 0;
   }
 
-  /** Share of a pixel's light that the body takes, from the distance to its outline. */
+  /** Share of a pixel's light that the body absorbs, from the distance to its outline. */
   static double cover(double distance) {
     if (distance >= BLUR) {
       return 0;
@@ -85,7 +85,7 @@ final class BodyShape {
     return share * share * (3 - 2 * share);
   }
 
-  /** Pixels whose distance from the outline is beyond this do not notice a motion of one pixel. */
+  /** Distance from the outline beyond which a motion of one pixel changes no light, pixels. */
   static double band() {
     return BLUR + 1.2;
   }

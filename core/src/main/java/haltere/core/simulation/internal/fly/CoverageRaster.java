@@ -14,12 +14,12 @@ final class CoverageRaster {
   private final int height;
   private final double[] cover;
 
-  /** Columns of each row in which there is anything, the last one exclusive. */
+  /** Columns of each row that are not empty, the last one exclusive. */
   private final int[] from;
 
   private final int[] to;
 
-  /** Rows in which there is anything, the last one exclusive. */
+  /** Rows that are not empty, the last one exclusive. */
   private int fromRow;
 
   private int toRow;
@@ -34,7 +34,7 @@ final class CoverageRaster {
     fromRow = height;
   }
 
-  /** Takes all polygons away. */
+  /** Removes all polygons. */
   void clear() {
     for (int y = fromRow; y < toRow; y++) {
       Arrays.fill(cover, y * (width + 1), y * (width + 1) + Math.min(width, to[y]) + 1, 0);
@@ -72,7 +72,7 @@ final class CoverageRaster {
     }
   }
 
-  /** Adds a piece of an edge within a row, from one place to another further right. */
+  /** Adds a piece of an edge within a row, from left to right. */
   private void piece(int row, double a, double b, double rise) {
     int line = row * (width + 1);
     int left = (int) Math.max(0, Math.floor(a));

@@ -5,8 +5,8 @@ import haltere.core.simulation.internal.sensor.SensorSettings;
 import haltere.core.simulation.internal.sensor.SlowProcess;
 
 /**
- * The motion of the fly as a pure function of time: the body's place and heading, and of each wing
- * frequency, phase (the integral of just that frequency), amplitude and centre. The stroke angle is
+ * The motion of the fly as a pure function of time: position and heading of the body; frequency,
+ * phase (the integral of that frequency), amplitude and centre of each wing. The stroke angle is
  * centre + amplitude * waveform(phase).
  *
  * <p>Thread rule: immutable.
@@ -15,7 +15,7 @@ final class FlyKinematics {
   static final int LEFT = 0;
   static final int RIGHT = 1;
 
-  /** How near to the rear midline the wings come in a clap, radians. */
+  /** Smallest angle between a wing and the rear midline in a clap, radians. */
   static final double CLAP_GAP = 0.02;
 
   private final SensorSettings sensor;
@@ -120,16 +120,16 @@ final class FlyKinematics {
     }
   }
 
-  /** No stroke angle is less. */
-  double leastAngle(int side) {
+  /** Lower bound of the stroke angle. */
+  double minAngle(int side) {
     double half = mostAmplitude(side);
     return beat.clapAndFling()
         ? Math.PI - CLAP_GAP + half * (waveform.min() - waveform.max())
         : wing(side).centreRad() + half * waveform.min();
   }
 
-  /** No stroke angle is greater. */
-  double mostAngle(int side) {
+  /** Upper bound of the stroke angle. */
+  double maxAngle(int side) {
     return beat.clapAndFling()
         ? Math.PI - CLAP_GAP
         : wing(side).centreRad() + mostAmplitude(side) * waveform.max();

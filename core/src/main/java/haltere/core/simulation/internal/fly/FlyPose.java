@@ -1,7 +1,7 @@
 package haltere.core.simulation.internal.fly;
 
 /**
- * Where the fly and its wings are at one instant; filled again and again by {@link FlyKinematics}.
+ * The pose of the fly and its wings at one instant; a buffer that {@link FlyKinematics} fills.
  * Index 0 is the left wing, 1 the right.
  */
 final class FlyPose {

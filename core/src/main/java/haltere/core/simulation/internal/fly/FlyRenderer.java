@@ -3,9 +3,9 @@ package haltere.core.simulation.internal.fly;
 import haltere.core.simulation.internal.sensor.SensorSettings;
 
 /**
- * Renders images of a fly before a light: the body is opaque but for what the settings let through,
- * the light behind a wing is multiplied by what membrane and veins let pass. Of every pixel the
- * share that the wing covers is exact. Lists the pixels whose light has changed.
+ * Renders images of a fly in front of a light. The body transmits the share that the settings
+ * state; the light behind a wing is multiplied by the transmission of membrane and veins. The share
+ * of a pixel that a wing covers is exact. Lists the pixels whose light has changed.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -35,7 +35,7 @@ final class FlyRenderer {
   private final double[] cornerX = new double[2 * WingPlanform.CORNERS + 2];
   private final double[] cornerY = new double[cornerX.length];
 
-  /** Columns of each row in which a wing is or was before, the last one exclusive. */
+  /** Columns of each row that a wing covers or covered before, the last one exclusive. */
   private final int[] from;
 
   private final int[] to;
@@ -66,7 +66,7 @@ final class FlyRenderer {
     }
   }
 
-  /** Takes the motion of the body and the flicker of the light into account. */
+  /** Renders the body and the flicker of the light. */
   void background(FlyPose pose, double seconds) {
     LightSettings source = settings.light();
     double now =
@@ -105,7 +105,7 @@ final class FlyRenderer {
    * @param hingeX of its hinge
    * @param hingeY of its hinge
    * @param direction of its axis on the sensor
-   * @param projection share of its chord that is seen
+   * @param projection visible share of its chord
    */
   void wing(int side, double hingeX, double hingeY, double direction, double projection) {
     double cos = StrictMath.cos(direction);
@@ -116,7 +116,7 @@ final class FlyRenderer {
     polygon(membrane[side], hingeX, hingeY, cos, sin, inFront, 0, 1, 0);
     int count = settings.fly().wing().veins();
     for (int i = 0; i < count; i++) {
-      // veins are in the front part of a wing
+      // Veins are in the front part of a wing.
       double share = 0.6 * i / count;
       polygon(veins[side], hingeX, hingeY, cos, sin, inFront, share, share, VEIN_PX / 2);
     }
@@ -177,9 +177,9 @@ final class FlyRenderer {
   }
 
   /**
-   * Finds the pixels whose light is another one than at the last call.
+   * Finds the pixels whose light differs from that at the last call.
    *
-   * @return how many
+   * @return their number
    */
   int findChanges() {
     changes = 0;

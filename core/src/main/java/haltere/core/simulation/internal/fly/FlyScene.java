@@ -5,16 +5,16 @@ import haltere.core.simulation.internal.sensor.PixelArray;
 import haltere.core.simulation.internal.sensor.SceneSensor;
 
 /**
- * A tethered fruit fly before a bright background as a dynamic vision sensor sees it: a test bed
+ * A tethered fruit fly in front of a bright background, seen by a dynamic vision sensor: a test bed
  * for wing trackers with ground truth.
  *
  * <p>Each wing is a dark sector about its hinge that beats with a published stroke waveform ({@link
  * StrokeWaveform}); frequency and amplitude vary smoothly and at seeded times the fly manoeuvres.
  * The leading edge darkens pixels (OFF), the trailing edge brightens them (ON). The pixels ({@code
- * PixelArray}) are solved exactly for every passage of an edge, so the photoreceptor thins out the
- * events of fast edges in the middle of the stroke and crowds them at the reversals, and delays
- * what is left. The body's outline flickers as the body sways. Latency, jitter, threshold mismatch,
- * refractory period, noise, hot pixels and the limit of the bus are as the settings say.
+ * PixelArray}) are solved exactly for every passage of an edge: the photoreceptor reduces and
+ * delays the events of fast edges in mid stroke; events are densest at the reversals. The body's
+ * outline flickers as the body sways. Latency, jitter, threshold mismatch, refractory period,
+ * noise, hot pixels and the limit of the bus are as the settings say.
  *
  * <p>The same settings make the same events, bit for bit, on every machine. The stream is made as
  * it is pulled, in constant memory, and ends only if the settings give it a length. Truth is a pure
@@ -41,20 +41,20 @@ public final class FlyScene extends TetheredFlyScene {
     this(settings, MAX_EVENTS);
   }
 
-  /** A scene whose packets have at most so many events. */
-  FlyScene(FlySceneSettings settings, int mostEvents) {
+  /** A scene with a maximum number of events per packet. */
+  FlyScene(FlySceneSettings settings, int maxEvents) {
     this(
         settings,
-        mostEvents,
+        maxEvents,
         SceneSensor.of(settings.pixel(), settings.noise(), settings.sensor(), settings.run()));
   }
 
-  private FlyScene(FlySceneSettings settings, int mostEvents, SceneSensor<PixelArray> sensor) {
+  private FlyScene(FlySceneSettings settings, int maxEvents, SceneSensor<PixelArray> sensor) {
     super(
         "fly",
         sensor,
         settings.run(),
-        mostEvents,
+        maxEvents,
         new FlyKinematics(
             settings.sensor(),
             settings.fly().body(),
@@ -76,9 +76,9 @@ public final class FlyScene extends TetheredFlyScene {
   }
 
   /**
-   * What is to be seen.
+   * The settings of the scene.
    *
-   * @return the settings of the scene
+   * @return as given
    */
   public FlySceneSettings settings() {
     return settings;

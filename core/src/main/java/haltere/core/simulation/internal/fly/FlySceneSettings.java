@@ -8,15 +8,15 @@ import haltere.core.simulation.internal.sensor.PixelSettings;
 import haltere.core.simulation.internal.sensor.SensorSettings;
 
 /**
- * The tethered fly of {@link FlyScene}. The defaults show a fly in steady flight with now and then
- * a manoeuvre.
+ * The tethered fly of {@link FlyScene}. The defaults show a fly in steady flight with occasional
+ * manoeuvres.
  *
  * @param sensor the sensor
  * @param fly the fly
  * @param stroke how its wings beat
  * @param pixel the pixels of the sensor
- * @param noise events without a cause
- * @param disturbances what makes tracking hard
+ * @param noise background noise
+ * @param disturbances disturbances for trackers
  * @param run seed, start and length
  */
 public record FlySceneSettings(

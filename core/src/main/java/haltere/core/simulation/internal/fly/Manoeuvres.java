@@ -3,7 +3,7 @@ package haltere.core.simulation.internal.fly;
 import haltere.core.simulation.internal.sensor.SeededRandom;
 
 /**
- * The manoeuvres of a fly as a function of time: one in each slot of a grid, at a seeded place in
+ * The manoeuvres of a fly as a function of time: one in each slot of a grid, at a seeded time in
  * it. Slots take turns: a step of the frequency, a step of the amplitudes against each other, a
  * saccade. All are over before the slot ends, so that the sum of those before a time has a closed
  * form.
@@ -38,7 +38,7 @@ final class Manoeuvres {
     return (long) Math.floor(seconds / slotS);
   }
 
-  /** When the manoeuvre of a slot begins, seconds from the beginning of the scene. */
+  /** Start of the manoeuvre of a slot, seconds from the beginning of the scene. */
   double beginS(long slot) {
     return slot * slotS + slack * SeededRandom.firstDouble(seed, "manoeuvre", slot);
   }
@@ -47,7 +47,7 @@ final class Manoeuvres {
     return (SeededRandom.firstLong(seed, purpose, item) & 1) == 0 ? 1 : -1;
   }
 
-  /** What is added to the frequency, hertz. */
+  /** Change of the frequency, hertz. */
   double frequencyHz(double seconds) {
     if (none(seconds) || slot(seconds) % KINDS != 0) {
       return 0;
@@ -78,7 +78,7 @@ final class Manoeuvres {
     return switch ((int) (slot % KINDS)) {
       case 1 -> sign("asymmetry", slot) * settings.asymmetryRad() * step(since);
       case 2 -> {
-        // the outer wing beats wider: the right one in a turn to the left
+        // The outer wing has the larger amplitude: the right one in a turn to the left.
         double share = Math.min(1, Math.max(0, since / SACCADE_S));
         double bump = StrictMath.sin(Math.PI * share);
         yield -turnSign(slot / KINDS) * settings.asymmetryRad() * bump * bump;
@@ -87,7 +87,7 @@ final class Manoeuvres {
     };
   }
 
-  /** What saccades have added to the heading, radians. */
+  /** Turn of the heading by all saccades so far, radians. */
   double turnRad(double seconds) {
     if (none(seconds) || settings.turnRad() == 0) {
       return 0;

@@ -7,14 +7,13 @@ import haltere.core.simulation.internal.sensor.SceneSensor;
  * A tethered fly as images from geometry and events from the physics of a pixel: a test bed for
  * wing trackers that shares no rule of theirs.
  *
- * <p>A wing is a half-transparent membrane of a drawn outline. It strokes about its hinge and
- * pitches about its long axis, so that its apparent chord changes and the two edges keep no
- * constant distance from the axis. Between two images no point of a wing moves by more than 0.35
- * pixels; the light on a pixel runs straight between them ({@link FlyRenderer}, {@link
- * PhotoreceptorArray}).
+ * <p>A wing is a half-transparent membrane with an outline. It strokes about its hinge and pitches
+ * about its long axis, so that its apparent chord and the distances of its edges from the axis
+ * change. Between two images no point of a wing moves by more than 0.35 pixels; the light on a
+ * pixel is linear between them ({@link FlyRenderer}, {@link PhotoreceptorArray}).
  *
  * <p>The truth of a wing is that of its long axis as the images show it, the mean of both edges
- * ({@link WingPlanform#edgeRad}); the axis about which it pitches cannot be seen.
+ * ({@link WingPlanform#edgeRad}); its pitch axis cannot be seen.
  *
  * <p>The same settings make the same events, bit for bit, on every machine. The stream is made as
  * it is pulled, in constant memory, and ends only if the settings give it a length.
@@ -45,11 +44,11 @@ public final class RenderedFlyScene extends TetheredFlyScene {
     this(settings, MAX_EVENTS);
   }
 
-  /** A scene whose packets have at most so many events. */
-  RenderedFlyScene(RenderedFlySceneSettings settings, int mostEvents) {
+  /** A scene with a maximum number of events per packet. */
+  RenderedFlyScene(RenderedFlySceneSettings settings, int maxEvents) {
     this(
         settings,
-        mostEvents,
+        maxEvents,
         new SceneSensor<>(
             settings.pixel(),
             settings.noise(),
@@ -65,12 +64,12 @@ public final class RenderedFlyScene extends TetheredFlyScene {
   }
 
   private RenderedFlyScene(
-      RenderedFlySceneSettings settings, int mostEvents, SceneSensor<PhotoreceptorArray> sensor) {
+      RenderedFlySceneSettings settings, int maxEvents, SceneSensor<PhotoreceptorArray> sensor) {
     super(
         "rendered-fly",
         sensor,
         settings.run(),
-        mostEvents,
+        maxEvents,
         new FlyKinematics(
             settings.sensor(),
             settings.fly().body(),
@@ -141,7 +140,7 @@ public final class RenderedFlyScene extends TetheredFlyScene {
     }
   }
 
-  /** Images of the stretch between two poses. */
+  /** Number of images between two poses. */
   private int steps() {
     double most = 0;
     for (int side = 0; side < 2; side++) {
@@ -161,7 +160,7 @@ public final class RenderedFlyScene extends TetheredFlyScene {
     return 1 + (int) (SPEED_SAMPLES * most / STEP_PX);
   }
 
-  /** Renders a wing at a share of the way from one pose to the next. */
+  /** Renders a wing at a fraction of the interval between two poses. */
   private void wing(FlyRenderer to, int side, FlyPose one, FlyPose next, double share) {
     double heading = between(one.heading, next.heading, share);
     double angle = angle(side, one, next, share);

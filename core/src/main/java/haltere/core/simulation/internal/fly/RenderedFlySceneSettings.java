@@ -13,11 +13,11 @@ import haltere.core.simulation.internal.sensor.SensorSettings;
  *
  * @param sensor the sensor
  * @param fly the fly
- * @param stroke how its wings beat: the motion of the axis about which a wing pitches
+ * @param stroke how its wings beat: the motion of their pitch axes
  * @param light the light behind it
  * @param pixel the pixels of the sensor
- * @param photoreceptor what low-passes their light
- * @param noise events without a cause
+ * @param photoreceptor the low-pass of their light
+ * @param noise background noise
  * @param run seed, start and length
  */
 public record RenderedFlySceneSettings(

@@ -6,9 +6,9 @@ import haltere.core.settings.SettingsSchema;
  * The fly of a {@link RenderedFlyScene}.
  *
  * @param body its body
- * @param wing the outline of its wings and the light that passes them
+ * @param wing outline and transmission of its wings
  * @param pitch how they pitch
- * @param manoeuvres what the fly does
+ * @param manoeuvres its manoeuvres
  */
 public record RenderedFlySettings(
     BodySettings body, MembraneSettings wing, PitchSettings pitch, ManoeuvreSettings manoeuvres) {

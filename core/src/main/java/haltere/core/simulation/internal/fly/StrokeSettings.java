@@ -5,7 +5,7 @@ import haltere.core.settings.SettingsSchema;
 /**
  * How the wings beat.
  *
- * @param beat what the wings have in common
+ * @param beat settings that both wings share
  * @param left the left wing
  * @param right the right wing
  */

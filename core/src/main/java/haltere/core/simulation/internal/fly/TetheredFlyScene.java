@@ -13,7 +13,7 @@ abstract class TetheredFlyScene extends SensorScene<FlyTruth> {
 
   final FlyKinematics kinematics;
 
-  /** Where the fly is at the beginning and at the end of the stretch that is being made. */
+  /** The poses at the beginning and at the end of the present stretch. */
   FlyPose before = new FlyPose();
 
   FlyPose after = new FlyPose();
@@ -24,16 +24,16 @@ abstract class TetheredFlyScene extends SensorScene<FlyTruth> {
       String name,
       SceneSensor<?> sensor,
       RunSettings run,
-      int mostEvents,
+      int maxEvents,
       FlyKinematics kinematics,
       int stretchUs) {
-    super(name, sensor, run, mostEvents);
+    super(name, sensor, run, maxEvents);
     this.kinematics = kinematics;
     this.stretchUs = stretchUs;
     kinematics.sample(0, before);
   }
 
-  /** Makes what happens from the pose before to the pose after. */
+  /** Makes the events from the pose before to the pose after. */
   abstract void makeStretch(long fromUs);
 
   /** The truth about a wing in a pose. */
@@ -80,7 +80,7 @@ abstract class TetheredFlyScene extends SensorScene<FlyTruth> {
     return from + share * (to - from);
   }
 
-  /** Stroke angle at a share of the way from one pose to the next. */
+  /** Stroke angle at a fraction of the interval between two poses. */
   final double angle(int side, FlyPose one, FlyPose next, double share) {
     return kinematics.angle(
         between(one.centre[side], next.centre[side], share),

@@ -15,14 +15,14 @@ final class WingPitch {
   WingPitch(PitchSettings settings, Waveform waveform) {
     this.settings = settings;
     double back = waveform.shareFromMaxToMin();
-    // a flip is over before the next one begins
+    // A flip ends before the next one begins.
     flipRad = 2 * Math.PI * Math.min(settings.flipShare(), Math.min(back, 1 - back));
     toHead = waveform.phaseOfMax() - settings.flipAdvanceRad() - flipRad / 2;
     toTail = waveform.phaseOfMin() - settings.flipAdvanceRad() - flipRad / 2;
   }
 
   /**
-   * The share of the chord that is seen from above.
+   * The share of the chord that is visible from above.
    *
    * @param phase of the stroke, any
    * @return positive where the leading edge is on the side of the tail

@@ -1,9 +1,9 @@
 package haltere.core.simulation.internal.fly;
 
 /**
- * The outline of a wing and how it is seen from above. The chord is divided by the axis about which
- * the wing pitches; the visible share of both parts is that of the projection: 1 for a chord in the
- * stroke plane, 0 for one across it, negative for a wing that has flipped over.
+ * The outline of a wing and its projection from above. The pitch axis divides the chord; the
+ * visible share of both parts is the projection: 1 for a chord in the stroke plane, 0 for one
+ * across it, negative for a wing that has flipped over.
  *
  * <p>Thread rule: immutable.
  */
@@ -64,12 +64,12 @@ final class WingPlanform {
     return (settings.axisShare() - share) * chord[corner];
   }
 
-  /** No point of the wing is further from its hinge, pixels. */
+  /** Largest distance of a point of the wing from its hinge, pixels. */
   double reachPx() {
     return settings.lengthPx() * Math.hypot(1, settings.chordShare());
   }
 
-  /** No point of the wing is further from its axis, pixels. */
+  /** Largest distance of a point of the wing from its axis, pixels. */
   double acrossPx() {
     return settings.lengthPx() * settings.chordShare();
   }
@@ -80,7 +80,7 @@ final class WingPlanform {
    * the axis of least second moment of the projection about the hinge, the wing's long axis as an
    * image shows it, up to the third power of chord over length.
    *
-   * @param projection share of the chord that is seen
+   * @param projection visible share of the chord
    * @param share 0 for the leading edge, 1 for the trailing edge
    * @return radians, positive in front of the axis
    */

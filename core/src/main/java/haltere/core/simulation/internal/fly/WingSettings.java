@@ -8,7 +8,7 @@ import haltere.core.settings.Unit;
 /**
  * The two wings as the sensor sees them: dark sectors about their hinges.
  *
- * @param contrast darkness of the wing before its background, natural logarithm of the light,
+ * @param contrast darkness of the wing against the background, natural logarithm of the light,
  *     median over its veins and folds
  * @param contrastSpread spread of the contrast from pixel to pixel and pass to pass, standard
  *     deviation of its logarithm (veins, folds, angle of attack)

@@ -40,8 +40,8 @@ final class WingSweep {
   private final double inner;
   private final double outer;
   private final double halfWidth;
-  private final double leastAngle;
-  private final double mostAngle;
+  private final double minAngle;
+  private final double maxAngle;
   private final int width;
   private final int height;
 
@@ -97,8 +97,8 @@ final class WingSweep {
     outer = wing.lengthPx();
     inner = Math.max(MIN_RADIUS_PX, outer * wing.rootShare());
     halfWidth = wing.widthRad() / 2;
-    leastAngle = kinematics.leastAngle(side);
-    mostAngle = kinematics.mostAngle(side);
+    minAngle = kinematics.minAngle(side);
+    maxAngle = kinematics.maxAngle(side);
     width = settings.sensor().widthPx();
     height = settings.sensor().heightPx();
     wasCovered = new boolean[width * height];
@@ -114,7 +114,7 @@ final class WingSweep {
   }
 
   /**
-   * Takes the body's motion into account.
+   * Applies the motion of the body.
    *
    * @param pose of the body now
    * @param timeUs now
@@ -139,10 +139,10 @@ final class WingSweep {
   }
 
   /**
-   * Moves the wing, evenly in angle from its last place.
+   * Moves the wing from its last position, at constant angular velocity.
    *
    * @param strokeAngle at the end
-   * @param fromUs time at its last place
+   * @param fromUs time at its last position
    * @param toUs time at the end
    */
   void sweepTo(double strokeAngle, double fromUs, double toUs) {
@@ -221,7 +221,7 @@ final class WingSweep {
         if (r > inner - margin && r < outer + margin && !wire.hides(y * width + x)) {
           double a = strokeAngle(StrictMath.atan2(py, px), pose.heading);
           double slack = halfWidth + margin / r;
-          if (a > leastAngle - slack && a < mostAngle + slack) {
+          if (a > minAngle - slack && a < maxAngle + slack) {
             keys[size++] = (long) ((a + 2) * (1 << 28)) << 32 | (y * width + x);
           }
         }
@@ -316,7 +316,7 @@ final class WingSweep {
     return squareOfRadius >= inner * inner && squareOfRadius <= outer * outer;
   }
 
-  /** Insertion sort: the list is in order but for a few neighbours. */
+  /** Insertion sort: the list is in order except for a few neighbours. */
   private void sortFinely() {
     for (int i = 1; i < size; i++) {
       double a = angle[i];

@@ -5,7 +5,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
-/** A straight dark wire before the fly, such as its tether. It hides what is behind it. */
+/** A straight dark wire in front of the fly, such as its tether. It is opaque. */
 public record WireSettings(
     @Help("Width of the wire, 0 for none.") @Range(min = 0, max = 20) @Unit("px") double widthPx,
     @Help("Direction of the wire, counterclockwise from the x axis.")

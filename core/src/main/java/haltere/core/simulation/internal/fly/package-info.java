@@ -1,2 +1,2 @@
-/** A tethered fly that beats its wings before the camera, and its truth. */
+/** A tethered fly that beats its wings, and its truth. */
 package haltere.core.simulation.internal.fly;

@@ -66,7 +66,7 @@ record Bodywork(VehicleKind kind, double widthM, double lengthM, List<PaintedBox
       this.random = random;
     }
 
-    /** What stands out from the body, as far as the settings have it. */
+    /** Light of a detail of the body, scaled by the texture setting. */
     private double detail(double light) {
       return body + texture * (light - body);
     }
@@ -75,7 +75,7 @@ record Bodywork(VehicleKind kind, double widthM, double lengthM, List<PaintedBox
       return body + texture * change;
     }
 
-    /** A part whose place is given in shares of the vehicle, along it from the rear. */
+    /** A part whose position is given as shares of the vehicle, along it from the rear. */
     private PaintedBox part(
         double widthShare, double fromRear, double toRear, double bottom, double top) {
       double half = width * widthShare / 2;

@@ -3,20 +3,20 @@ package haltere.core.simulation.internal.road;
 import java.util.Arrays;
 
 /**
- * The way of a vehicle along the road as a function of time: stretches of constant acceleration,
- * the last one without end and without acceleration.
+ * The distance that a vehicle has driven as a function of time: intervals of constant acceleration,
+ * the last one unlimited and without acceleration.
  *
  * <p>Thread rule: immutable.
  */
 final class Drive {
   private final double[] atS;
-  private final double[] wayM;
+  private final double[] distanceM;
   private final double[] speedMS;
   private final double[] acceleration;
 
-  private Drive(double[] atS, double[] wayM, double[] speedMS, double[] acceleration) {
+  private Drive(double[] atS, double[] distanceM, double[] speedMS, double[] acceleration) {
     this.atS = atS;
-    this.wayM = wayM;
+    this.distanceM = distanceM;
     this.speedMS = speedMS;
     this.acceleration = acceleration;
   }
@@ -26,19 +26,19 @@ final class Drive {
     return new Drive(new double[] {0}, new double[] {0}, new double[] {speed}, new double[] {0});
   }
 
-  /** This drive, but that it has the acceleration from a time to a time after its last stretch. */
+  /** This drive with an acceleration in an interval after its last change. */
   Drive then(double fromS, double toS, double change) {
     int last = atS.length - 1;
-    double way = wayM[last] + speedMS[last] * (fromS - atS[last]);
+    double distance = distanceM[last] + speedMS[last] * (fromS - atS[last]);
     double duration = toS - fromS;
     double speed = speedMS[last] + change * duration;
     if (Math.abs(speed) < 1e-9) {
       speed = 0;
     }
-    double after = way + (speedMS[last] + speed) / 2 * duration;
+    double after = distance + (speedMS[last] + speed) / 2 * duration;
     return new Drive(
         append(atS, fromS, toS),
-        append(wayM, way, after),
+        append(distanceM, distance, after),
         append(speedMS, speedMS[last], speed),
         append(acceleration, change, 0));
   }
@@ -58,26 +58,26 @@ final class Drive {
     return i;
   }
 
-  /** Metres since time 0; negative before it. */
-  double way(double seconds) {
+  /** Distance since time 0, metres; negative before it. */
+  double distanceM(double seconds) {
     int i = stretch(seconds);
     double t = seconds - atS[i];
-    return wayM[i] + t * (speedMS[i] + acceleration[i] * t / 2);
+    return distanceM[i] + t * (speedMS[i] + acceleration[i] * t / 2);
   }
 
-  /** Metres a second. */
+  /** Speed, metres per second. */
   double speed(double seconds) {
     int i = stretch(seconds);
     return speedMS[i] + acceleration[i] * (seconds - atS[i]);
   }
 
-  /** The time at which a way has been made that is greater than 0. */
-  double timeOf(double way) {
+  /** The time at which a distance greater than 0 has been driven. */
+  double timeOf(double distance) {
     int i = 0;
-    while (i < atS.length - 1 && way >= wayM[i + 1]) {
+    while (i < atS.length - 1 && distance >= distanceM[i + 1]) {
       i++;
     }
-    double rest = way - wayM[i];
+    double rest = distance - distanceM[i];
     if (acceleration[i] == 0) {
       return atS[i] + rest / speedMS[i];
     }

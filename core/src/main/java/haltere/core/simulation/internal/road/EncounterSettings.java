@@ -6,11 +6,11 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * What the groups of vehicles of {@link RoadScene} do. The weights are relative to one another; if
- * all are 0 every vehicle keeps its lane and its speed.
+ * The behaviour of the groups of vehicles of {@link RoadScene}. The weights are relative to one
+ * another; if all are 0 every vehicle keeps its lane and its speed.
  *
  * @param overtake weight of a slow vehicle and a fast one that pulls out, passes and comes back;
- *     wants two lanes
+ *     needs two lanes
  * @param stop weight of a vehicle that brakes, stands and starts again, with or without another
  *     behind it
  */

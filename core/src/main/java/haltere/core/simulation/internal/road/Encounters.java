@@ -32,7 +32,7 @@ final class Encounters {
     return lanes;
   }
 
-  /** Vehicles of one encounter that keep clear of one another. */
+  /** Vehicles of one encounter that do not collide. */
   List<Vehicle> draw(SeededRandom random) {
     EncounterSettings weights = traffic.encounters();
     double[] shares = {
@@ -65,7 +65,7 @@ final class Encounters {
     return drawn;
   }
 
-  /** Middle of a lane, 0 for the slowest at the road's side. */
+  /** Centre of a lane; 0 is the slowest one at the side of the road. */
   private double laneM(int lane) {
     double fromMiddle = (lanes - lane - 0.5) * traffic.laneWidthM();
     return away ? fromMiddle : -fromMiddle;

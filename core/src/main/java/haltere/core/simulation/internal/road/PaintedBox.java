@@ -1,7 +1,7 @@
 package haltere.core.simulation.internal.road;
 
 /**
- * A part of a vehicle: a box with paint on the three kinds of faces that can be seen. Places are
+ * A part of a vehicle: a box with paint on the three kinds of faces that can be seen. Positions are
  * relative to the vehicle: across from its middle, along from its end that is nearer to the camera.
  *
  * <p>Thread rule: immutable once painted.
@@ -54,7 +54,7 @@ final class PaintedBox {
   }
 
   /**
-   * Where a ray enters the box.
+   * Slant range at which a ray enters the box.
    *
    * @param x middle of the vehicle across the road
    * @param d its nearer end
@@ -64,19 +64,19 @@ final class PaintedBox {
     return meetAcross(x, enter(d, ray), leave(d, ray), ray);
   }
 
-  /** Where a ray comes into the box's reach along and up, whatever its column. */
+  /** Slant range at which a ray enters the box's extent along and up, whatever its column. */
   double enter(double d, Ray ray) {
     double along = (d + (ray.inverseCos > 0 ? near : far)) * ray.inverseCos;
     return Math.max(along, (ray.heightM - top) * ray.inverseSin);
   }
 
-  /** Where a ray goes out of the box's reach along and up, whatever its column. */
+  /** Slant range at which a ray leaves the box's extent along and up, whatever its column. */
   double leave(double d, Ray ray) {
     double along = (d + (ray.inverseCos > 0 ? far : near)) * ray.inverseCos;
     return Math.min(along, (ray.heightM - bottom) * ray.inverseSin);
   }
 
-  /** Where a ray enters the box, from where it comes into its reach along and up and goes out. */
+  /** Slant range at which a ray enters the box, given {@link #enter} and {@link #leave}. */
   double meetAcross(double x, double alongEnter, double alongLeave, Ray ray) {
     double toLeft = (x + left) * ray.inverseTangent;
     double toRight = (x + right) * ray.inverseTangent;
@@ -106,7 +106,8 @@ final class PaintedBox {
   }
 
   /**
-   * What a pixel sees along; see {@link RoadCamera}. Rays from the horizon upwards meet nothing.
+   * The line of sight of a pixel, see {@link RoadCamera}. Rays at and above the horizon meet
+   * nothing.
    */
   static final class Ray {
     final double heightM;

@@ -6,8 +6,8 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * Rain before the camera: bright drops that fall through the picture, each a short streak of ON
- * events with OFF events behind.
+ * Rain in front of the camera: bright drops that fall through the picture, each a short streak of
+ * ON events with OFF events behind.
  */
 public record RainSettings(
     @Help("Streaks of rain per second, 0 for dry weather.")

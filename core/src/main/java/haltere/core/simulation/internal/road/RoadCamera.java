@@ -4,9 +4,9 @@ import haltere.core.simulation.internal.sensor.SensorSettings;
 
 /**
  * The perspective of a camera on a bridge: the angle below the horizon is linear in the row, and a
- * pixel subtends the same angle across as along. Every pixel sees along a straight ray: at a slant
- * range r the point (u r, r cos g, h - r sin g), where g is the row's angle and u the column's
- * tangent; so boxes on the road are met exactly.
+ * pixel subtends the same angle across as along. The line of sight of a pixel is straight: at a
+ * slant range r the point (u r, r cos g, h - r sin g), where g is the row's angle and u the
+ * column's tangent; so its intersections with boxes are exact.
  *
  * <p>Coordinates in metres: x to the right, d ahead along the road, z up, 0 under the camera.
  *
@@ -33,7 +33,7 @@ final class RoadCamera {
     return bottomAngle - radPerPx * row;
   }
 
-  /** Tangent of a column: metres to the right in a metre of slant range. */
+  /** Tangent of a column: metres to the right per metre of slant range. */
   double tangent(double column) {
     return (column - vanishingXPx) * radPerPx;
   }
@@ -49,13 +49,13 @@ final class RoadCamera {
     return vanishingXPx + x / (radPerPx * Math.sqrt(d * d + drop * drop));
   }
 
-  /** Distance along the road of what a row sees of it, not a number from the horizon upwards. */
+  /** Distance along the road of the ground point that a row sees, NaN at and above the horizon. */
   double groundDistance(double row) {
     double angle = angle(row);
     return angle > 0 ? heightM / StrictMath.tan(angle) : Double.NaN;
   }
 
-  /** Place across the road of what a pixel sees of it. */
+  /** Lateral position of the ground point that a pixel sees. */
   double groundX(double column, double row) {
     double d = groundDistance(row);
     return tangent(column) * Math.sqrt(heightM * heightM + d * d);

@@ -7,12 +7,11 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Paints the traffic on the pixels. Time goes in intervals; in each, a vehicle is looked at as
- * often as it takes that it moves by no more than half a pixel between two looks, or a 24th of its
- * size, which is less than anything that is painted on it. A look goes over the pixels of the
- * vehicle's box, finds what each sees (the nearest part of the nearest vehicle along its ray), and
- * where that is another light than at the last look, searches for the time of the change by halving
- * within a sixteenth of a pixel's motion, where it draws the time at random.
+ * Renders the traffic onto the pixels, interval by interval. In an interval, each vehicle is
+ * rendered so often that it moves by at most half a pixel in between, or a 24th of its size, less
+ * than any painted detail. Rendering determines the light of each pixel of the vehicle's box, that
+ * of the nearest part along its ray. Where the light has changed, bisection finds the time of the
+ * change within a sixteenth of a pixel's motion; the time is drawn at random in that range.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -103,7 +102,7 @@ final class RoadPainter {
     lookedUs = new double[width * height];
   }
 
-  /** Shows the traffic as it is at the beginning, without an event. */
+  /** Renders the initial traffic, without events. */
   void begin() {
     follow(0);
     for (int i = 0; i < movers.size(); i++) {
@@ -123,7 +122,7 @@ final class RoadPainter {
     }
   }
 
-  /** Changes the pixels from a time to a time, microseconds since the beginning. */
+  /** Renders an interval, microseconds since the beginning. */
   void paint(double fromUs, double toUs) {
     follow(toUs * US);
     int most = 1;
@@ -148,7 +147,7 @@ final class RoadPainter {
     }
   }
 
-  /** Brings the list of movers up to date; those that have left get a last look. */
+  /** Updates the list of movers; those that have left are rendered once more. */
   private void follow(double seconds) {
     there.clear();
     plan.collect(seconds, there);
@@ -214,7 +213,7 @@ final class RoadPainter {
     }
   }
 
-  /** Largest motion of a side of a box, seen on the sensor and a margin around it. */
+  /** Largest motion of a side of a box on the sensor and a margin around it. */
   private double motion(RoadView a, RoadView b, double margin) {
     double along = Math.max(way(a.fromX, b.fromX, width, margin), way(a.toX, b.toX, width, margin));
     double up = Math.max(way(a.fromY, b.fromY, height, margin), way(a.toY, b.toY, height, margin));
@@ -270,7 +269,7 @@ final class RoadPainter {
     }
   }
 
-  /** Prepares a row: the parts that it meets, all that does not depend on the column. */
+  /** Prepares a row: the parts that it meets and the values that do not depend on the column. */
   private void slice(int y, double share) {
     ray.inverseCos = inverseCos[y];
     ray.inverseSin = inverseSin[y];
@@ -298,7 +297,7 @@ final class RoadPainter {
     }
   }
 
-  /** What a pixel of the prepared row sees. */
+  /** Light of a pixel of the prepared row. */
   private double lightInSlice(int x) {
     ray.tangent = tangent[x];
     ray.inverseTangent = inverseTangent[x];
@@ -315,7 +314,7 @@ final class RoadPainter {
     return met == null ? 0 : met.part.lightAt(met.middle, met.near, ray, nearest);
   }
 
-  /** What a pixel sees at a share of the interval. */
+  /** Light of a pixel at a fraction of the interval. */
   private double light(int x, int y, double share) {
     ray.tangent = tangent[x];
     ray.inverseTangent = inverseTangent[x];

@@ -12,11 +12,11 @@ import haltere.core.simulation.internal.sensor.SensorSettings;
  *
  * @param sensor the sensor
  * @param camera the camera on the bridge
- * @param traffic lanes, speeds and what the vehicles do
+ * @param traffic lanes, speeds and behaviour of the vehicles
  * @param vehicles the vehicles
  * @param pixel the pixels of the sensor
- * @param noise events without a cause
- * @param rain rain before the camera
+ * @param noise background noise
+ * @param rain rain in front of the camera
  * @param run seed, start and length
  */
 public record RoadSceneSettings(

@@ -6,7 +6,7 @@ import haltere.core.sink.Column;
  * The truth about one vehicle of {@link RoadScene} at one time. There is a row for every vehicle
  * whose box touches the sensor, hidden or not.
  *
- * <p>On the road, the place of a vehicle is the middle of its footprint: x to the right of the
+ * <p>On the road, the position of a vehicle is the middle of its footprint: x to the right of the
  * camera, y ahead of it, so that a vehicle that drives away has a positive speed along y. In the
  * picture, its centre is the middle of the upright box around its whole outline, as if nothing hid
  * it and the sensor had no border. A vehicle is not flat: the spot of the road that is seen at the

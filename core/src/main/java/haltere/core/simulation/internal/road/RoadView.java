@@ -3,7 +3,7 @@ package haltere.core.simulation.internal.road;
 import haltere.core.simulation.internal.sensor.SensorSettings;
 
 /**
- * Where a vehicle is seen: the upright box around its outline, unclipped.
+ * The upright box around the projected outline of a vehicle, unclipped.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -13,7 +13,7 @@ final class RoadView {
   double fromY;
   double toY;
 
-  /** Puts the box around a vehicle whose middle and nearer end are at a place. */
+  /** Computes the box of a vehicle from the positions of its middle and its nearer end. */
   void see(RoadCamera camera, Vehicle vehicle, double x, double near) {
     fromX = Double.POSITIVE_INFINITY;
     toX = Double.NEGATIVE_INFINITY;
@@ -31,7 +31,7 @@ final class RoadView {
         toX = Math.max(toX, camera.column(x + part.right, d, z));
       }
       if (near + part.near < 0 && near + part.far > 0) {
-        // straight below the camera a point is nearest, so the sides bulge
+        // Straight below the camera a point is nearest, so the sides bulge.
         fromX = Math.min(fromX, camera.column(x + part.left, 0, part.top));
         toX = Math.max(toX, camera.column(x + part.right, 0, part.top));
       }

@@ -1,16 +1,16 @@
 package haltere.core.simulation.internal.road;
 
 /**
- * The place of a vehicle across the road as a function of time: a lane, and perhaps an excursion to
- * another one and back, without a jolt in speed or acceleration.
+ * The lateral position of a vehicle as a function of time: a lane, and optionally an excursion to
+ * another one and back, with continuous speed and acceleration.
  *
  * <p>Thread rule: immutable.
  *
- * @param laneM place in the lane, metres
- * @param excursionM how far to the right the excursion goes, metres
- * @param outS when it begins
- * @param backS when the way back begins
- * @param changeS how long it takes to change the lane
+ * @param laneM position in its lane, metres to the right
+ * @param excursionM amount of the excursion, metres to the right
+ * @param outS start of the excursion, seconds
+ * @param backS start of the return, seconds
+ * @param changeS duration of a lane change, seconds
  */
 record Steering(double laneM, double excursionM, double outS, double backS, double changeS) {
   static Steering straight(double laneM) {

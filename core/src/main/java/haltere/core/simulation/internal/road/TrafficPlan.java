@@ -5,12 +5,12 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * All vehicles of a road, past and to come. The time of each direction is divided into long blocks;
- * the vehicles of a block are drawn from the seed and the number of the block alone and have all
- * left before the next one begins. So they can be asked for at any time, in any order, and only a
- * few blocks are held. Within a block a group enters as soon as its pause is over and all of it
- * keeps clear of all that were there before. The two directions change their blocks at different
- * times, so that the road is never empty.
+ * All vehicles of a road, past and future. The time of each direction is divided into long blocks.
+ * The vehicles of a block are drawn from the seed and the number of the block alone, and all leave
+ * before the next one begins. So they can be queried for any time, in any order, and only a few
+ * blocks are held. Within a block a group enters as soon as its pause is over and its vehicles keep
+ * their distance from all earlier ones. The two directions change their blocks at different times,
+ * so that the road is never empty.
  *
  * <p>Thread rule: any thread.
  */

@@ -11,7 +11,7 @@ import haltere.core.settings.Unit;
  *
  * @param pauseS mean pause between two groups of vehicles of one direction, seconds; they keep
  *     their distance, so it is longer where they have to wait
- * @param encounters what the groups do
+ * @param encounters the behaviour of the groups
  */
 public record TrafficSettings(
     @Help("Number of lanes away from the camera, on the right of the picture.")

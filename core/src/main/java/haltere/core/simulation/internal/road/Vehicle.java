@@ -3,8 +3,8 @@ package haltere.core.simulation.internal.road;
 import java.util.List;
 
 /**
- * A vehicle on its way over the road, as a function of time (seconds since the beginning of the
- * scene).
+ * The motion of a vehicle on the road as a function of time, in seconds since the beginning of the
+ * scene.
  *
  * <p>Thread rule: immutable.
  */
@@ -69,7 +69,7 @@ final class Vehicle {
     leaveS = enterS + drive.timeOf(roadM + lengthM);
   }
 
-  /** The same vehicle that much later under a number of its own. */
+  /** The same vehicle, later by a time and with another number. */
   Vehicle later(double seconds, int number) {
     return new Vehicle(
         number, kind, away, widthM, lengthM, parts, enterS + seconds, drive, steering, roadM);
@@ -86,8 +86,8 @@ final class Vehicle {
 
   /** The end that is nearer to the camera, metres ahead. */
   double near(double seconds) {
-    double way = drive.way(seconds - enterS);
-    return away ? way - lengthM : roadM - way;
+    double distance = drive.distanceM(seconds - enterS);
+    return away ? distance - lengthM : roadM - distance;
   }
 
   double speedX(double seconds) {

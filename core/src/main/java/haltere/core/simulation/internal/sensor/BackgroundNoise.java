@@ -4,8 +4,8 @@ import haltere.core.event.EventAddress;
 import java.util.Arrays;
 
 /**
- * Events without a cause: leak (ON, a rate of its own for each pixel), shot noise (both polarities,
- * all pixels alike) and hot pixels (ON). All are Poisson processes.
+ * Noise events: leak (ON, a rate of its own for each pixel), shot noise (both polarities, all
+ * pixels alike) and hot pixels (ON). All are Poisson processes.
  *
  * <p>Thread rule: one thread at a time.
  */

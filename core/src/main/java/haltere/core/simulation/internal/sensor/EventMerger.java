@@ -6,13 +6,13 @@ import haltere.core.simulation.RunSettings;
 import java.util.Arrays;
 
 /**
- * From changes in the light to a stream in order of time: adds the latency of each event, holds
- * back those that fall into the next interval, sorts by whole microseconds, keeps every pixel to
- * its refractory period and the stream to what the bus carries.
+ * Orders the events of pixels into a stream: adds the latency of each event, holds back those of
+ * the next interval, sorts by microseconds, and enforces the refractory period of each pixel and
+ * the limit of the bus.
  *
  * <p>A latency is never negative, so once all changes before a time have been {@link #add added},
- * all events before that time are there and can be {@link #release released}. What is held is
- * bounded by one interval and the longest latency.
+ * all events before that time are complete and can be {@link #release released}. The held events
+ * are bounded by one interval and the longest latency.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -71,7 +71,7 @@ public final class EventMerger {
   }
 
   /**
-   * Takes an event that the latency has still to delay.
+   * Adds an event, before its latency.
    *
    * @param changeUs when the level crossed the threshold, microseconds since the beginning
    * @param address as in an event packet
@@ -99,9 +99,9 @@ public final class EventMerger {
   }
 
   /**
-   * Hands out all events before a time.
+   * Releases all events before a time.
    *
-   * @param untilUs microseconds since the beginning; no change before it comes any more
+   * @param untilUs microseconds since the beginning; no earlier change is added afterwards
    * @param out gets them behind those it has
    */
   public void release(long untilUs, EventPacket out) {

@@ -6,7 +6,7 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * Events that nothing in the scene has caused.
+ * Background noise: events without a change of light.
  *
  * @param leakSpreadDecades spread of the leak over pixels, standard deviation of its decadic
  *     logarithm

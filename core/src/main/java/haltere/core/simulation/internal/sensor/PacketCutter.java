@@ -9,9 +9,9 @@ import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
 
 /**
- * Cuts what a scene makes interval by interval into packets, with the start and the end of the
- * stream around them. A packet is full, or spans 10 ms; where there is nothing for a second of the
- * scene's time, an empty packet gives the caller a breath.
+ * Cuts the events of a scene, made interval by interval, into packets between the start and the end
+ * of the stream. A packet is full, or spans 10 ms. After a second of scene time without events, an
+ * empty packet returns control to the caller.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -39,7 +39,7 @@ public final class PacketCutter {
   private final RunSettings run;
   private final SensorGeometry geometry;
   private final String source;
-  private final int mostEvents;
+  private final int maxEvents;
   private final Maker maker;
   private final EventPacket made = new EventPacket(8192);
   private final EventPacket packet;
@@ -53,25 +53,25 @@ public final class PacketCutter {
    *
    * @param run start and length
    * @param geometry the sensor
-   * @param source what the stream's start names
-   * @param mostEvents of a packet, above 0
+   * @param source name in the start of the stream
+   * @param maxEvents of a packet, above 0
    * @param maker makes the events
    */
   public PacketCutter(
-      RunSettings run, SensorGeometry geometry, String source, int mostEvents, Maker maker) {
+      RunSettings run, SensorGeometry geometry, String source, int maxEvents, Maker maker) {
     this.run = run;
     this.geometry = geometry;
     this.source = source;
-    this.mostEvents = mostEvents;
+    this.maxEvents = maxEvents;
     this.maker = maker;
-    packet = new EventPacket(mostEvents);
+    packet = new EventPacket(maxEvents);
   }
 
   /**
-   * Hands over the next packet, or the start or the end.
+   * Passes on the next packet, or the start or the end.
    *
    * @param handler receives it
-   * @return false once the end has been handed over
+   * @return false after the end
    */
   public boolean next(StreamHandler handler) {
     switch (state) {
@@ -106,7 +106,7 @@ public final class PacketCutter {
   private void fill() {
     packet.clear();
     long fromUs = madeUntilUs;
-    while (packet.size() < mostEvents) {
+    while (packet.size() < maxEvents) {
       if (handedOut == made.size()) {
         long limitUs = packet.isEmpty() ? SILENCE_US : SPAN_US;
         if (isAllMade() || madeUntilUs - fromUs >= limitUs) {
@@ -116,7 +116,7 @@ public final class PacketCutter {
         handedOut = 0;
         madeUntilUs = maker.make(made);
       }
-      int count = Math.min(mostEvents - packet.size(), made.size() - handedOut);
+      int count = Math.min(maxEvents - packet.size(), made.size() - handedOut);
       packet.append(made, handedOut, handedOut + count);
       handedOut += count;
     }

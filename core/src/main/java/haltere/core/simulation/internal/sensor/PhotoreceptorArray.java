@@ -11,9 +11,8 @@ import java.util.Arrays;
  * makes fewer events than the bright edge behind it. A source follower low-passes ln y once more,
  * where the settings have one.
  *
- * <p>Light runs straight from one change to the next. The level is computed at instants between
- * which it moves by a quarter of the pixel's threshold, and runs straight between them: times of
- * events are not bound to a grid.
+ * <p>Light is linear between changes. The level is computed at instants between which it changes by
+ * a quarter of the pixel's threshold, and interpolated linearly: times of events are not on a grid.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -23,7 +22,7 @@ public final class PhotoreceptorArray extends SensorPixels {
 
   private static final double MIN_STEP_US = 1e-3;
 
-  /** No light is less, as a share of the background: a photodiode has a dark current. */
+  /** Minimum light, as a share of the background: a photodiode has a dark current. */
   private static final double DARK = 1e-4;
 
   private final boolean followsLight;
@@ -58,7 +57,7 @@ public final class PhotoreceptorArray extends SensorPixels {
   }
 
   /**
-   * Sets a pixel to a light it has had for long: no event.
+   * Sets the settled light of a pixel, without an event.
    *
    * @param pixel row times width plus column
    * @param newLight as a share of the background
@@ -73,11 +72,11 @@ public final class PhotoreceptorArray extends SensorPixels {
   }
 
   /**
-   * Changes the light on a pixel evenly from a time to another; until then it stays as it is.
+   * Changes the light on a pixel linearly from a time to another; until then it is constant.
    *
    * @param pixel row times width plus column
-   * @param fromUs when the change begins; not before the end of the pixel's last change
-   * @param toUs when it ends, after its beginning
+   * @param fromUs start of the change; not before the end of the pixel's last change
+   * @param toUs end of the change, after its start
    * @param newLight at the end, as a share of the background
    */
   public void change(int pixel, double fromUs, double toUs, double newLight) {
@@ -98,7 +97,7 @@ public final class PhotoreceptorArray extends SensorPixels {
   boolean canFire(int p, double timeUs) {
     int pixel = p / FIELDS;
     double target = Exponential.log(light[pixel]);
-    // behind a source follower the level may go on to where the current still is
+    // After a source follower, the level may still approach the current.
     double low = Math.min(target, logCurrent[pixel]);
     double high = Math.max(target, logCurrent[pixel]);
     return timeUs <= state[p + BLIND_UNTIL_US]
@@ -106,7 +105,7 @@ public final class PhotoreceptorArray extends SensorPixels {
         || high >= state[p + REFERENCE] + state[p + ON_THRESHOLD];
   }
 
-  /** Takes a pixel to a time while its light changes by a slope, a share a microsecond. */
+  /** Advances a pixel to a time while its light changes by a slope, share per microsecond. */
   private void follow(int pixel, int p, double untilUs, double slope) {
     double t = state[p + AT_US];
     if (t >= untilUs) {
@@ -148,14 +147,14 @@ public final class PhotoreceptorArray extends SensorPixels {
     logCurrent[pixel] = u;
   }
 
-  /** A first order low pass of an input that runs straight, after a time: exact. */
+  /** Exact response of a first order low pass to a linear input, after a time. */
   private static double following(
       double output, double input, double nextInput, double afterUs, double timeConstantUs) {
     double lag = (nextInput - input) / afterUs * timeConstantUs;
     return nextInput - lag + (output - input + lag) * Exponential.decay(afterUs / timeConstantUs);
   }
 
-  /** Makes the events of a level that runs straight from one instant to the next. */
+  /** Makes the events of a level that is linear between two instants. */
   private void compare(int pixel, int p, double fromUs, double from, double toUs, double to) {
     double t = fromUs;
     double v = from;

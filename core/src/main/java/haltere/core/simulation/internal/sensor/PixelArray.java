@@ -5,8 +5,8 @@ package haltere.core.simulation.internal.sensor;
  *
  * <p>The photoreceptor follows the logarithm of the light with a first order low pass: after a step
  * to the target u its level is v(t) = u + (v0 - u) e<sup>-(t - t0) / tau</sup>. So a shadow of
- * contrast c that dwells on a pixel for a time d takes its level down by c (1 - e<sup>-d /
- * tau</sup>) and no further: fast edges make fewer events than slow ones.
+ * contrast c that dwells on a pixel for a time d lowers its level by c (1 - e<sup>-d / tau</sup>)
+ * at most: fast edges make fewer events than slow ones.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -24,7 +24,7 @@ public final class PixelArray extends SensorPixels {
   }
 
   /**
-   * Sets a pixel to a light it has had for long: no event.
+   * Sets the settled light of a pixel, without an event.
    *
    * @param pixel row times width plus column
    * @param light natural logarithm, 0 of the background
@@ -36,7 +36,7 @@ public final class PixelArray extends SensorPixels {
     state[p + REFERENCE] = light;
   }
 
-  /** Takes the light as it is for light that every pixel has had for long: no event. */
+  /** Settles all pixels at their present light, without an event. */
   public void settleAll() {
     for (int p = 0; p < state.length; p += FIELDS) {
       settle(p / FIELDS, state[p + TARGET]);
@@ -93,7 +93,7 @@ public final class PixelArray extends SensorPixels {
       t = blindUntil;
       state[p + REFERENCE] = v;
     }
-    // the level runs straight from v at t to its end: does it cross a border on the way?
+    // The level is monotonic from v at t to its end: does it cross a threshold?
     while (true) {
       double reference = state[p + REFERENCE];
       boolean on = end > reference;

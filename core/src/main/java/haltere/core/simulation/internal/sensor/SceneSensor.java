@@ -6,9 +6,8 @@ import haltere.core.simulation.RunSettings;
 import java.util.function.Function;
 
 /**
- * The sensor in front of a scene: pixels that see light change, noise, and the bus that their
- * events leave by. A scene changes the light of the {@link #pixels()}, ends each interval and takes
- * its events.
+ * The sensor of a scene: pixels, noise and the bus of their events. A scene changes the light of
+ * the {@link #pixels()}, ends each interval and takes its events.
  *
  * <p>Thread rule: one thread at a time.
  *
@@ -27,7 +26,7 @@ public final class SceneSensor<P extends SensorPixels> {
    * A sensor in the dark.
    *
    * @param pixel what its pixels are like
-   * @param noise events without a cause
+   * @param noise background noise
    * @param settings its size and its bus
    * @param run seed and start of the clock
    * @param model makes the pixels before a bus
@@ -51,7 +50,7 @@ public final class SceneSensor<P extends SensorPixels> {
    * A sensor in the dark, of pixels that low-pass the logarithm of the light.
    *
    * @param pixel what its pixels are like
-   * @param noise events without a cause
+   * @param noise background noise
    * @param settings its size and its bus
    * @param run seed and start of the clock
    * @return a sensor with a {@link PixelArray}
@@ -63,7 +62,7 @@ public final class SceneSensor<P extends SensorPixels> {
   }
 
   /**
-   * How many pixels it has.
+   * The size of the sensor.
    *
    * @return columns and rows
    */
@@ -72,16 +71,16 @@ public final class SceneSensor<P extends SensorPixels> {
   }
 
   /**
-   * What the scene shines on.
+   * The pixels.
    *
-   * @return the pixels
+   * @return to change their light
    */
   public P pixels() {
     return pixels;
   }
 
   /**
-   * Where events go that no pixel's light makes, such as those of rain.
+   * The bus, for events that no pixel's light causes, such as those of rain.
    *
    * @return the bus
    */
@@ -90,7 +89,7 @@ public final class SceneSensor<P extends SensorPixels> {
   }
 
   /**
-   * How it is tuned.
+   * The tuning in effect.
    *
    * @return the last tuning
    */
@@ -101,8 +100,8 @@ public final class SceneSensor<P extends SensorPixels> {
   /**
    * Tunes it while it runs.
    *
-   * @param newTuning holds from here on
-   * @param timeUs where the scene is, microseconds from its start
+   * @param newTuning in effect from this time on
+   * @param timeUs time of the scene, microseconds from its start
    */
   public void tune(SensorTuning newTuning, long timeUs) {
     pixels.tune(newTuning.pixel(), newTuning.balance(), timeUs);
@@ -124,7 +123,7 @@ public final class SceneSensor<P extends SensorPixels> {
   }
 
   /**
-   * Hands over the events before a time.
+   * Releases the events before a time.
    *
    * @param timeUs microseconds from the scene's start
    * @param out gets them, in order

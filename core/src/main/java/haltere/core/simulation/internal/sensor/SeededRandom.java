@@ -29,8 +29,8 @@ public final class SeededRandom {
   }
 
   /**
-   * A stream for the n-th item of a purpose: what happens in it does not depend on the items
-   * before, so that it can be drawn at any time in any order.
+   * A stream for the n-th item of a purpose, independent of other items, so that items can be drawn
+   * in any order.
    *
    * @param seed of the scene
    * @param purpose what the numbers are for
@@ -54,7 +54,7 @@ public final class SeededRandom {
   }
 
   /**
-   * The first evenly spread number of the stream of an item, without an object.
+   * The first uniformly distributed number of the stream of an item, without an object.
    *
    * @param seed of the scene
    * @param purpose what the numbers are for
@@ -110,7 +110,7 @@ public final class SeededRandom {
   }
 
   /**
-   * Evenly spread whole numbers.
+   * Uniformly distributed whole numbers.
    *
    * @param bound never reached, above 0
    * @return 0 to bound - 1

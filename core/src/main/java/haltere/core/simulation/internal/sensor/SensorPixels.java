@@ -3,7 +3,7 @@ package haltere.core.simulation.internal.sensor;
 import haltere.core.event.EventAddress;
 
 /**
- * The pixels of an event sensor behind their photoreceptors. Each compares its level with the level
+ * The pixels of an event sensor after their photoreceptors. Each compares its level with the level
  * at the end of its last event's refractory period (without one: a threshold from the last
  * crossing). A subclass defines the response of the level to light.
  *
@@ -13,7 +13,7 @@ import haltere.core.event.EventAddress;
 abstract class SensorPixels {
   private static final double MIN_THRESHOLD_SHARE = 0.25;
 
-  // the state of a pixel is one cache line
+  // The state of a pixel is one cache line.
   static final int FIELDS = 8;
   static final int LEVEL = 0;
   static final int TARGET = 1;
@@ -105,7 +105,7 @@ abstract class SensorPixels {
   }
 
   /**
-   * Makes all events before a time, so that none is added before it later on.
+   * Makes all events before a time; none is added before it afterwards.
    *
    * @param timeUs microseconds since the beginning
    */
@@ -124,7 +124,7 @@ abstract class SensorPixels {
     busyCount = kept;
   }
 
-  /** Lets {@link #advanceAll} look at a pixel that may fire. */
+  /** Marks a pixel that may fire, for {@link #advanceAll}. */
   final void wake(int pixel) {
     int p = pixel * FIELDS;
     if (state[p + IS_BUSY] == 0) {
@@ -133,7 +133,7 @@ abstract class SensorPixels {
     }
   }
 
-  /** Takes all pixels for settled: none can fire. */
+  /** Marks all pixels as settled: none can fire. */
   final void rest() {
     for (int p = 0; p < state.length; p += FIELDS) {
       state[p + IS_BUSY] = 0;
@@ -147,7 +147,7 @@ abstract class SensorPixels {
     merger.add(timeUs, EventAddress.pack(pixel - y * width, y, on));
   }
 
-  /** Takes a pixel, whose fields begin at p, to a time in the light that it has. */
+  /** Advances a pixel, whose fields begin at p, to a time under its present light. */
   abstract void advance(int pixel, int p, double untilUs);
 
   /** Whether the pixel whose fields begin at p can make an event without a change of its light. */

@@ -6,7 +6,7 @@ import haltere.core.simulation.RunSettings;
 import haltere.core.stream.StreamHandler;
 
 /**
- * A scene before a {@link SceneSensor}, made interval by interval as it is pulled.
+ * A scene seen by a {@link SceneSensor}, made interval by interval as it is pulled.
  *
  * @param <T> the record of one row of ground truth
  */
@@ -22,24 +22,24 @@ public abstract class SensorScene<T extends Record> implements TunableScene<T> {
   /**
    * A scene at its beginning.
    *
-   * @param name what its notifications call it
-   * @param sensor what sees it
+   * @param name its name in notifications
+   * @param sensor its sensor
    * @param run seed, start and length
-   * @param mostEvents of a packet
+   * @param maxEvents maximum number of events of a packet
    */
-  protected SensorScene(String name, SceneSensor<?> sensor, RunSettings run, int mostEvents) {
+  protected SensorScene(String name, SceneSensor<?> sensor, RunSettings run, int maxEvents) {
     this.sensor = sensor;
     this.run = run;
-    cutter = new PacketCutter(run, sensor.geometry(), name, mostEvents, this::interval);
+    cutter = new PacketCutter(run, sensor.geometry(), name, maxEvents, this::interval);
   }
 
   /**
-   * Makes what happens in the next interval.
+   * Makes the next interval.
    *
-   * @param fromUs where it begins, microseconds from the scene's start
-   * @param sensor sees it
-   * @param out gets the events that are certain by its end
-   * @return where it ends
+   * @param fromUs its start, microseconds from the scene's start
+   * @param sensor the sensor of the scene
+   * @param out receives the events that are complete at its end
+   * @return its end, microseconds from the scene's start
    */
   protected abstract long makeInterval(long fromUs, SceneSensor<?> sensor, EventPacket out);
 

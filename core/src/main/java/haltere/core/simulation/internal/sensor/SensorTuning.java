@@ -4,12 +4,12 @@ import haltere.core.settings.SettingsSchema;
 import java.util.Objects;
 
 /**
- * What can be changed of a simulated sensor while it runs.
+ * The settings of a simulated sensor that can change while it runs.
  *
  * @param pixel its pixels
- * @param noise events without a cause
- * @param balance which polarity comes more easily, -1 to 1: at 1 the threshold for ON is halved and
- *     that for OFF doubled, at 0 they are alike
+ * @param noise background noise
+ * @param balance balance of the polarities, -1 to 1: at 1 the threshold for ON is halved and that
+ *     for OFF doubled, at 0 they are equal
  */
 public record SensorTuning(PixelSettings pixel, NoiseSettings noise, double balance) {
   /** Checks the values. */

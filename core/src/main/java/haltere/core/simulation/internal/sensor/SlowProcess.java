@@ -1,9 +1,9 @@
 package haltere.core.simulation.internal.sensor;
 
 /**
- * A smooth random process that can be asked for at any time in any order: a sum of sinusoids with
+ * A smooth random process that can be evaluated at any time in any order: a sum of sinusoids with
  * seeded frequencies and phases. Its mean over time is 0 and its standard deviation over time is
- * exactly the one asked for; its values are close to a normal distribution.
+ * exactly the requested one; its values are close to a normal distribution.
  *
  * <p>Thread rule: immutable.
  */
@@ -50,9 +50,9 @@ public final class SlowProcess {
   }
 
   /**
-   * How far it can go.
+   * Bound of its values.
    *
-   * @return no value is further from 0
+   * @return maximum absolute value
    */
   public double bound() {
     return TERMS * amplitude[0];

@@ -18,9 +18,8 @@ public interface TunableScene<T extends Record> extends Scene<T> {
   SensorTuning tuning();
 
   /**
-   * Changes the sensor from the events on that are not made yet. Which pixels are noisy and by how
-   * much their thresholds differ stays. The same changes at the same places of the stream make the
-   * same events.
+   * Changes the sensor for the events that are not made yet. The noisy pixels and the threshold
+   * mismatch stay. The same changes at the same positions of the stream make the same events.
    *
    * @param tuning from now on
    */

@@ -1,2 +1,2 @@
-/** What the scenes share: pixels, noise, and the order of their events. */
+/** The sensor of all scenes: pixels, noise and the order of their events. */
 package haltere.core.simulation.internal.sensor;

@@ -80,7 +80,7 @@ class Aedat1FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aHeaderlessFileThatBeginsWithALineIsNotMistakenForOne() throws IOException {
+  void headerlessFilesThatStartWithALineAreNotMistaken() throws IOException {
     // y = 0x23 gives a first byte '#', the times have no control characters but one line feed.
     for (int lineFeedAt = 3; lineFeedAt < 30; lineFeedAt++) {
       EventPacket packet = new EventPacket(40);

@@ -121,7 +121,7 @@ class Aedat2FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void theHeaderIsPlainAsciiWithCarriageReturnsWhateverTheMetadataHold() throws IOException {
+  void headerIsPlainAsciiWithCarriageReturns() throws IOException {
     Path file = folder.resolve("metadata.aedat");
     WriteOptions options =
         new WriteOptions(
@@ -158,7 +158,7 @@ class Aedat2FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aLeapThatTheClockCannotHoldIsReported() throws IOException {
+  void jumpsBeyondTheClockRangeAreReported() throws IOException {
     Path file = folder.resolve("leap.aedat");
     EventPacket written = new EventPacket(2);
     written.append(0, 1, 1, true);
@@ -189,7 +189,7 @@ class Aedat2FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aSensorThatDoesNotFitIsRefused() {
+  void oversizedSensorsAreRejected() {
     for (SensorGeometry sensor : List.of(new SensorGeometry(1025, 2), new SensorGeometry(2, 513))) {
       RecordingProblem refused =
           assertThrows(

@@ -85,7 +85,7 @@ class AedatClockTest {
   }
 
   @Test
-  void aJumpBackThatIsNoWrapIsARestartWithBothTimes() throws IOException {
+  void backwardJumpsWithoutAWrapAreRestartsWithBothTimes() throws IOException {
     StreamRecorder recorder = read(1_000_000_000, 1_000_000_005, 0, 10);
     assertTimes(recorder, 1_000_000_000, 1_000_000_005, 0, 10);
     assertEquals(List.of(restarted(1_000_000_005, 0)), recorder.notifications(Reset.class));
@@ -117,7 +117,7 @@ class AedatClockTest {
   }
 
   @Test
-  void anEventFromBeforeAWrapThatComesLateIsNoLeapOfSeventyMinutes() throws IOException {
+  void lateEventsFromBeforeAWrapMakeNoJump() throws IOException {
     StreamRecorder recorder = read(MAX, MIN, MAX - 3, MIN + 1);
     assertTimes(recorder, MAX, MAX + 1L, MAX - 3L, MAX + 2L);
     assertEquals(List.of(restarted(MAX + 1L, MAX - 3L)), recorder.notifications(Reset.class));

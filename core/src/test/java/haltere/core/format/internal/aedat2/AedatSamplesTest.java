@@ -73,7 +73,7 @@ class AedatSamplesTest {
   }
 
   @Test
-  void aFrameIsWhatIsLeftOfTheResetWithoutTheSignal() throws IOException {
+  void framesAreResetMinusSignal() throws IOException {
     AedatFile file = davis().davis240(900, 1, 1, true);
     readOut(file, 1000, false, 0, WIDTH - 1, 0, HEIGHT - 1);
     file.davis240(5000, 2, 2, true);
@@ -108,7 +108,7 @@ class AedatSamplesTest {
   }
 
   @Test
-  void aRecordingThatBeginsWithinAFrameHasItsFramesFromTheNextOn() throws IOException {
+  void recordingsThatStartInsideAFrameYieldTheNextFrames() throws IOException {
     AedatFile file = davis();
     readOut(file, 500, true, 100, WIDTH - 1, 0, HEIGHT - 1);
     readOut(file, 1000, false, 0, WIDTH - 1, 0, HEIGHT - 1);

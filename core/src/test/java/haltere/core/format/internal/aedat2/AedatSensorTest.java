@@ -65,7 +65,7 @@ class AedatSensorTest {
   }
 
   @Test
-  void theHeaderWinsOverWhatTheUserSays() throws IOException {
+  void headerOverridesTheUser() throws IOException {
     AedatFile bytes =
         AedatFile.version2().text("# AEChip: ch.unizh.ini.jaer.chip.retina.DVS128\r\n");
     try (RecordingReader reader =
@@ -105,8 +105,7 @@ class AedatSensorTest {
   }
 
   @Test
-  void theLayoutThatExplainsMostOfTheFileWinsWhateverTheFirstAddressesLookLike()
-      throws IOException {
+  void layoutIsChosenByTheWholeFileNotItsFirstAddresses() throws IOException {
     AedatFile bytes = AedatFile.version2();
     for (int i = 0; i < 100; i++) {
       bytes.record(i, i);
@@ -133,7 +132,7 @@ class AedatSensorTest {
   }
 
   @Test
-  void addressesThatAreNoEventsOfAnyCameraAreRefusedWithAdvice() throws IOException {
+  void addressesOfUnknownCamerasAreRejectedWithAdvice() throws IOException {
     AedatFile bytes = AedatFile.version2();
     for (int i = 0; i < 1000; i++) {
       bytes.record(i % 2 == 0 ? 0x0123_4567 : 0x8000_8000, i);

@@ -155,7 +155,7 @@ class Aedat3SamplesTest {
   }
 
   @Test
-  void aFileThatEndsWithinASampleGivesThoseBefore() throws IOException {
+  void filesThatEndInsideASampleYieldTheEarlierOnes() throws IOException {
     header();
     packet(PacketHeader.SPECIAL, 8, special(2, 10), special(3, 20));
     packet(PacketHeader.INERTIAL_6, 36, inertial(36, 10), inertial(36, 20));

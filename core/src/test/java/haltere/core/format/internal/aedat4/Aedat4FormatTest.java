@@ -127,7 +127,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aRecordingInPlaceCanBeReadUpToTheLastPacketAtAnyMoment() throws IOException {
+  void recordingsInPlaceAreReadableUpToTheLastPacket() throws IOException {
     Path file = folder.resolve("live.aedat4");
     EventPacket written = EventPackets.uniform(DAVIS346, 4, 40_000, 0, 9);
     try (Aedat4Writer writer =
@@ -142,7 +142,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aPacketThatClaimsTwoGigabytesInASparseFileNeedsLittleMemory() throws IOException {
+  void packetsThatClaimTwoGigabytesNeedLittleMemory() throws IOException {
     Path file = folder.resolve("sparse.aedat4");
     write(file, DAVIS346, EventPackets.uniform(DAVIS346, 4, 4, 0, 9));
     byte[] bytes = Files.readAllBytes(file);
@@ -225,7 +225,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void whatTheMetadataHoldComesBackAsTextAndNothingElse() throws IOException {
+  void metadataAreReadBackAsPlainText() throws IOException {
     Path file = folder.resolve("metadata.aedat4");
     WriteOptions options =
         new WriteOptions(

@@ -174,7 +174,7 @@ class Aedat4SamplesTest {
   }
 
   @Test
-  void aFileInItsPlaceHasItsSamplesAtAnyMoment() throws IOException {
+  void recordingsInPlaceHoldTheirSamplesAtAnyTime() throws IOException {
     Path file = folder.resolve("open.aedat4");
     List<SensorSample> samples = new RandomSamples(SENSOR, 6).all(50, 0, 100);
     try (Aedat4Writer writer = Aedat4Writer.createInPlace(file, ALL, Aedat4Compression.LZ4)) {

@@ -130,7 +130,7 @@ class RosbagFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aBagThatWasNotClosedIsReadToItsEnd() throws IOException {
+  void unclosedBagsAreReadToTheirEnd() throws IOException {
     EventPacket events = EventPackets.uniform(DAVIS346, 1, 9000, 4_000, 30);
     Path file = Files.write(folder.resolve("live.bag"), bag(DAVIS346, events).open());
     StreamRecorder recorder = new StreamRecorder();
@@ -169,7 +169,7 @@ class RosbagFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aBagWithoutATopicOfEventsIsRefusedWithTheTopicsThatItHas() {
+  void bagsWithoutEventTopicsAreRejectedWithTheirTopics() {
     byte[] bytes =
         new RosbagFile()
             .topic("/camera", "sensor_msgs/Image")
@@ -229,7 +229,7 @@ class RosbagFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aSensorWithoutASizeIsTheSmallestThatHoldsTheEvents() throws IOException {
+  void anUnstatedSensorSizeIsTheSmallestThatFitsTheEvents() throws IOException {
     EventPacket events = EventPackets.uniform(DAVIS346, 5, 5000, 4_000, 30);
     byte[] message = RosBytes.array(false, DAVIS346, events);
     int height = 4 + 8 + 4 + "camera".length();

@@ -122,7 +122,7 @@ class SqliteBagFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void messagesThatSqliteHasNotMovedToTheFileYetAreSaid() throws IOException {
+  void messagesInTheWriteAheadLogAreReported() throws IOException {
     Path file = Files.write(folder.resolve("b.db3"), BagResources.bytes("array.db3"));
     Files.write(folder.resolve("b.db3-wal"), new byte[100]);
     try (RecordingReader reader = Recordings.open(file)) {

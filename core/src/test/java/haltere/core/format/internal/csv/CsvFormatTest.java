@@ -59,7 +59,7 @@ class CsvFormatTest {
   }
 
   @Test
-  void rowsAreCountedFromTheSourcesCornerUnlessTold() throws IOException {
+  void rowsKeepTheOriginOfTheSourceByDefault() throws IOException {
     EventPacket packet = new EventPacket(1);
     packet.append(5, 1, 2, true);
     assertEquals("5,1,2,1", written(packet, options(Origin.BOTTOM, null)).get(1));
@@ -69,7 +69,7 @@ class CsvFormatTest {
   }
 
   @Test
-  void manyEventsAreWrittenAlikeWhateverTheLocale() throws IOException {
+  void writtenTextDoesNotDependOnTheLocale() throws IOException {
     SensorGeometry sensor = new SensorGeometry(640, 480);
     EventPacket packet = EventPackets.uniform(sensor, 1, 20_000, 1_718_925_184_590_631L, 10);
     Locale before = Locale.getDefault();

@@ -114,7 +114,7 @@ class DatFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aLeapThatTheClockCannotHoldIsReported() throws IOException {
+  void jumpsBeyondTheClockRangeAreReported() throws IOException {
     EventPacket written = new EventPacket(0);
     written.append(5, 1, 1, true);
     written.append(5 + (3L << 32), 1, 1, true);
@@ -174,7 +174,7 @@ class DatFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aSensorThatDoesNotFitIsRefused() {
+  void oversizedSensorsAreRejected() {
     assertThrows(
         RecordingProblem.class,
         () ->

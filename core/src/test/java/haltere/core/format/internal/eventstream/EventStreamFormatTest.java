@@ -97,7 +97,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void theBytesMeanWhatTheFormatSays() {
+  void bytesAreDecodedAsSpecified() {
     ViolationCounts violations = new ViolationCounts();
     EventStreamDecoder decoder =
         new EventStreamDecoder(EventStreamDecoder.Kind.DVS, SENSOR, violations);
@@ -215,7 +215,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aStartThatTheClockCannotHoldIsMovedToZeroAndReported() throws IOException {
+  void startsBeyondTheClockRangeMoveToZeroAndAreReported() throws IOException {
     for (long startUs : new long[] {-5, 1_718_925_184_590_631L}) {
       EventPacket written = EventPackets.uniform(SENSOR, 1, 1000, startUs, 30);
       Path file = folder.resolve("start" + startUs + ".es");

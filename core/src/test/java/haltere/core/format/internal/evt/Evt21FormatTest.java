@@ -76,7 +76,7 @@ class Evt21FormatTest extends EvtContract {
   }
 
   @Test
-  void theWordsMeanWhatPropheseeSays() {
+  void wordsAreDecodedAsSpecifiedByProphesee() {
     ViolationCounts violations = new ViolationCounts();
     Evt21Decoder decoder = new Evt21Decoder(GEN3, 0, false, violations);
     EventPacket packet = new EventPacket(0);

@@ -62,7 +62,7 @@ class Evt2FormatTest extends EvtContract {
   }
 
   @Test
-  void theWordsMeanWhatPropheseeSays() {
+  void wordsAreDecodedAsSpecifiedByProphesee() {
     ViolationCounts violations = new ViolationCounts();
     Evt2Decoder decoder = new Evt2Decoder(GEN3, 0, violations);
     EventPacket packet = new EventPacket(0);

@@ -68,7 +68,7 @@ class Evt3FormatTest extends EvtContract {
   }
 
   @Test
-  void theWordsMeanWhatPropheseeSays() {
+  void wordsAreDecodedAsSpecifiedByProphesee() {
     ViolationCounts violations = new ViolationCounts();
     Evt3Decoder decoder = new Evt3Decoder(GEN3, 0, violations);
     EventPacket packet = new EventPacket(0);
@@ -269,7 +269,7 @@ class Evt3FormatTest extends EvtContract {
   }
 
   @Test
-  void itIsWhatFilesEndingInRawAreWrittenAs() throws IOException {
+  void rawFilesAreWrittenAsEvt3() throws IOException {
     assertEquals("evt3", Recordings.forWriting(Path.of("a.raw")).name());
   }
 }

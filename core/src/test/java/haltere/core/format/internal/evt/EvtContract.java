@@ -135,7 +135,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void aClockThatGoesBackWithinItsTurnComesBack() throws IOException {
+  void timesThatDescendWithinATurnAreRestored() throws IOException {
     List<EventPacket> packets = new ArrayList<>();
     for (long startUs : new long[] {16_000_000, 15_999_000, 9_000_000, 100, 99}) {
       packets.add(EventPackets.uniform(GEN3, startUs, 50, startUs, 3));
@@ -151,7 +151,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void aLeapThatTheClockCannotHoldIsReported() throws IOException {
+  void jumpsBeyondTheClockRangeAreReported() throws IOException {
     EventPacket late = EventPackets.uniform(GEN3, 1, 10, 40 * HOUR_US, 3);
     EventPacket early = EventPackets.uniform(GEN3, 2, 10, 0, 3);
     try (RecordingWriter writer =
@@ -182,7 +182,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void aSensorThatDoesNotFitIsRefused() {
+  void oversizedSensorsAreRejected() {
     RecordingProblem refused =
         assertThrows(
             RecordingProblem.class,
@@ -213,7 +213,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void withoutASizeInTheHeaderTheUserTellsItOrTheEventsDo() throws IOException {
+  void unstatedSizesComeFromTheUserOrTheEvents() throws IOException {
     EventPacket written = EventPackets.uniform(GEN3, 4, 1000, 0, 20);
     Path file = folder.resolve("size.raw");
     write(file, GEN3, written);
@@ -243,7 +243,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void aHeaderThatNamesAnotherEncodingIsNotReadAsThisOne() throws IOException {
+  void unknownEncodingsInTheHeaderAreRejected() throws IOException {
     Path file = folder.resolve("other.raw");
     Files.writeString(file, "% format EVT4;height=480;width=640\n% end\n");
     RecordingProblem refused =

@@ -39,7 +39,7 @@ class EvtTriggersTest {
 
   @ParameterizedTest
   @MethodSource("formats")
-  void edgesComeBackAtTheirPlacesAmongTheEvents(RecordingFormat format) throws IOException {
+  void edgesKeepTheirPositionsAmongEvents(RecordingFormat format) throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 1, 50_000, FIRST_US, 100);
     SplittableRandom random = new SplittableRandom(2);
     RandomSamples samples = new RandomSamples(SENSOR, 3);
@@ -80,7 +80,7 @@ class EvtTriggersTest {
 
   @ParameterizedTest
   @MethodSource("formats")
-  void whatHasNoWordIsRefused(RecordingFormat format) throws IOException {
+  void samplesWithoutAnEncodingAreRefused(RecordingFormat format) throws IOException {
     Path file = folder.resolve("refused." + format.name());
     try (RecordingWriter writer = format.create(file, WriteOptions.of(SENSOR)).orElseThrow()) {
       assertFalse(writer.write(new Trigger(1, Trigger.Source.EXPOSURE, Trigger.Edge.RISING, 0)));

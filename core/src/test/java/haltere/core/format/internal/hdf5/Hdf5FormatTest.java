@@ -141,7 +141,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
 
   @ParameterizedTest
   @MethodSource({"layouts", "compressions"})
-  void whatOtherProgramsLayOutIsRead(String name) throws IOException {
+  void layoutsOfOtherProgramsAreRead(String name) throws IOException {
     EventPacket events = theirEvents();
     try (RecordingReader reader = Recordings.open(theirs(name))) {
       assertEquals(new SensorGeometry(346, 260, Origin.TOP), reader.geometry());
@@ -177,7 +177,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
     "large-chunks, h5repack -l CHUNK=65536",
     "no-events, [weights]"
   })
-  void whatCannotBeReadIsRefusedWithAReasonAndAWayOut(String name, String reason)
+  void unsupportedFilesAreRejectedWithAReasonAndARemedy(String name, String reason)
       throws IOException {
     Path file = theirs(name);
     RecordingProblem refused =
@@ -198,7 +198,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
         "prophesee",
         "seconds-big-endian-truth"
       })
-  void damageInOtherProgramsFilesIsToldAndNeverBringsTheReaderDown(String name) throws IOException {
+  void damageInFilesOfOtherProgramsIsReportedWithoutACrash(String name) throws IOException {
     byte[] whole = Files.readAllBytes(theirs(name));
     java.util.SplittableRandom random = new java.util.SplittableRandom(name.hashCode());
     Path file = folder.resolve("damaged");

@@ -95,7 +95,7 @@ class Hdf5TablesTest {
   }
 
   @Test
-  void whatIsMissingOrOfAnotherTypeIsSaidWithTheFile() throws IOException {
+  void missingAndMistypedTablesAreReportedWithTheFile() throws IOException {
     Path file = written(3);
     try (Hdf5Tables tables = Hdf5Tables.open(file)) {
       assertRefused(file, "no table others", () -> tables.read("others", List.of("x"), 1, r -> {}));
@@ -123,7 +123,7 @@ class Hdf5TablesTest {
   }
 
   @Test
-  void aFileThatIsCutOffAnywhereIsRefusedOrReadWhole() throws IOException {
+  void truncatedFilesAreRejectedOrReadCompletely() throws IOException {
     byte[] whole = Files.readAllBytes(written(500));
     int refused = 0;
     for (int length = 0; length < whole.length; length += length < 4096 ? 31 : 997) {

@@ -87,7 +87,7 @@ class KeptIndexTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"a.aedat", "a.aedat4", "a.raw", "a.dat", "a.csv", "a.npz"})
-  void seeksGoToTheSamePlacesWithTheIndexThatWasKept(String name) throws IOException {
+  void storedIndexesYieldTheSameSeekPositions(String name) throws IOException {
     Path file = write(name);
     assertEquals(List.of(), checkSeeks(file, KEEP));
     FileTime written = Files.getLastModifiedTime(index(file));

@@ -203,7 +203,7 @@ class NpzFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void whatIsWrittenIsAPlainZipFileWithSizeAndOrigin() throws IOException {
+  void writtenFilesArePlainZipFilesWithSizeAndOrigin() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 3, 20_000, 5, 40);
     for (Origin origin : Origin.values()) {
       SensorGeometry sensor = new SensorGeometry(346, 260, origin);
@@ -227,7 +227,7 @@ class NpzFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aFileThatHasLostItsDirectoryIsReadAsFarAsItGoes() throws IOException {
+  void filesWithoutADirectoryAreReadAsFarAsPossible() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 4, 1000, 5, 40);
     Path file = folder.resolve("lost.npz");
     write(file, SENSOR, events);
@@ -283,7 +283,7 @@ class NpzFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void arraysThatAreNoEventsAreRefusedWithTheirNames() throws IOException {
+  void arraysWithoutEventsAreRejectedByName() throws IOException {
     byte[] weights = array("'<f4'", "2,2", buffer(16, ByteOrder.LITTLE_ENDIAN));
     Path file = Files.write(folder.resolve("weights.npz"), zipped(Map.of("weights", weights)));
     RecordingProblem refused =

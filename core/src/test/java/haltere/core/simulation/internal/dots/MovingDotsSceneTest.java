@@ -20,7 +20,7 @@ class MovingDotsSceneTest {
 
   @ParameterizedTest
   @EnumSource(DotPath.class)
-  void theVelocityIsTheChangeOfThePlaceAndTheSpeedThatOfTheSettings(DotPath path) {
+  void velocityIsTheDerivativeOfPositionWithTheSpeedOfTheSettings(DotPath path) {
     MovingDotsScene scene = new MovingDotsScene(quiet("dots.path=" + path));
     int turns = 0;
     for (long us = 0; us < 3_000_000; us += 9_973) {

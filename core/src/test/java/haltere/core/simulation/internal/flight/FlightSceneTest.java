@@ -104,7 +104,7 @@ class FlightSceneTest {
   }
 
   @Test
-  void aCameraThatThereIsNotAndARoomThatReachesTheCamerasAreRefused() {
+  void unknownCamerasAndOversizedRoomsAreRejected() {
     assertThrows(IllegalArgumentException.class, () -> scene("view.cameras=2", "view.camera=2"));
     assertThrows(IllegalArgumentException.class, () -> scene("view.roomM=0.55"));
   }

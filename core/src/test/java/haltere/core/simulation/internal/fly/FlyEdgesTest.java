@@ -47,7 +47,7 @@ class FlyEdgesTest {
   }
 
   @Test
-  void aConstantLatencyIsAPhaseLagThatGoesAwayWhenItIsTakenOff() {
+  void constantLatencyIsARemovablePhaseLag() {
     FlySceneSettings settings = SceneRuns.pure("pixel.latencyUs=60", "fly.wing.visibleShare=0.2");
 
     assertEquals(0, residuals(settings, 0.05, 60).mean(), 2e-5, "mean");

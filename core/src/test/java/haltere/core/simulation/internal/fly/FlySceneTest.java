@@ -47,12 +47,12 @@ class FlySceneTest {
 
   @ParameterizedTest
   @ValueSource(ints = {1, 7, 1000})
-  void theEventsDoNotDependOnHowTheyAreCutIntoPackets(int mostEvents) {
+  void theEventsDoNotDependOnHowTheyAreCutIntoPackets(int maxEvents) {
     FlySceneSettings settings = SceneRuns.fly("run.durationS=0.05");
-    StreamRecorder cut = SceneRuns.record(new FlyScene(settings, mostEvents));
+    StreamRecorder cut = SceneRuns.record(new FlyScene(settings, maxEvents));
 
     assertEquals(SceneRuns.events(new FlyScene(settings)), cut.events());
-    assertEquals(mostEvents, cut.largestPacket());
+    assertEquals(maxEvents, cut.largestPacket());
   }
 
   @Test
@@ -187,7 +187,7 @@ class FlySceneTest {
   }
 
   @Test
-  void aWireHidesWhatIsBehindIt() {
+  void wiresAreOpaque() {
     FlySceneSettings settings =
         SceneRuns.pure(
             "disturbances.wire.widthPx=4",

@@ -147,7 +147,7 @@ class FlyTruthTest {
   }
 
   @Test
-  void anAmplitudeManoeuvreWidensOneStrokeByWhatItNarrowsTheOther() {
+  void amplitudeManoeuvresAreAntisymmetric() {
     FlyScene scene = steady("disturbances.manoeuvres.everyS=3");
     Manoeuvres manoeuvres = new Manoeuvres(scene.settings().disturbances().manoeuvres(), 1);
     FlyTruth held = scene.truthAt(Math.round((manoeuvres.beginS(1) + 0.4) * 1e6));
@@ -227,7 +227,7 @@ class FlyTruthTest {
   }
 
   @Test
-  void theBodySwaysAsMuchAsItIsToldTo() {
+  void bodySwayHasTheStatedDeviation() {
     FlyScene scene = new FlyScene(SceneRuns.fly("fly.body.wobblePx=0.5", "fly.body.driftPx=2"));
     int n = 20_000;
     double square = 0;
@@ -250,7 +250,7 @@ class FlyTruthTest {
   }
 
   @Test
-  void truthIsTheSameWhateverWasPulledBefore() {
+  void truthDoesNotDependOnPulledEvents() {
     FlyScene fresh = new FlyScene(SceneRuns.fly("run.durationS=0.1"));
     FlyScene pulled = new FlyScene(SceneRuns.fly("run.durationS=0.1"));
     SceneRuns.events(pulled);

@@ -52,13 +52,13 @@ class RenderedFlySceneTest {
 
   @ParameterizedTest
   @ValueSource(ints = {1, 1000})
-  void theEventsDoNotDependOnHowTheyAreCutIntoPackets(int mostEvents) {
+  void theEventsDoNotDependOnHowTheyAreCutIntoPackets(int maxEvents) {
     RenderedFlySceneSettings settings =
         RenderedFlySceneSettings.defaults().with("run.durationS=0.008");
-    StreamRecorder cut = SceneRuns.record(new RenderedFlyScene(settings, mostEvents));
+    StreamRecorder cut = SceneRuns.record(new RenderedFlyScene(settings, maxEvents));
 
     assertEquals(SceneRuns.events(new RenderedFlyScene(settings)), cut.events());
-    assertEquals(mostEvents, cut.largestPacket());
+    assertEquals(maxEvents, cut.largestPacket());
   }
 
   @Test

@@ -63,12 +63,12 @@ class RoadSceneTest {
 
   @ParameterizedTest
   @ValueSource(ints = {1, 7, 1000})
-  void theEventsDoNotDependOnHowTheyAreCutIntoPackets(int mostEvents) {
+  void theEventsDoNotDependOnHowTheyAreCutIntoPackets(int maxEvents) {
     RoadSceneSettings settings = road("run.durationS=0.3", "noise.shotHz=20");
-    StreamRecorder cut = SceneRuns.record(new RoadScene(settings, mostEvents));
+    StreamRecorder cut = SceneRuns.record(new RoadScene(settings, maxEvents));
 
     assertEquals(SceneRuns.events(new RoadScene(settings)), cut.events());
-    assertEquals(mostEvents, cut.largestPacket());
+    assertEquals(maxEvents, cut.largestPacket());
   }
 
   @Test

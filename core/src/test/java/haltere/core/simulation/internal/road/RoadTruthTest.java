@@ -90,7 +90,7 @@ class RoadTruthTest {
   }
 
   @Test
-  void velocitiesAreTheChangeOfThePlaces() {
+  void velocitiesAreDerivativesOfPositions() {
     RoadScene scene = new RoadScene(RoadSceneSettings.defaults());
     int rows = 0;
     for (long us = 0; us < 30_000_000; us += 97_003) {
@@ -259,7 +259,7 @@ class RoadTruthTest {
         "camera.bridgeHeightM=100",
         "vehicles.sizeSpread=0.2"
       })
-  void thereIsTrafficOnTheRoadWhateverTheSettings(String extreme) {
+  void trafficExistsForAllSettings(String extreme) {
     RoadScene scene = new RoadScene(RoadSceneSettings.defaults().with(extreme));
     double roadM = scene.settings().traffic().roadM();
     Set<Integer> vehicles = new HashSet<>();
@@ -276,18 +276,18 @@ class RoadTruthTest {
   }
 
   @Test
-  void aDriveKnowsWhenItHasMadeAWay() {
+  void timeOfADistanceInvertsTheDrive() {
     Drive drive = Drive.steady(10).then(2, 4.5, -4).then(6, 10, 2.5);
 
     assertEquals(0, drive.speed(5));
-    assertEquals(32.5, drive.way(5), 1e-12);
+    assertEquals(32.5, drive.distanceM(5), 1e-12);
     for (double way : new double[] {1, 19.9, 20, 25, 32, 32.6, 40, 52.5, 53, 200}) {
-      assertEquals(way, drive.way(drive.timeOf(way)), 1e-9);
+      assertEquals(way, drive.distanceM(drive.timeOf(way)), 1e-9);
     }
   }
 
   @Test
-  void theTruthDoesNotDependOnWhatWasAskedBefore() {
+  void truthDoesNotDependOnEarlierQueries() {
     RoadScene scene = new RoadScene(RoadSceneSettings.defaults());
     List<RoadTruth> late = scene.truthRows(7_200_000_000L);
     List<RoadTruth> early = scene.truthRows(5_000_000);

@@ -85,7 +85,7 @@ class EventMergerTest {
   }
 
   @Test
-  void theBusCarriesOneEventAtATimeAndDropsThoseThatWaitTooLong() {
+  void busCarriesOneEventAtATimeAndDropsLateOnes() {
     EventMerger merger = merger(0, 0, 0, 100_000, 0);
     EventPacket out = new EventPacket(16);
     for (int i = 0; i < 300; i++) {

@@ -91,7 +91,7 @@ class PhotoreceptorArrayTest {
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void aSlowerPixelMakesLaterAndFewerEventsOfAShadowThatPasses(boolean followsLight) {
+  void slowerPixelsMakeLaterAndFewerEvents(boolean followsLight) {
     long lastFirst = 0;
     int lastCount = Integer.MAX_VALUE;
     for (double tau : new double[] {0, 10, 25, 50}) {
@@ -146,7 +146,7 @@ class PhotoreceptorArrayTest {
   }
 
   @Test
-  void afterAnEventThePixelIsBlindAndThenComparesWithWhatItSeesThen() {
+  void referenceLevelIsTakenAtTheEndOfTheRefractoryPeriod() {
     EventPacket blind = events(0, true, 0, 300, new double[] {1500, 1000, 0.5});
 
     double first = 2000 * (1 - Math.exp(-THRESHOLD));

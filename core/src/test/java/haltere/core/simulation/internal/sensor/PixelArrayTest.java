@@ -47,12 +47,12 @@ class PixelArrayTest {
   }
 
   @Test
-  void aShadowThatIsTooFaintMakesNoEvent() {
+  void faintShadowsMakeNoEvent() {
     assertTrue(shadow(pixel(0, 0), 0.19, 500).isEmpty());
   }
 
   @Test
-  void aShadowThatPassesTooFastForThePhotoreceptorMakesNoEvent() {
+  void shadowsTooFastForThePhotoreceptorMakeNoEvent() {
     // the level falls by 0.5 (1 - e^(-d / tau)), which reaches 0.2 at d = -tau ln 0.6 = 51.08 us
     assertTrue(shadow(pixel(BANDWIDTH_HZ, 30), 0.5, 51.0).isEmpty());
     assertEquals(1, shadow(pixel(BANDWIDTH_HZ, 30), 0.5, 51.2).size());
@@ -77,7 +77,7 @@ class PixelArrayTest {
   }
 
   @Test
-  void afterAnEventThePixelIsBlindAndThenComparesWithWhatItSeesThen() {
+  void referenceLevelIsTakenAtTheEndOfTheRefractoryPeriod() {
     EventPacket events = shadow(pixel(BANDWIDTH_HZ, 60), 0.7, 10_000);
 
     double first = -TAU_US * Math.log(1 - 0.2 / 0.7);

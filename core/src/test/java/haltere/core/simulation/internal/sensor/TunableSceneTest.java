@@ -72,7 +72,7 @@ class TunableSceneTest {
 
   @ParameterizedTest
   @MethodSource("tunable")
-  void whatIsTunedToWhatItIsContinuesAsItWas(String name) throws IOException {
+  void tuningToThePresentValueChangesNothing(String name) throws IOException {
     StreamRecorder untouched = new StreamRecorder();
     drain((TunableScene<?>) Scenes.named(name).create(List.of()), untouched, 2 * halfUs(name));
     StreamRecorder tuned = run(name, tuning -> tuning);

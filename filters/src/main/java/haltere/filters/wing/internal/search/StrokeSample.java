@@ -1,5 +1,6 @@
 package haltere.filters.wing.internal.search;
 
+import haltere.filters.noise.internal.PolarityRuns;
 import java.util.Arrays;
 
 /**
@@ -14,9 +15,6 @@ final class StrokeSample {
   private static final int LONGEST_LOOK_BACK = 160;
   private static final int HOT_COUNT = 24;
   private static final double HOT_TIMES_MEAN = 8;
-
-  /** Longest run of one polarity at a pixel. */
-  private static final int LONGEST_RUN_US = 2500;
 
   private static final int HARMONICS = 4;
 
@@ -82,7 +80,7 @@ final class StrokeSample {
       boolean runs =
           last != Long.MIN_VALUE
               && (last & 1) == (on ? 1 : 0)
-              && timeUs - startUs - (last >> 1) < LONGEST_RUN_US;
+              && timeUs - startUs - (last >> 1) < PolarityRuns.LONGEST_RUN_US;
       if (countOfPixel[pixel] > hot || runs) {
         continue;
       }

@@ -33,7 +33,7 @@ class MeasurementSeriesTest {
   }
 
   @Test
-  void noiseIsFoundWhateverTheTimesAndTheAcceleration() {
+  void noiseEstimateDoesNotDependOnTimesAndAcceleration() {
     assertEquals(0.003, fall(2000, 0.003, false).noiseM(), 0.0002);
     assertTrue(fall(2000, 0, false).noiseM() < 1e-5);
   }
@@ -75,7 +75,7 @@ class MeasurementSeriesTest {
   }
 
   @Test
-  void aSeriesThatTellsNothingIsRefused() {
+  void uninformativeSeriesAreRejected() {
     assertThrows(IllegalArgumentException.class, () -> fall(7, 0.004, false));
     assertThrows(IllegalArgumentException.class, () -> series(20, 0, t -> 1, t -> Double.NaN));
     List<Measurement> back = new ArrayList<>();

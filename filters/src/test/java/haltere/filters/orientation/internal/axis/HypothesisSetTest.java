@@ -22,7 +22,7 @@ class HypothesisSetTest {
   }
 
   @Test
-  void aHypothesisThatFliesBackwardsIsReversedAndStaysTheSameLine() {
+  void backwardHypothesesAreReversedOnTheSameLine() {
     AxisHypothesis hypothesis = new AxisHypothesis();
     double[] covariance = {0.04, 0.01, 0, 0.01, 0.02, 0, 0, 0, 0.01};
     hypothesis.launch(new double[] {0.1, -0.2, 1}, covariance, 2);

@@ -23,7 +23,7 @@ class TwoMeansTest {
   }
 
   @Test
-  void findsBothCloudsWhateverTheirDirectionAlongTheDiagonalsToo() {
+  void findsBothCloudsInAllDirections() {
     for (int step = 0; step < 16; step++) {
       double direction = Math.PI * step / 16;
       clouds(direction, step);
@@ -50,7 +50,7 @@ class TwoMeansTest {
   }
 
   @Test
-  void ofOnePlaceThereAreNoTwoClasses() {
+  void identicalPointsYieldNoClasses() {
     java.util.Arrays.fill(x, 7);
     java.util.Arrays.fill(y, 9);
     assertFalse(new TwoMeans().divide(x, y, POINTS, 128, 128));

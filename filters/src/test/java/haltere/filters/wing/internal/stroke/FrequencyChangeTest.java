@@ -40,14 +40,14 @@ class FrequencyChangeTest {
   }
 
   @Test
-  void aFrequencyThatBothWingsChangeTellsHowFarOffItMayBe() {
+  void commonFrequencyChangesYieldTheirSquareAsExcess() {
     flySteadily();
     look(OMEGA + 8, OMEGA + 8);
     assertEquals(64, wings[1].excess, 2);
   }
 
   @Test
-  void whatIsUsualIsNoChange() {
+  void usualInnovationsAreNoChange() {
     flySteadily();
     assertEquals(0, wings[1].excess);
     look(OMEGA + 0.2, OMEGA + 0.2);

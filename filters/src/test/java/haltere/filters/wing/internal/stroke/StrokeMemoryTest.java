@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 class StrokeMemoryTest {
   @Test
-  void whatEventsDoNotShowReturnsToWhatIsLikely() {
+  void unobservedParametersReturnToTheirPriors() {
     StrokeEkf filter = new StrokeEkf(4);
     double[] state = new double[filter.size];
     state[StrokeEkf.AMPLITUDE] = 1.1;

@@ -5,14 +5,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The ground truth of a road.
+ * Computes the rows of ground truth of a road.
  *
  * <p>Thread rule: any thread.
  */
-final class RoadWitness {
+final class RoadTruthRows {
   private static final int SAMPLES = 24;
 
-  /** What rounding may hide of the box around a vehicle, and far more. */
+  /** Margin around the box of a vehicle, far above rounding errors. */
   private static final double MARGIN_PX = 1;
 
   private static final double DIFFERENCE_S = 1e-4;
@@ -22,7 +22,7 @@ final class RoadWitness {
   private final RoadCamera camera;
   private final TrafficPlan plan;
 
-  RoadWitness(RoadSceneSettings settings, RoadCamera camera, TrafficPlan plan) {
+  RoadTruthRows(RoadSceneSettings settings, RoadCamera camera, TrafficPlan plan) {
     this.settings = settings;
     this.camera = camera;
     this.plan = plan;

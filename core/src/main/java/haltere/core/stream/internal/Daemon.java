@@ -1,4 +1,4 @@
-package haltere.core.sink.internal;
+package haltere.core.stream.internal;
 
 /** Threads that do not keep a program from ending. */
 public final class Daemon {

@@ -1,0 +1,2 @@
+/** Daemon threads, for all stages. Depends on no other package of Haltere. */
+package haltere.core.stream.internal;
