@@ -248,8 +248,7 @@ public final class PlotPanel extends BorderPane {
   /** Shows so much later times. */
   void scroll(double share) {
     window.scroll(Math.round(share * window.spanUs()));
-    follow.setSelected(window.isFollowing());
-    dirty = true;
+    setFollowing(false);
   }
 
   /** Takes playback to a place. */
@@ -282,7 +281,7 @@ public final class PlotPanel extends BorderPane {
       followChain();
       offersInertial = true;
     }
-    boolean came = feeds.drainTo(plotted);
+    dirty |= feeds.drainTo(plotted);
     // during a run-up there is no time that is shown
     if (nowUs != status.timeUs() && status.timeUs() != StreamNotification.NO_TIME_US) {
       if (status.timeUs() < nowUs) {
@@ -291,7 +290,7 @@ public final class PlotPanel extends BorderPane {
       }
       nowUs = status.timeUs();
       startUs = status.timeUs() - status.elapsedUs();
-      came = true;
+      dirty = true;
       for (Lane lane : plotted) {
         if (lane.has(PlotField.EVENT_RATE)) {
           lane.take(PlotField.EVENT_RATE, nowUs, "", status.eventRateEps());
@@ -299,9 +298,10 @@ public final class PlotPanel extends BorderPane {
       }
     }
     window.advanceTo(nowUs);
-    if ((came || dirty) && isVisible() && nanos - drawnNanos >= FRAME_NANOS) {
+    if (dirty && isVisible() && nanos - drawnNanos >= FRAME_NANOS) {
       drawnNanos = nanos;
-      dirty = false;
+      // in a pause no later picture would show the newest values
+      dirty = nanos - valuesNanos < VALUES_NANOS;
       draw(nanos);
     }
   }
