@@ -281,7 +281,6 @@ public final class PlotPanel extends BorderPane {
       followChain();
       offersInertial = true;
     }
-    dirty |= feeds.drainTo(plotted);
     // during a run-up there is no time that is shown
     if (nowUs != status.timeUs() && status.timeUs() != StreamNotification.NO_TIME_US) {
       if (status.timeUs() < nowUs) {
@@ -297,6 +296,8 @@ public final class PlotPanel extends BorderPane {
         }
       }
     }
+    // behind what was forgotten: the moment that was gone back to may have come already
+    dirty |= feeds.drainTo(plotted);
     window.advanceTo(nowUs);
     if (dirty && isVisible() && nanos - drawnNanos >= FRAME_NANOS) {
       drawnNanos = nanos;
@@ -307,15 +308,11 @@ public final class PlotPanel extends BorderPane {
   }
 
   private void draw(long nanos) {
-    for (PlotLane lane : lanes) {
-      lane.draw(ink, nowUs, startUs);
-    }
+    lanes.forEach(lane -> lane.draw(ink, nowUs, startUs));
     axis.draw(ink, startUs);
     if (nanos - valuesNanos >= VALUES_NANOS) {
       valuesNanos = nanos;
-      for (PlotLane lane : lanes) {
-        lane.showValues(pointed, ink);
-      }
+      lanes.forEach(lane -> lane.showValues(pointed, ink));
       long gone = feeds.lost();
       lost.setText(gone == 0 ? "" : Texts.count(gone) + " values came too fast to be plotted");
     }
