@@ -93,6 +93,7 @@ public final class PlotPanel extends BorderPane {
     setTop(head);
     setCenter(new VBox(empty, lanesView, axis));
     setMinHeight(120);
+    layoutBoundsProperty().subscribe(bounds -> dirty = true);
     offer(List.of());
     showSpan();
     editor.onChange(this::followChain);

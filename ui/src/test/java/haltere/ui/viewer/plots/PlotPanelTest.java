@@ -145,7 +145,7 @@ class PlotPanelTest {
   void whatComesLastBeforeAPauseIsDrawn() {
     viewer = ViewerHarness.withBlob();
     plot(PlotField.EVENT_RATE);
-    viewer.waitFor("the panel", () -> viewer.isThere("plots"));
+    viewer.waitFor("the lane", () -> plots().lookup(".plot-lane") != null);
     viewer.run(
         () -> {
           // within one pulse, so that the window's own updates do not count
