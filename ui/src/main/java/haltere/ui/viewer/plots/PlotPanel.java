@@ -282,6 +282,7 @@ public final class PlotPanel extends BorderPane {
       followChain();
       offersInertial = true;
     }
+    dirty |= feeds.drainTo(plotted);
     // during a run-up there is no time that is shown
     if (nowUs != status.timeUs() && status.timeUs() != StreamNotification.NO_TIME_US) {
       if (status.timeUs() < nowUs) {
@@ -297,8 +298,6 @@ public final class PlotPanel extends BorderPane {
         }
       }
     }
-    // behind what was forgotten: the moment that was gone back to may have come already
-    dirty |= feeds.drainTo(plotted);
     window.advanceTo(nowUs);
     if (dirty && isVisible() && nanos - drawnNanos >= FRAME_NANOS) {
       drawnNanos = nanos;
