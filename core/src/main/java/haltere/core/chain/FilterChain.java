@@ -38,6 +38,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   private volatile Thread busy;
   private SharedWork work = SharedWork.ALONE;
   private long changes;
+  private boolean runUp;
 
   /**
    * An empty chain.
@@ -234,7 +235,17 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
    * @param on whether a run-up comes next
    */
   public void setRunUp(boolean on) {
+    runUp = on;
     outlets().forEach(outlet -> outlet.setRunUp(on));
+  }
+
+  /**
+   * Whether a run-up is under way. On the processing thread.
+   *
+   * @return true from its begin to its end
+   */
+  public boolean isRunUp() {
+    return runUp;
   }
 
   private boolean holds(ChainStage stage) {

@@ -122,7 +122,8 @@ public interface RecordingReader extends EventSource {
   /**
    * The stretches of continuous time, in file order. The first call may read through the file.
    *
-   * @return at least one segment unless the recording has no event
+   * @return at least one segment unless the recording has no event; where samples are read and
+   *     there is no event, the segment from the first to the last sample
    * @throws IOException if the file can no longer be read
    */
   List<TimeSegment> segments() throws IOException;

@@ -3,8 +3,8 @@ package haltere.core.format;
 /**
  * A stretch of a recording in which the clock does not go back.
  *
- * @param firstUs time of its first event
- * @param lastUs time of its last event, not before the first
+ * @param firstUs time of its first event, or of its first sample where there are no events
+ * @param lastUs time of its last event or sample, not before the first
  * @since 0.1
  */
 public record TimeSegment(long firstUs, long lastUs) {

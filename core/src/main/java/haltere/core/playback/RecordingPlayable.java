@@ -15,7 +15,7 @@ import java.util.OptionalLong;
 
 /**
  * A recording as a playable: its segments are laid end to end, each from its first event to 1 us
- * after its last.
+ * after its last. A recording without events is as long as its samples, if its reader gives them.
  *
  * <p>Thread rule: as {@link Playable}.
  *

@@ -15,7 +15,9 @@ public record HotPixelsSettings(
         @Range(min = 1000, max = 60_000_000, logarithmic = true)
         @Unit("us")
         long periodUs,
-    @Help(value = "A pixel may be hot only if it fires at more than this rate.", label = "Min rate")
+    @Help(
+            value = "A pixel may be hot only if it fires at more than this rate.",
+            label = "Minimum rate")
         @Range(min = 0.1, max = 10_000, logarithmic = true)
         @Unit("Hz")
         double rateHz,
@@ -34,7 +36,7 @@ public record HotPixelsSettings(
         int calmPeriods,
     @Help(
             value = "No more pixels than this are blocked at a time, the busiest first.",
-            label = "Max blocked pixels")
+            label = "Maximum blocked pixels")
         @Range(min = 0, max = 100_000, logarithmic = true)
         @Unit("pixels")
         int mostBlocked) {

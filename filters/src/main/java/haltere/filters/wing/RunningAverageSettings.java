@@ -19,7 +19,7 @@ public record RunningAverageSettings(
         @Range(min = 0.01, max = 0.9)
         @Unit("1")
         double hysteresis,
-    @Help(value = "Smallest hysteresis.", label = "Min hysteresis")
+    @Help(value = "Smallest hysteresis.", label = "Minimum hysteresis")
         @Range(min = 0, max = 1.5)
         @Unit("rad")
         double leastHysteresisRad,

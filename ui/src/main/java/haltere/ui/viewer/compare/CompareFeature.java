@@ -148,7 +148,9 @@ public final class CompareFeature implements ViewerFeature {
     window.file(
         () ->
             new SecondChain(
-                ChainFile.parse(json, "the chain", session.chain().geometry()), session.display()),
+                ChainFile.parse(json, "the chain", session.chain().geometry()),
+                session.chain(),
+                session.display()),
         made -> {
           if (start == starts) {
             begin(session, made);

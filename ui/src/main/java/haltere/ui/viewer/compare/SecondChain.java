@@ -12,18 +12,21 @@ import haltere.ui.viewer.picture.DisplaySink;
  * both work on the very same events, whether of a recording, a scene or a camera.
  *
  * @param chain its filters
+ * @param first the chain beside it, which is in a run-up when this one is
  * @param display makes its pictures, with those of the first chain
  * @param copy the packet that it works on
  */
-record SecondChain(FilterChain chain, DisplaySink display, EventPacket copy) implements SliceSink {
-  SecondChain(FilterChain chain, DisplaySink first) {
-    this(chain, first.beside(chain), new EventPacket(4096));
+record SecondChain(FilterChain chain, FilterChain first, DisplaySink display, EventPacket copy)
+    implements SliceSink {
+  SecondChain(FilterChain chain, FilterChain first, DisplaySink display) {
+    this(chain, first, display.beside(chain), new EventPacket(4096));
   }
 
   @Override
   public void packet(EventPacket packet) {
     copy.clear();
     copy.append(packet, 0, packet.size());
+    chain.setRunUp(first.isRunUp());
     chain.process(copy);
     display.packet(copy);
   }
@@ -35,6 +38,7 @@ record SecondChain(FilterChain chain, DisplaySink display, EventPacket copy) imp
 
   @Override
   public void notified(StreamNotification notification) {
+    chain.setRunUp(first.isRunUp());
     chain.notified(notification);
     display.notified(notification);
   }
@@ -47,12 +51,10 @@ record SecondChain(FilterChain chain, DisplaySink display, EventPacket copy) imp
   @Override
   public void runUpBegins(long sliceUs) {
     display.runUpBegins(sliceUs);
-    chain.setRunUp(true);
   }
 
   @Override
   public void runUpEnds() {
-    chain.setRunUp(false);
     display.runUpEnds();
   }
 

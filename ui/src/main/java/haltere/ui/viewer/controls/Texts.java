@@ -182,9 +182,7 @@ public final class Texts {
 
   /** What a person calls a setting: its label, or its name in words. */
   public static String label(Parameter setting) {
-    String label =
-        setting.label().isEmpty() ? words(setting.name(), setting.unit()) : setting.label();
-    return label.replaceFirst("^Min ", "Minimum ").replaceFirst("^Max ", "Maximum ");
+    return setting.label().isEmpty() ? words(setting.name(), setting.unit()) : setting.label();
   }
 
   /** A name in a settings record as words, without the unit at its end. */
@@ -196,7 +194,8 @@ public final class Texts {
       own = own.replaceFirst("(?<=[A-Za-z0-9])(?<!^m(?:ax|in))(?=[A-Z])(?i:" + suffix + ")$", "");
     }
     String spaced = own.replaceAll("([a-z0-9])([A-Z])", "$1 $2").toLowerCase(Locale.ROOT);
-    return spaced.isEmpty() ? name : capital(spaced);
+    String whole = spaced.replaceFirst("^(min|max) ", "$1imum ");
+    return whole.isEmpty() ? name : capital(whole);
   }
 
   /** A filter's name as words. */
@@ -228,7 +227,12 @@ public final class Texts {
     }
     String message = cause.getMessage();
     String text = message == null || message.isBlank() ? cause.getClass().getSimpleName() : message;
-    return text.lines().findFirst().orElse(text).replaceAll(" \\(--[^)]*\\)", "").strip();
+    return withoutOptions(text.lines().findFirst().orElse(text)).strip();
+  }
+
+  /** A message without options of the command line, which mean nothing in the window. */
+  public static String withoutOptions(String message) {
+    return message.replaceAll(" \\(--[^)]*\\)", "");
   }
 
   /** All that is known of what went wrong, for who reports it. */

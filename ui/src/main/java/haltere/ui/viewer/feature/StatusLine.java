@@ -151,9 +151,8 @@ public final class StatusLine extends HBox {
     frames.setText(playing ? Math.round(framesPerSecond) + " fps" : "");
     dropped.setText(
         Texts.count(status.droppedEvents())
-            + " lost, "
-            + Texts.count(conflatedFrames)
-            + " skipped in display");
+            + " lost"
+            + (playing ? ", " + Texts.count(conflatedFrames) + " skipped in display" : ""));
     showMessage();
   }
 

@@ -79,15 +79,11 @@ public record ViewerContext(
     sessions
         .sessionProperty()
         .subscribe(
-            (was, is) ->
-                is.ifPresent(
-                    made ->
-                        steps.execute(
-                            () ->
-                                sessions
-                                    .session()
-                                    .filter(shown -> shown == made)
-                                    .ifPresent(listener))));
+            (was, is) -> is.ifPresent(made -> steps.execute(() -> callWhileShown(made, listener))));
+  }
+
+  private void callWhileShown(ViewerSession made, Consumer<ViewerSession> listener) {
+    sessions.session().filter(shown -> shown == made).ifPresent(listener);
   }
 
   /** Works on what is open, if something is. */

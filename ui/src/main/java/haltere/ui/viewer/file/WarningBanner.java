@@ -88,11 +88,9 @@ final class WarningBanner extends VBox {
     open(false);
   }
 
-  /** Warnings of readers as sentences; options of the command line mean nothing here. */
+  /** Warnings of readers as sentences. */
   static List<String> sentences(List<String> lines) {
-    return lines.stream()
-        .map(line -> Texts.capital(line.replaceAll(" \\(--[^)]*\\)", "")))
-        .toList();
+    return lines.stream().map(Texts::withoutOptions).map(Texts::capital).toList();
   }
 
   private void open(boolean opened) {

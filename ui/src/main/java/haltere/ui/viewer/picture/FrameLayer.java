@@ -4,6 +4,7 @@ import haltere.core.event.Frame;
 import haltere.core.event.SensorGeometry;
 import haltere.ui.rendering.FramePictures;
 import java.awt.image.BufferedImage;
+import java.nio.ShortBuffer;
 import java.util.Arrays;
 
 /**
@@ -18,13 +19,27 @@ public final class FrameLayer {
 
   private static final int NONE = -1;
 
-  private Frame latest;
+  private volatile Frame latest;
   private boolean sought;
   private Frame shown;
   private int[] colours = {};
 
+  /**
+   * Bits of a grey value of 16 below the eight that are shown: 10 and 12 bits are stored in 16 too.
+   * It never falls, so that frames of a recording are equally bright.
+   */
+  private volatile int unseenBits = 2;
+
   /** The next frame of the stream. */
   synchronized void take(Frame frame) {
+    if (frame.depth() == Frame.Depth.UNSIGNED_16) {
+      ShortBuffer values = frame.rows().asShortBuffer();
+      int bits = 0;
+      while (values.hasRemaining()) {
+        bits |= values.get() & 0xFFFF;
+      }
+      unseenBits = Math.max(unseenBits, bits < 1 << 10 ? 2 : bits < 1 << 12 ? 4 : 8);
+    }
     latest = frame;
     sought = false;
   }
@@ -49,23 +64,19 @@ public final class FrameLayer {
     return wanted;
   }
 
-  private synchronized Frame latest() {
-    return latest;
-  }
-
   /**
    * Puts the frame below events that have been painted: colours with their ranks, row by row from
    * the top, are changed where the background stands for no event; of the frame so much is seen as
    * the opacity, 0 to 1.
    */
   void paintUnder(int[] ranked, SensorGeometry geometry, int background, double opacity) {
-    Frame now = latest();
+    Frame now = latest;
     if (now == null || opacity == 0) {
       return;
     }
     if (now != shown) {
       shown = now;
-      colours = colours(now, geometry, colours);
+      colours = colours(now, geometry);
     }
     int scale = (int) Math.round(opacity * 256);
     for (int i = 0; i < geometry.pixels(); i++) {
@@ -96,31 +107,23 @@ public final class FrameLayer {
   }
 
   /** The colour of each pixel of the sensor, row by row from the top. */
-  private static int[] colours(Frame frame, SensorGeometry geometry, int[] old) {
-    int[] colours = old.length == geometry.pixels() ? old : new int[geometry.pixels()];
-    Arrays.fill(colours, NONE);
+  private int[] colours(Frame frame, SensorGeometry geometry) {
+    int[] painted = colours.length == geometry.pixels() ? colours : new int[geometry.pixels()];
+    Arrays.fill(painted, NONE);
     BufferedImage picture = FramePictures.draw(frame);
-    int grey = frame.channels() < 3 && frame.depth().bytes() > 1 ? unseenBits(picture) : 0;
+    int grey =
+        frame.depth() == Frame.Depth.UNSIGNED_16 ? unseenBits : frame.depth().bytes() > 1 ? 8 : 0;
     for (int row = 0; row < frame.height(); row++) {
       int y = frame.bottom() + frame.height() - 1 - row;
       for (int column = 0; column < frame.width(); column++) {
         int x = frame.left() + column;
         if (geometry.contains(x, y)) {
           int at = (geometry.height() - 1 - y) * geometry.width() + x;
-          colours[at] = colour(picture, column, row, frame.channels(), grey);
+          painted[at] = colour(picture, column, row, frame.channels(), grey);
         }
       }
     }
-    return colours;
-  }
-
-  /** Bits of a value below the eight that are shown: 10 and 12 bits are stored in 16 too. */
-  private static int unseenBits(BufferedImage picture) {
-    int width = picture.getWidth();
-    int[] values =
-        picture.getRaster().getSamples(0, 0, width, picture.getHeight(), 0, (int[]) null);
-    int max = Arrays.stream(values).max().orElse(0);
-    return max < 1 << 10 ? 2 : max < 1 << 12 ? 4 : 8;
+    return painted;
   }
 
   private static int colour(BufferedImage picture, int x, int y, int channels, int shift) {

@@ -38,15 +38,15 @@ final class PassedEvents {
     isHeld = true;
   }
 
-  /** Percentage that the chain removed; empty if too few events came. */
+  /** Percentage that the chain removed, 0 of a held slice without events; empty if too few came. */
   synchronized OptionalInt takePercentHidden() {
     long in = isHeld ? lastBefore : playedBefore;
     long out = isHeld ? lastAfter : playedAfter;
-    if (in < (isHeld ? 1 : MIN_EVENTS)) {
+    if (!isHeld && in < MIN_EVENTS) {
       return OptionalInt.empty();
     }
     playedBefore = 0;
     playedAfter = 0;
-    return OptionalInt.of((int) Math.round(100.0 * Math.max(0, in - out) / in));
+    return OptionalInt.of((int) Math.round(100.0 * Math.max(0, in - out) / Math.max(1, in)));
   }
 }

@@ -93,6 +93,7 @@ public final class PlotPanel extends BorderPane {
     setTop(head);
     setCenter(new VBox(empty, lanesView, axis));
     setMinHeight(120);
+    layoutBoundsProperty().subscribe(bounds -> dirty = true);
     offer(List.of());
     showSpan();
     editor.onChange(this::followChain);
@@ -248,8 +249,7 @@ public final class PlotPanel extends BorderPane {
   /** Shows so much later times. */
   void scroll(double share) {
     window.scroll(Math.round(share * window.spanUs()));
-    follow.setSelected(window.isFollowing());
-    dirty = true;
+    setFollowing(false);
   }
 
   /** Takes playback to a place. */
@@ -282,7 +282,7 @@ public final class PlotPanel extends BorderPane {
       followChain();
       offersInertial = true;
     }
-    boolean came = feeds.drainTo(plotted);
+    dirty |= feeds.drainTo(plotted);
     // during a run-up there is no time that is shown
     if (nowUs != status.timeUs() && status.timeUs() != StreamNotification.NO_TIME_US) {
       if (status.timeUs() < nowUs) {
@@ -291,7 +291,7 @@ public final class PlotPanel extends BorderPane {
       }
       nowUs = status.timeUs();
       startUs = status.timeUs() - status.elapsedUs();
-      came = true;
+      dirty = true;
       for (Lane lane : plotted) {
         if (lane.has(PlotField.EVENT_RATE)) {
           lane.take(PlotField.EVENT_RATE, nowUs, "", status.eventRateEps());
@@ -299,23 +299,20 @@ public final class PlotPanel extends BorderPane {
       }
     }
     window.advanceTo(nowUs);
-    if ((came || dirty) && isVisible() && nanos - drawnNanos >= FRAME_NANOS) {
+    if (dirty && isVisible() && nanos - drawnNanos >= FRAME_NANOS) {
       drawnNanos = nanos;
-      dirty = false;
+      // in a pause no later picture would show the newest values
+      dirty = nanos - valuesNanos < VALUES_NANOS;
       draw(nanos);
     }
   }
 
   private void draw(long nanos) {
-    for (PlotLane lane : lanes) {
-      lane.draw(ink, nowUs, startUs);
-    }
+    lanes.forEach(lane -> lane.draw(ink, nowUs, startUs));
     axis.draw(ink, startUs);
     if (nanos - valuesNanos >= VALUES_NANOS) {
       valuesNanos = nanos;
-      for (PlotLane lane : lanes) {
-        lane.showValues(pointed, ink);
-      }
+      lanes.forEach(lane -> lane.showValues(pointed, ink));
       long gone = feeds.lost();
       lost.setText(gone == 0 ? "" : Texts.count(gone) + " values came too fast to be plotted");
     }

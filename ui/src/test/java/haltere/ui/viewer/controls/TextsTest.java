@@ -59,10 +59,10 @@ class TextsTest {
 
   @Test
   void labelsAreTermsWithoutTheUnitThatStandsBehindThem() {
-    assertEquals("Min speed", Texts.words("life.minSpeedPxS", "px/s"));
+    assertEquals("Minimum speed", Texts.words("life.minSpeedPxS", "px/s"));
     assertEquals("Hinge", Texts.words("noise.hingePx2PerS", "px^2/s"));
     assertEquals("Body offset x", Texts.words("position.bodyOffsetXPx", "px"));
-    assertEquals("Max clusters", Texts.words("output.maxClusters", "clusters"));
+    assertEquals("Maximum clusters", Texts.words("output.maxClusters", "clusters"));
     assertEquals("Aspect ratio", Texts.words("shape.aspectRatio", "1"));
   }
 }

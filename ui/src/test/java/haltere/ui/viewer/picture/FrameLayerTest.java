@@ -47,6 +47,30 @@ class FrameLayerTest {
         painted(BACKGROUND, EVENT, BACKGROUND, EVENT));
   }
 
+  /** One row of two grey pixels of 16 bits at the lower edge of the sensor. */
+  private static Frame deepRow(int left, int right) {
+    byte[] rows = {(byte) left, (byte) (left >> 8), (byte) right, (byte) (right >> 8)};
+    return new Frame(new Frame.Times(1, 2), 0, 0, 2, 1, 1, Frame.Depth.UNSIGNED_16, rows);
+  }
+
+  private int[] lowerRow() {
+    int[] pixels = painted(BACKGROUND, BACKGROUND, BACKGROUND, BACKGROUND);
+    return new int[] {pixels[2] & 0xFF, pixels[3] & 0xFF};
+  }
+
+  @Test
+  void framesOfMoreThanEightBitsKeepTheirScale() {
+    layer.take(deepRow(0x200, 0x3FF));
+    assertArrayEquals(new int[] {0x80, 0xFF}, lowerRow(), "10 bits in 16");
+    layer.take(deepRow(0x200, 0xFFFF));
+    assertArrayEquals(new int[] {0x02, 0xFF}, lowerRow(), "16 bits");
+    layer.take(deepRow(0x200, 0x3FF));
+    assertArrayEquals(new int[] {0x02, 0x03}, lowerRow(), "a dark frame of 16 bits");
+    layer.jump();
+    layer.give(deepRow(0x200, 0x3FF));
+    assertArrayEquals(new int[] {0x02, 0x03}, lowerRow(), "after a jump");
+  }
+
   @Test
   void opacityMixesTheFrameWithTheBackground() {
     opacity = 0.5;

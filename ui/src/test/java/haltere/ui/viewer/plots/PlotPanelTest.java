@@ -5,7 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.format.ReadOptions;
+import haltere.core.playback.PlayerStatus;
+import haltere.core.playback.PlayerStatus.State;
 import haltere.ui.plot.Curve;
+import haltere.ui.plot.InertialFeed;
 import haltere.ui.plot.Lane;
 import haltere.ui.plot.PlotField;
 import haltere.ui.plot.PlotSet;
@@ -131,6 +134,31 @@ class PlotPanelTest {
         viewer.onFx(
             () -> plots().lookupAll(".plot-note").stream().map(Node::isVisible).sorted().toList());
     assertEquals(List.of(false, true), notes);
+  }
+
+  private static PlayerStatus paused(long timeUs, double rateEps) {
+    return new PlayerStatus(
+        State.PAUSED, timeUs, timeUs, 1, 1, 1, 0, "", 0, 0, 0, rateEps, 0, 1, 0, "");
+  }
+
+  @Test
+  void whatComesLastBeforeAPauseIsDrawn() {
+    viewer = ViewerHarness.withBlob();
+    plot(PlotField.EVENT_RATE);
+    viewer.waitFor("the lane", () -> plots().lookup(".plot-lane") != null);
+    viewer.run(
+        () -> {
+          // within one pulse, so that the window's own updates do not count
+          long nanos = System.nanoTime() + 1_000_000_000;
+          plots().startAnew(new InertialFeed());
+          plots().update(paused(1_000_000, 111), nanos);
+          plots().update(paused(1_000_100, 222), nanos + 1_000_000);
+          plots().update(paused(1_000_100, 222), nanos + 40_000_000);
+          plots().update(paused(1_000_100, 222), nanos + 200_000_000);
+          List<String> values =
+              plots().lookupAll(".label").stream().map(label -> ((Label) label).getText()).toList();
+          assertTrue(values.stream().anyMatch(text -> text.contains("222")), values.toString());
+        });
   }
 
   private boolean hasCurve(PlotInk ink) {

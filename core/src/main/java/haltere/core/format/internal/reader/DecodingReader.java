@@ -61,6 +61,9 @@ public final class DecodingReader implements RecordingReader {
   private boolean sought;
   private TimeIndex index;
 
+  /** Stretch of the samples of a recording without events; null until it is asked for. */
+  private List<TimeSegment> sampleSegments;
+
   /** Null if only events are wanted. */
   private SampleOrder order;
 
@@ -254,10 +257,7 @@ public final class DecodingReader implements RecordingReader {
     }
     SampleCounts counts = SampleCounts.NONE;
     try (SampleCursor counter = samples.get().open(new ViolationCounts())) {
-      while (counter.next(Long.MAX_VALUE) == SampleCursor.Step.SAMPLE) {
-        if (Thread.currentThread().isInterrupted()) {
-          throw new InterruptedIOException("interrupted while reading " + file.path());
-        }
+      while (nextSample(counter)) {
         counts = counts.plus(counter.sample().kind());
       }
     }
@@ -271,7 +271,30 @@ public final class DecodingReader implements RecordingReader {
 
   @Override
   public List<TimeSegment> segments() throws IOException {
-    return index().segments();
+    List<TimeSegment> ofEvents = index().segments();
+    return ofEvents.isEmpty() && order != null ? sampleSegments() : ofEvents;
+  }
+
+  private List<TimeSegment> sampleSegments() throws IOException {
+    if (sampleSegments == null) {
+      long firstUs = Long.MAX_VALUE;
+      long lastUs = Long.MIN_VALUE;
+      try (SampleCursor other = samples.orElseThrow().open(new ViolationCounts())) {
+        while (nextSample(other)) {
+          firstUs = Math.min(firstUs, other.sample().timeUs());
+          lastUs = Math.max(lastUs, other.sample().timeUs());
+        }
+      }
+      sampleSegments = firstUs > lastUs ? List.of() : List.of(new TimeSegment(firstUs, lastUs));
+    }
+    return sampleSegments;
+  }
+
+  private boolean nextSample(SampleCursor from) throws IOException {
+    if (Thread.currentThread().isInterrupted()) {
+      throw new InterruptedIOException("interrupted while reading " + file.path());
+    }
+    return from.next(Long.MAX_VALUE) == SampleCursor.Step.SAMPLE;
   }
 
   private TimeIndex index() throws IOException {
@@ -284,6 +307,7 @@ public final class DecodingReader implements RecordingReader {
   @Override
   public void seek(int segment, long timeUs) throws IOException {
     List<TimeSegment> segments = index().segments();
+    // without segments of events the only one is that of the samples
     int wanted = segments.isEmpty() ? 0 : Objects.checkIndex(segment, segments.size());
     if (state == State.ENDED) {
       state = State.BEFORE_START;
