@@ -27,6 +27,7 @@ import java.util.stream.Collectors;
 import javafx.geometry.Bounds;
 import javafx.geometry.Dimension2D;
 import javafx.scene.Node;
+import javafx.scene.control.ChoiceBox;
 import javafx.scene.Parent;
 import javafx.scene.control.Label;
 import javafx.scene.control.Menu;
@@ -233,7 +234,8 @@ class CompareTest {
     viewer.openRecording(Recorded.file("dvs128-moving-dark-box.aedat"));
     viewer.run(() -> viewer.window.context().actions().run("compare"));
     viewer.run(() -> viewer.window.context().actions().run("show-plots"));
-    viewer.waitFor("the banner", () -> viewer.isThere("warnings"));
+    ChoiceBox<?> cameras = viewer.node("camera-choice", ChoiceBox.class);
+    viewer.waitFor("the banner of the whole file", () -> !cameras.getItems().isEmpty());
     viewer.waitFor("a second picture", () -> viewer.isThere("second-event-view"));
     EventView first = viewer.node("event-view", EventView.class);
     EventView second = viewer.node("second-event-view", EventView.class);
