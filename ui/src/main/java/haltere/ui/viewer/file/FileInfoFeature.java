@@ -8,6 +8,7 @@ import haltere.ui.viewer.session.RecordingFacts;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -29,6 +30,7 @@ public final class FileInfoFeature implements ViewerFeature {
   }
 
   private void begin(ViewerSession made) {
+    banner.show(List.of(), Optional.empty());
     banner.show(made.remarks(), Optional.empty());
     panel.say(
         made.request().file().isPresent()

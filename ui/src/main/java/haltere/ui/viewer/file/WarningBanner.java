@@ -77,11 +77,12 @@ final class WarningBanner extends VBox {
 
   /**
    * Says what a user should know of a file, a line each, and the sensor that was guessed, if the
-   * file does not name it; no line hides the banner.
+   * file does not name it; no line hides the banner. Warnings that were dismissed stay so.
    */
   void show(List<String> newWarnings, Optional<SensorGeometry> guess) {
+    boolean isNews = isVisible() || guess.isPresent() || !warnings.equals(sentences(newWarnings));
     warnings = sentences(newWarnings);
-    Controls.show(!warnings.isEmpty(), this);
+    Controls.show(!warnings.isEmpty() && isNews, this);
     all.getChildren().setAll(warnings.stream().map(Controls::paragraph).toList());
     Controls.show(guess.isPresent(), question);
     guess.ifPresent(this::offer);
