@@ -46,7 +46,7 @@ final class BagOpening {
    *
    * @param formatName the container's name
    * @param file the bag
-   * @param options of the user
+   * @param options the user's options
    * @param topics those that are known, and where walks add those that they come across
    * @param walks through its messages
    */

@@ -93,7 +93,7 @@ final class EventArrayDecoder extends MessageDecoder {
     return take(out, timeUs, x, row, data[at + seconds + 8] == 0 ? 0 : 1, offset);
   }
 
-  /** Decodes events as long as nothing is odd about them; if something is, none. */
+  /** Decodes events if all are regular; otherwise none. */
   private boolean decodeRun(
       byte[] data, int from, int events, int stride, int pixel, int seconds, EventPacket out) {
     if (times.lastUs() == StreamNotification.NO_TIME_US) {

@@ -17,7 +17,7 @@ import java.util.Set;
 
 /** MCAP files with messages of ROS 1 or ROS 2: read; written as bags of ROS 2. */
 public final class McapFormat implements RecordingFormat {
-  /** For the service loader. */
+  /** Called by the service loader. */
   public McapFormat() {}
 
   @Override

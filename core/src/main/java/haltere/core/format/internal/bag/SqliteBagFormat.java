@@ -23,7 +23,7 @@ public final class SqliteBagFormat implements ReadOnlyFormat {
   private static final int SCHEMA_ROOT = 1;
   private static final int MAX_ROWS = 1 << 16;
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public SqliteBagFormat() {}
 
   @Override

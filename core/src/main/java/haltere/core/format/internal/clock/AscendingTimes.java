@@ -9,7 +9,7 @@ import haltere.core.stream.StreamNotification;
  * <p>Thread rule: one thread.
  */
 public final class AscendingTimes extends EventTimes {
-  /** Numbers that {@link #save} needs. */
+  /** Number of values that {@link #save} writes. */
   public static final int STATE_LONGS = 1;
 
   private long lastUs = StreamNotification.NO_TIME_US;

@@ -21,7 +21,7 @@ public abstract sealed class EventTimes permits AscendingTimes, WrappingTimes {
   public abstract long lastUs();
 
   /**
-   * How many numbers {@link #save} needs.
+   * Number of values that {@link #save} writes.
    *
    * @return at least 1
    */
@@ -30,7 +30,7 @@ public abstract sealed class EventTimes permits AscendingTimes, WrappingTimes {
   /**
    * Notes the place in time.
    *
-   * @param state receives {@link #stateLongs()} numbers
+   * @param state receives {@link #stateLongs()} values
    * @param at index of the first of them
    */
   public abstract void save(long[] state, int at);
@@ -38,7 +38,7 @@ public abstract sealed class EventTimes permits AscendingTimes, WrappingTimes {
   /**
    * Goes to a place that was noted.
    *
-   * @param state has the numbers
+   * @param state the values
    * @param at index of the first of them
    */
   public abstract void restore(long[] state, int at);

@@ -8,7 +8,7 @@ import haltere.core.stream.StreamNotification;
  * <p>Thread rule: one thread.
  */
 public final class WrappingTimes extends EventTimes {
-  /** Numbers that {@link #save} needs. */
+  /** Number of values that {@link #save} writes. */
   public static final int STATE_LONGS = 2;
 
   private final WrappingClock clock;

@@ -84,7 +84,7 @@ public final class FileWindow implements ByteSource {
   }
 
   /**
-   * Where the bytes end that are there.
+   * End of the available bytes.
    *
    * @return index in {@link #bytes()}
    */

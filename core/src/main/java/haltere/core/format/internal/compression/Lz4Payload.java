@@ -29,7 +29,7 @@ public final class Lz4Payload extends Payload {
   private byte[] sequence = new byte[0];
 
   /**
-   * A payload that is not opened yet.
+   * A payload, not yet opened.
    *
    * @param window over the file
    */

@@ -5,8 +5,8 @@ import java.io.IOException;
 
 /**
  * A stretch of a file that may be compressed, decompressed piece by piece, so that memory is
- * bounded whatever its size. The bytes that are there and not yet used lie in {@link #data} from
- * {@link #from} to {@link #to}.
+ * bounded for any size. The available unused bytes are in {@link #data} from {@link #from} to
+ * {@link #to}.
  *
  * <p>Thread rule: one thread.
  */
@@ -61,7 +61,7 @@ public abstract class Payload implements Closeable {
   }
 
   /**
-   * Where the bytes end that are there.
+   * End of the available bytes.
    *
    * @return index in {@link #data()}
    */
@@ -79,7 +79,7 @@ public abstract class Payload implements Closeable {
   }
 
   /**
-   * Gets at least so many bytes together, or all that there are.
+   * Makes a number of bytes available, or all that remain.
    *
    * @param bytes how many, few enough for memory
    * @return true if there are as many

@@ -9,7 +9,7 @@ public final class StoredPayload extends Payload {
   private long end;
 
   /**
-   * A payload that is not opened yet.
+   * A payload, not yet opened.
    *
    * @param window over the file
    */

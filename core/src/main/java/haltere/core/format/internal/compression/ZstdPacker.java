@@ -22,7 +22,7 @@ public final class ZstdPacker implements Closeable {
   }
 
   /**
-   * Bytes that compressed bytes need at the worst.
+   * Upper bound of the compressed size.
    *
    * @param bytes how many are compressed
    * @return bytes

@@ -34,7 +34,7 @@ import java.util.Set;
 public final class CsvFormat implements StreamedFormat {
   private static final int MAX_SIDE = 1 << 15;
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public CsvFormat() {}
 
   @Override

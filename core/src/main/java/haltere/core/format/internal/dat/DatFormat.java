@@ -48,7 +48,7 @@ public final class DatFormat implements StreamedFormat {
           new SensorGeometry(640, 480, Origin.TOP),
           new SensorGeometry(1280, 720, Origin.TOP));
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public DatFormat() {}
 
   @Override

@@ -86,9 +86,9 @@ public interface EventCursor extends Closeable {
   }
 
   /**
-   * What the times count from.
+   * Origin and wrap period of the times.
    *
-   * @return facts of the format
+   * @return the clock of the format
    */
   RecordingClock clock();
 
@@ -121,7 +121,7 @@ public interface EventCursor extends Closeable {
   Stop read(EventPacket out, int maxEvents) throws IOException;
 
   /**
-   * Where it is in time, and how to go on where the clock goes back.
+   * The current time, and the handling of a clock that goes back.
    *
    * @return always the same object, which changes
    */
@@ -144,7 +144,7 @@ public interface EventCursor extends Closeable {
   }
 
   /**
-   * How many numbers {@link #save} needs.
+   * Number of values that {@link #save} writes.
    *
    * @return at least 1
    */
@@ -153,7 +153,7 @@ public interface EventCursor extends Closeable {
   /**
    * Notes the place and all that is needed to go on there.
    *
-   * @param state receives {@link #stateLongs()} numbers
+   * @param state receives {@link #stateLongs()} values
    * @param at index of the first of them
    */
   void save(long[] state, int at);
@@ -161,7 +161,7 @@ public interface EventCursor extends Closeable {
   /**
    * Goes to a place that was noted, as if all before had just been read.
    *
-   * @param state has the numbers
+   * @param state the values
    * @param at index of the first of them
    * @throws IOException if the file can no longer be read
    */

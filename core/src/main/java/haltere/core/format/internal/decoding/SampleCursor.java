@@ -65,7 +65,7 @@ public interface SampleCursor extends Closeable {
    * Goes to a place that the {@link EventCursor} of the same recording noted. A sample that is only
    * half before the place is left out.
    *
-   * @param state has the numbers that it noted
+   * @param state the values that it noted
    * @param at index of the first of them
    * @throws IOException if the file can no longer be read
    */

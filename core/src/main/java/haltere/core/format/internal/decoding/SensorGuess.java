@@ -73,7 +73,7 @@ public final class SensorGuess {
    * top.
    *
    * @param stated origin in the file
-   * @param options of the user
+   * @param options the user's options
    * @param remarks receives a note if it is not stated
    * @return one of the two
    */

@@ -14,9 +14,9 @@ import java.nio.ByteBuffer;
  */
 public interface StreamDecoder {
   /**
-   * What the times count from.
+   * Origin and wrap period of the times.
    *
-   * @return facts of the format
+   * @return the clock of the format
    */
   RecordingClock clock();
 
@@ -58,14 +58,14 @@ public interface StreamDecoder {
   }
 
   /**
-   * Where it is in time, and how to go on where the clock goes back.
+   * The current time, and the handling of a clock that goes back.
    *
    * @return always the same object, which changes
    */
   EventTimes times();
 
   /**
-   * How many numbers {@link #save} needs. By default, the state of a decoder is its time.
+   * Number of values that {@link #save} writes. By default, the state of a decoder is its time.
    *
    * @return at least 1
    */
@@ -76,7 +76,7 @@ public interface StreamDecoder {
   /**
    * Notes the state between two calls of {@link #decode}.
    *
-   * @param state receives {@link #stateLongs()} numbers
+   * @param state receives {@link #stateLongs()} values
    * @param at index of the first of them
    */
   default void save(long[] state, int at) {
@@ -86,7 +86,7 @@ public interface StreamDecoder {
   /**
    * Puts a state back.
    *
-   * @param state has the numbers
+   * @param state the values
    * @param at index of the first of them
    */
   default void restore(long[] state, int at) {

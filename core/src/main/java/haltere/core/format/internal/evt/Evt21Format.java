@@ -22,7 +22,7 @@ public final class Evt21Format extends EvtFormat {
 
   private final boolean legacy;
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public Evt21Format() {
     this(false);
   }

@@ -13,7 +13,7 @@ import java.util.Set;
 
 /** Prophesee RAW in the encoding EVT3, what is written to files that end in {@code .raw}. */
 public final class Evt3Format extends EvtFormat {
-  /** For the service loader. */
+  /** Called by the service loader. */
   public Evt3Format() {}
 
   @Override

@@ -27,7 +27,7 @@ import java.util.Set;
 public final class Hdf5Format implements RecordingFormat {
   private static final int MAX_SIDE = 1 << 15;
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public Hdf5Format() {}
 
   @Override

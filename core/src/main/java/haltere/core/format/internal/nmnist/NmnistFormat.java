@@ -39,7 +39,7 @@ public final class NmnistFormat implements ReadOnlyFormat {
           new SensorGeometry(240, 180, Origin.TOP),
           new SensorGeometry(256, 256, Origin.TOP));
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public NmnistFormat() {}
 
   @Override
