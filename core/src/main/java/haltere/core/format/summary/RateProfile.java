@@ -43,7 +43,7 @@ public final class RateProfile {
     }
     Collector scan = new Collector(reader.segments(), bins);
     while (reader.next(scan)) {
-      // beside a window that is to answer meanwhile
+      // keeps the user interface responsive
       Thread.yield();
       if (Thread.currentThread().isInterrupted()) {
         throw new InterruptedIOException("interrupted while reading " + reader.path());

@@ -115,7 +115,7 @@ final class SamplePackets {
     }
   }
 
-  /** Triggers whose number of the input could not be written. */
+  /** Number of triggers whose input number could not be written. */
   long channelsLost() {
     return channelsLost;
   }
@@ -195,7 +195,7 @@ final class SamplePackets {
     private final int first;
     private final int stride;
 
-    /** The offsets are those of the fields in a table of a size; the first one has 8 bytes. */
+    /** The offsets are those of the fields in a table; the first field has 8 bytes. */
     VectorPayload(String type, int elements, int stride, int size, int... offsets) {
       this.stride = stride;
       int layout = 28;

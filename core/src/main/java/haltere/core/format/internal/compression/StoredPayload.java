@@ -2,7 +2,7 @@ package haltere.core.format.internal.compression;
 
 import java.io.IOException;
 
-/** A payload that is not compressed: it is used where the file's window holds it. */
+/** An uncompressed payload, used in the file's window without copying. */
 public final class StoredPayload extends Payload {
   private final FileWindow window;
   private long next;

@@ -231,7 +231,7 @@ final class CsvRow {
         return exact.scaleByPowerOfTen(scale).setScale(0, RoundingMode.HALF_UP).longValueExact();
       }
     } catch (ArithmeticException | NumberFormatException ignored) {
-      // Told below.
+      // reported below
     }
     invalid = true;
     return Long.MIN_VALUE;

@@ -68,7 +68,7 @@ final class DatDecoder implements StreamDecoder {
   /**
    * A decoder before the first record.
    *
-   * @param geometry the sensor; events outside are left out
+   * @param geometry the sensor; events outside are skipped
    * @param layout of the records
    * @param firstTurnUs offset of the file's times before the first wrap
    * @param violations counts violations
@@ -122,7 +122,7 @@ final class DatDecoder implements StreamDecoder {
     return true;
   }
 
-  /** Numbers of one width and no branch: the compiler does several records at once. */
+  /** One integer width and no branch, so that the compiler vectorises the loop. */
   private void prepare(int count, long turnUs, long[] timesUs, int size) {
     long[] records = stage;
     long[] wide = wideAddresses;
@@ -159,7 +159,7 @@ final class DatDecoder implements StreamDecoder {
     return (odd & (BELOW_ZERO | HALF_A_TURN)) == 0;
   }
 
-  /** Record by record; returns how many were dealt with before the clock went back. */
+  /** Decodes single records; returns their number before the clock went back. */
   private int decodeSingly(ByteBuffer in, int position, int records, long offset, EventPacket out) {
     for (int i = 0; i < records; i++) {
       int from = position + i * RECORD_BYTES;

@@ -36,7 +36,7 @@ public final class DatFormat implements StreamedFormat {
   static final int CD = 0x0c;
   private static final int EVENT_2D = 0x00;
 
-  /** Key of our own header line: time at which the first turn of the clock begins. */
+  /** Key of Haltere's header line: time at which the first turn of the clock begins. */
   static final String TIME_BASE = "haltere_time_base_us";
 
   static final long MAX_BASE_US = 1L << 61;
@@ -152,7 +152,7 @@ public final class DatFormat implements StreamedFormat {
         return baseUs;
       }
     } catch (NumberFormatException ignored) {
-      // Told below.
+      // reported below
     }
     remarks.add("the header line " + TIME_BASE + " is impossible and is ignored");
     return 0;

@@ -54,7 +54,7 @@ final class EventStreamDecoder implements StreamDecoder {
    * A decoder before the first byte behind the header.
    *
    * @param kind of the events
-   * @param geometry the sensor; events outside are left out
+   * @param geometry the sensor; events outside are skipped
    * @param violations counts violations
    */
   public EventStreamDecoder(Kind kind, SensorGeometry geometry, ViolationCounts violations) {

@@ -25,7 +25,7 @@ final class Evt21Decoder extends EvtDecoder {
   /** Words that are processed together. */
   private static final int STAGE_WORDS = 512;
 
-  /** Words on their way; an array is read faster than a buffer. */
+  /** Copied words; an array is read faster than a buffer. */
   private final long[] stage = new long[STAGE_WORDS];
 
   /** Addresses of the first pixels of the staged words; negative where a word needs care. */
@@ -36,7 +36,7 @@ final class Evt21Decoder extends EvtDecoder {
   /**
    * A decoder before the first word.
    *
-   * @param geometry the sensor; events outside are left out
+   * @param geometry the sensor; events outside are skipped
    * @param firstTurnUs time at which the first turn of the clock begins, 0 for cameras
    * @param legacy whether the halves of the words are swapped
    * @param violations counts violations
@@ -89,7 +89,7 @@ final class Evt21Decoder extends EvtDecoder {
     }
   }
 
-  /** Numbers of one width and no branch: the compiler does several words at once. */
+  /** One integer width and no branch, so that the compiler vectorises the loop. */
   private void prepare(int count) {
     long[] words = stage;
     long[] first = firstPixels;
@@ -105,7 +105,7 @@ final class Evt21Decoder extends EvtDecoder {
     }
   }
 
-  /** Decodes words of the stage until the packet is full; returns how many. */
+  /** Decodes words of the stage until the packet is full; returns their number. */
   private int decodeStage(int count, long offset, EventPacket out, int maxEvents) {
     int at = 0;
     while (at < count && out.size() < maxEvents && !times.restarted()) {

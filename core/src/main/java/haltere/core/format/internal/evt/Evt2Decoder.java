@@ -20,13 +20,13 @@ final class Evt2Decoder extends EvtDecoder {
   /** Words that are processed together. */
   private static final int STAGE_WORDS = 1024;
 
-  /** Words on their way; an array is read faster than a buffer. */
+  /** Copied words; an array is read faster than a buffer. */
   private final int[] stage = new int[STAGE_WORDS];
 
   /**
    * A decoder before the first word.
    *
-   * @param geometry the sensor; events outside are left out
+   * @param geometry the sensor; events outside are skipped
    * @param firstTurnUs time at which the first turn of the clock begins, 0 for cameras
    * @param violations counts violations
    */
@@ -49,7 +49,7 @@ final class Evt2Decoder extends EvtDecoder {
     return times.restarted();
   }
 
-  /** Decodes words of the stage until the packet is full; returns how many. */
+  /** Decodes words of the stage until the packet is full; returns their number. */
   private int decodeStage(int count, long offset, EventPacket out, int maxEvents) {
     int at = 0;
     while (at < count && out.size() < maxEvents && !times.restarted()) {

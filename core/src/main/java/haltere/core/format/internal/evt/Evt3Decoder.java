@@ -96,7 +96,7 @@ public final class Evt3Decoder extends EvtDecoder {
   /**
    * A decoder before the first word.
    *
-   * @param geometry the sensor; events outside are left out
+   * @param geometry the sensor; events outside are skipped
    * @param firstTurnUs time at which the first turn of the clock begins, 0 for cameras
    * @param violations counts violations
    */

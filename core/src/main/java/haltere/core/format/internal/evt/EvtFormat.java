@@ -27,7 +27,7 @@ import java.util.Set;
 /** What the three encodings of Prophesee's RAW files have in common. */
 abstract sealed class EvtFormat implements StreamedFormat
     permits Evt2Format, Evt21Format, Evt3Format {
-  /** Key of our own header line: time at which the first turn of the clock begins. */
+  /** Key of Haltere's header line: time at which the first turn of the clock begins. */
   static final String TIME_BASE = "haltere_time_base_us";
 
   static final long MAX_BASE_US = 1L << 61;
@@ -141,7 +141,7 @@ abstract sealed class EvtFormat implements StreamedFormat
         return baseUs;
       }
     } catch (NumberFormatException ignored) {
-      // Told below.
+      // reported below
     }
     remarks.add("the header line " + TIME_BASE + " is impossible and is ignored");
     return 0;

@@ -2,11 +2,11 @@
  * Prophesee RAW: a text header, then words of EVT2, EVT2.1 or EVT3 without any frame,
  * little-endian.
  *
- * <p><b>What a time means.</b> Microseconds of the camera's clock, as the words say it: nothing is
- * subtracted, so a recording begins at whatever the clock stood at (OpenEB can shift times to begin
- * near 0; evt3, evutils, expelliarmus and faery do not). The words give the clock in two parts; the
- * high part comes in words of its own. EVT2 and EVT2.1 hold 34 bits, a turn of 4 h 46 min, EVT3 24
- * bits, a turn of 16.8 s; decoders count the turns ({@code EvtClock}).
+ * <p><b>Times.</b> Microseconds of the camera's clock, as the words say it: nothing is subtracted,
+ * so a recording begins at whatever the clock stood at (OpenEB can shift times to begin near 0;
+ * evt3, evutils, expelliarmus and faery do not). The words give the clock in two parts; the high
+ * part comes in words of its own. EVT2 and EVT2.1 hold 34 bits, a turn of 4 h 46 min, EVT3 24 bits,
+ * a turn of 16.8 s; decoders count the turns ({@code EvtClock}).
  *
  * <p><b>Wraps and restarts.</b> A high part that falls by half of its range or more (EVT3), or from
  * the last second of the range to the first (EVT2, EVT2.1), is a new turn. Any other fall makes

@@ -4,9 +4,9 @@
  * of elements with such names), what eventcv, evutils and others lay out likewise, and tables of
  * four columns.
  *
- * <p><b>What a time means.</b> Whatever the writer meant, plus {@code t_offset} where there is one.
- * An attribute {@code timestamp_scale_ms} or a name such as {@code t_ns} tells the unit; without
- * one, times with decimals are seconds, whole numbers microseconds, and whole numbers of 18 digits
+ * <p><b>Times.</b> Whatever the writer meant, plus {@code t_offset} where there is one. An
+ * attribute {@code timestamp_scale_ms} or a name such as {@code t_ns} tells the unit; without one,
+ * times with decimals are seconds, whole numbers microseconds, and whole numbers of 18 digits
  * nanoseconds. There are no wraps; a time that goes back starts a new segment.
  *
  * <p><b>Pixels.</b> Rows are taken to count from the top unless {@code rows_up}, which only our own

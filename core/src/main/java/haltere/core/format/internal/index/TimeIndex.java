@@ -60,7 +60,7 @@ public final class TimeIndex {
         throw new InterruptedIOException("interrupted while indexing " + path);
       }
       if (eventsInARow >= SCAN_EVENTS) {
-        // beside a window that is to answer meanwhile
+        // keeps the user interface responsive
         Thread.yield();
         eventsInARow = 0;
       }

@@ -38,7 +38,7 @@ final class NmnistDecoder implements StreamDecoder {
   /**
    * A decoder before the first record.
    *
-   * @param geometry the sensor; events outside are left out
+   * @param geometry the sensor; events outside are skipped
    * @param violations counts violations
    */
   public NmnistDecoder(SensorGeometry geometry, ViolationCounts violations) {

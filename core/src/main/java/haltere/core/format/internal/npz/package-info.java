@@ -1,10 +1,10 @@
 /**
  * NumPy: events as arrays, in a zip file ({@code .npz}) or alone ({@code .npy}).
  *
- * <p><b>What a time means.</b> Whatever the writer of the arrays meant. A name such as {@code t_us}
- * or {@code timestamp_ns} tells the unit; without one, times with decimals are seconds, whole
- * numbers microseconds, and whole numbers of 18 digits nanoseconds. 32-bit floating-point times are
- * no more exact than they are. There are no wraps; a time that goes back starts a new segment.
+ * <p><b>Times.</b> Whatever the writer of the arrays meant. A name such as {@code t_us} or {@code
+ * timestamp_ns} tells the unit; without one, times with decimals are seconds, whole numbers
+ * microseconds, and whole numbers of 18 digits nanoseconds. 32-bit floating-point times are no more
+ * exact than they are. There are no wraps; a time that goes back starts a new segment.
  *
  * <p><b>Which arrays.</b> Lists named as columns of events are ({@code t}, {@code x}, {@code y},
  * {@code p} and their like), side by side, or the fields of one structured list; tables are not
