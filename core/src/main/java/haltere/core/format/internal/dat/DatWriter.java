@@ -20,9 +20,9 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Writes DAT of version 2 with CD events. The times of the records have 32 bits. Longer ones are
- * restored here, since the reader counts the turns of this clock and a header line of our own has
- * the start of the first turn; other programs read the low 32 bits, which {@link #losses} reports.
+ * Writes DAT of version 2 with CD events. The times of the records have 32 bits. Haltere's reader
+ * restores longer ones from the wraps and a header line with the start of the first period; other
+ * programs read the low 32 bits, which {@link #losses} reports.
  */
 final class DatWriter implements RecordingWriter {
   private static final Set<String> OWN_KEYS =

@@ -20,7 +20,7 @@ final class Evt21Writer extends EvtWriter {
   /** Bits that are equal in all events of a word: the address without the position in the block. */
   private static final int BLOCK = ~(31 << EventAddress.X_SHIFT);
 
-  /** Time over 64 of the high part that was written last. */
+  /** The high part of the time written last, in units of 64 us. */
   private long high = Long.MIN_VALUE;
 
   Evt21Writer(Path path, WriteOptions options) throws IOException {
