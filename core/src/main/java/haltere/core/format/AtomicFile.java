@@ -19,8 +19,8 @@ import java.util.Objects;
 import java.util.UUID;
 
 /**
- * An output file that appears whole or not at all: it is written as a hidden file beside its target
- * and moved there by {@link #commit()}. Closed before that, it leaves nothing.
+ * An output file that is replaced atomically: it is written to a hidden temporary file beside its
+ * target, which {@link #commit()} renames. Closing it earlier deletes the temporary file.
  *
  * <p>Thread rule: one thread at a time.
  *
@@ -57,9 +57,9 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   }
 
   /**
-   * Starts to write to a stream, in which everything appears as it is written.
+   * Writes to a stream, without atomicity.
    *
-   * @param name what to call the stream
+   * @param name name of the stream for messages
    * @param stream flushed at the end, never closed
    * @return a file without a {@link #channel()}
    */
@@ -69,13 +69,13 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   }
 
   /**
-   * Starts to write a file that a later try, after this process was killed, writes anew: its
-   * temporary name is always the target's with {@code .part} behind it. {@link #commit} leaves it
-   * there until {@link #place}, so that another thread may wait for the disk.
+   * Starts a file with a fixed temporary name, the target's followed by {@code .part}, which a
+   * repeated attempt overwrites if this process is killed. {@link #commit} keeps that name until
+   * {@link #place}, so that another thread can wait for the disk.
    *
-   * @param target where the file will be, in a folder that only one process writes to
+   * @param target path of the file, in a folder that only one process writes to
    * @return an empty file
-   * @throws IOException if the file cannot be made
+   * @throws IOException if the file cannot be created
    */
   public static AtomicFile staged(Path target) throws IOException {
     Path temporary = part(target);
@@ -93,11 +93,11 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   }
 
   /**
-   * Forces a committed {@link #staged} file to the disk and gives it its name. A file that is there
-   * is replaced.
+   * Forces a committed {@link #staged} file to the disk and renames it. An existing file is
+   * replaced.
    *
-   * @param target as it was named to {@link #staged}
-   * @throws IOException if that fails; nothing of the file stays
+   * @param target as passed to {@link #staged}
+   * @throws IOException if that fails; the temporary file is deleted
    */
   public static void place(Path target) throws IOException {
     try {
@@ -112,14 +112,14 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   }
 
   /**
-   * Starts to write.
+   * Starts a file.
    *
-   * @param target where the file will be; a symbolic link is followed
+   * @param target path of the file; a symbolic link is followed
    * @param overwrite whether an existing file may be replaced
    * @return an empty file
    * @throws RecordingProblem if the target exists and may not be replaced, or its folder cannot be
    *     written to
-   * @throws IOException if the file cannot be made for another reason
+   * @throws IOException if the file cannot be created for another reason
    */
   public static AtomicFile create(Path target, boolean overwrite) throws IOException {
     if (Files.isDirectory(target)) {
@@ -149,10 +149,10 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   }
 
   /**
-   * Writes a file that appears whole or not at all.
+   * Writes a file atomically.
    *
-   * @param target where the file will be; a symbolic link is followed
-   * @param bytes what it will hold
+   * @param target path of the file; a symbolic link is followed
+   * @param bytes its content
    * @param overwrite whether an existing file may be replaced
    * @throws IOException as {@link #create}, or if it cannot be written
    */
@@ -164,10 +164,10 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   }
 
   /**
-   * Writes a text, in UTF-8, that appears whole or not at all.
+   * Writes a text file, in UTF-8, atomically.
    *
-   * @param target where the file will be; a symbolic link is followed
-   * @param text what it will hold
+   * @param target path of the file; a symbolic link is followed
+   * @param text its content
    * @param overwrite whether an existing file may be replaced
    * @throws IOException as {@link #create}, or if it cannot be written
    */
@@ -182,9 +182,9 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   }
 
   /**
-   * Where the file will be.
+   * The target.
    *
-   * @return as it was asked for
+   * @return the path as given
    */
   public Path path() {
     return asked;
@@ -230,9 +230,9 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   }
 
   /**
-   * Puts the file in its place, or readies it for {@link #place} if it is {@link #staged}.
+   * Renames the file to its target, or prepares it for {@link #place} if it is {@link #staged}.
    *
-   * @throws IOException if that fails; the target is then as it was
+   * @throws IOException if that fails; the target is then unchanged
    */
   public void commit() throws IOException {
     if (committed) {
@@ -264,7 +264,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   }
 
   /**
-   * Releases the file; without a {@link #commit()} before, nothing of it stays.
+   * Closes the file; without a {@link #commit()} before, the temporary file is deleted.
    *
    * @throws IOException if it cannot be removed
    */

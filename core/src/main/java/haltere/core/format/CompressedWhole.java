@@ -4,8 +4,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Files that are compressed as a whole, which no format reads: events must be found in them by
- * time.
+ * Detects files that are compressed as a whole, which no format reads because they do not allow
+ * seeking.
  */
 final class CompressedWhole {
   private static final Map<String, String> PROGRAMS =
@@ -22,10 +22,10 @@ final class CompressedWhole {
   private CompressedWhole() {}
 
   /**
-   * What decompresses a file.
+   * The program that decompresses a file.
    *
    * @param head its start
-   * @return a command without the file's name, or empty if it is not compressed as far as is known
+   * @return a command without the file's name, or empty if no known compression is detected
    */
   static Optional<String> program(FileHead head) {
     return PROGRAMS.entrySet().stream()

@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * The start and the end of a file, read once for all formats to look at. The arrays are shared and
- * must not be changed.
+ * The start and the end of a file, read once to detect its format. The arrays are shared and must
+ * not be changed.
  *
  * @param path the file
  * @param head its first bytes, at most {@link #HEAD_BYTES}
@@ -16,10 +16,10 @@ import java.util.Locale;
  * @since 0.1
  */
 public record FileHead(Path path, byte[] head, byte[] tail, long size) {
-  /** How much of the start is read. */
+  /** Length of the head in bytes. */
   public static final int HEAD_BYTES = 64 * 1024;
 
-  /** How much of the end is read. */
+  /** Length of the tail in bytes. */
   public static final int TAIL_BYTES = 4 * 1024;
 
   /**
@@ -35,7 +35,7 @@ public record FileHead(Path path, byte[] head, byte[] tail, long size) {
     }
   }
 
-  /** Of a file that is open; the tail of a stream that continues behind the head is empty. */
+  /** Head of an open file; the tail of a stream that continues after the head is empty. */
   static FileHead of(RecordingFile file) throws IOException {
     byte[] head = file.read(0, HEAD_BYTES);
     long size = file.size();

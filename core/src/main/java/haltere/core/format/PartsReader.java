@@ -17,16 +17,16 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A recording that was cut into parts, as one: the stream continues from part to part, and a
- * segment does too where the clock does not go back.
+ * Reads a recording split into several files as one: the stream continues from part to part, and so
+ * does a segment unless the clock goes back.
  *
  * <p>Thread rule: one thread at a time.
  */
 final class PartsReader implements RecordingReader {
-  /** A stretch of a segment that lies in one part. */
+  /** The section of a segment in one part. */
   private record Piece(int part, int segment, TimeSegment times) {}
 
-  /** How far the stream of a part is. */
+  /** State of the stream of a part. */
   private enum State {
     FRESH,
     RUNNING,
@@ -44,7 +44,7 @@ final class PartsReader implements RecordingReader {
 
         @Override
         public void notified(StreamNotification notification) {
-          // The whole has its own start.
+          // the joined stream has its own start
         }
       };
 
@@ -57,12 +57,12 @@ final class PartsReader implements RecordingReader {
   private boolean started;
   private boolean ended;
 
-  /** Whether nothing of the part has been read yet that the stream came to from the one before. */
+  /** Whether the stream has continued to the next part and nothing of it has been read. */
   private boolean entering;
 
   private long lastUs = StreamNotification.NO_TIME_US;
 
-  /** What waits behind a notification that the clock restarted; null if nothing does. */
+  /** Packet to pass on after a notification of a clock restart; null if there is none. */
   private EventPacket heldPacket;
 
   private SensorSample heldSample;
@@ -70,9 +70,9 @@ final class PartsReader implements RecordingReader {
   /**
    * Joins parts.
    *
-   * @param folder what stands for the whole
+   * @param folder path of the joined recording
    * @param parts at least one, in order, each at its start
-   * @throws RecordingProblem if they are of sensors of different size
+   * @throws RecordingProblem if their sensors differ in size
    */
   PartsReader(Path folder, List<RecordingReader> parts) throws IOException {
     this.folder = folder;
@@ -93,7 +93,7 @@ final class PartsReader implements RecordingReader {
     }
   }
 
-  /** Takes what a part gives, and passes on what belongs to the whole. */
+  /** Filters the stream of a part for the joined stream. */
   private final class Relay implements StreamHandler {
     private StreamHandler out;
     private boolean given;
@@ -123,7 +123,7 @@ final class PartsReader implements RecordingReader {
       lastUs = Math.max(lastUs, sample.timeUs());
     }
 
-    /** Tells that the clock restarted if the first event of a part is before the last one. */
+    /** Reports a clock restart if the first event of a part is before the last event. */
     private boolean isBack(long timeUs) {
       boolean back = entering && timeUs < lastUs;
       if (back) {
@@ -180,7 +180,7 @@ final class PartsReader implements RecordingReader {
     return relay.given;
   }
 
-  /** Goes to the start of a part, of which the stream is not told. */
+  /** Goes to the start of a part, without a notification. */
   private void enter(int part) throws IOException {
     current = part;
     entering = true;

@@ -10,13 +10,13 @@ package haltere.core.format;
  */
 @FunctionalInterface
 public interface ProgressListener {
-  /** Listens to nothing. */
+  /** Ignores the progress. */
   ProgressListener NONE = (done, total) -> {};
 
   /**
-   * Takes the news; called often, so it must be cheap.
+   * Receives the progress; called often, so it must be cheap.
    *
-   * @param doneBytes bytes of the recording worked on so far, never descending
+   * @param doneBytes bytes of the recording processed so far, never descending
    * @param totalBytes bytes of the recording
    */
   void progress(long doneBytes, long totalBytes);

@@ -9,8 +9,8 @@ import java.util.Optional;
  * Properties of a recording that its file does not state, given by the user.
  *
  * @param sensor size of the sensor if the file does not state it; the file has priority
- * @param format name of the format to read it as, whatever its content looks like
- * @param topic which of several streams of events is read; the name of a bag's topic
+ * @param format name of the format, which overrides detection by content
+ * @param topic stream of events to read if there are several; the name of a bag's topic
  * @param origin origin of rows in plain tables of events (text, NumPy, HDF5) that do not state it;
  *     the default is the top
  * @param packetEvents events per packet at most, 1 to 1,048,576
@@ -27,7 +27,7 @@ public record ReadOptions(
     int packetEvents,
     boolean samples,
     boolean keepIndex) {
-  /** What everybody starts with. */
+  /** The default options. */
   public static final ReadOptions DEFAULT =
       new ReadOptions(
           Optional.empty(),
@@ -51,7 +51,7 @@ public record ReadOptions(
   }
 
   /**
-   * The same options but for the sensor.
+   * The same options with another sensor.
    *
    * @param geometry the sensor's size
    * @return new options
@@ -62,7 +62,7 @@ public record ReadOptions(
   }
 
   /**
-   * The same options but for the format.
+   * The same options with another format.
    *
    * @param name a format's name
    * @return new options
@@ -73,7 +73,7 @@ public record ReadOptions(
   }
 
   /**
-   * The same options but for the topic.
+   * The same options with another topic.
    *
    * @param name of a topic of events
    * @return new options
@@ -95,7 +95,7 @@ public record ReadOptions(
   }
 
   /**
-   * The same options but for the size of packets.
+   * The same options with another size of packets.
    *
    * @param events events per packet at most
    * @return new options
@@ -105,7 +105,7 @@ public record ReadOptions(
   }
 
   /**
-   * The same options but for samples.
+   * The same options with or without samples.
    *
    * @param wanted whether frames, inertial samples and triggers are read as well
    * @return new options
@@ -115,7 +115,7 @@ public record ReadOptions(
   }
 
   /**
-   * The same options but for the index.
+   * The same options with another index.
    *
    * @param kept whether the index is kept in a file beside the recording
    * @return new options

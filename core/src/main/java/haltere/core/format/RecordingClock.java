@@ -9,22 +9,22 @@ import java.util.OptionalLong;
  *
  * <p>Thread rule: immutable.
  *
- * @param zero what times count from
- * @param turnUs after how many microseconds the clock in the file starts again from zero; empty if
- *     it is wide enough not to. A silence of more than a turn cannot be distinguished from a short
- *     one, unless the format has words of time in between
+ * @param zero origin of the times
+ * @param turnUs period after which the clock in the file wraps to zero, in microseconds; empty if
+ *     it does not wrap. A gap of more than one period cannot be distinguished from a shorter one,
+ *     unless the format has time words in between
  * @since 0.1
  */
 public record RecordingClock(Zero zero, OptionalLong turnUs) {
-  /** What times count from. */
+  /** Origin of the times. */
   public enum Zero {
     /** The camera's start, or the last reset of its clock. */
     CAMERA_START("the camera's start or its clock's last reset"),
     /** The start of the recording. */
     RECORDING_START("the recording's start"),
-    /** Midnight (UTC) before the first of January 1970. */
+    /** The first of January 1970, 00:00 UTC. */
     YEAR_1970("1970"),
-    /** Whatever the program that wrote the file meant: the format does not say. */
+    /** Chosen by the program that wrote the file; the format does not define it. */
     WRITERS_CHOICE("chosen by the writing program");
 
     private final String words;
@@ -34,7 +34,7 @@ public record RecordingClock(Zero zero, OptionalLong turnUs) {
     }
   }
 
-  /** Checks. */
+  /** Checks the values. */
   public RecordingClock {
     Objects.requireNonNull(zero, "zero");
     if (turnUs.isPresent() && turnUs.getAsLong() <= 0) {
@@ -43,28 +43,28 @@ public record RecordingClock(Zero zero, OptionalLong turnUs) {
   }
 
   /**
-   * A clock that does not turn.
+   * A clock that does not wrap.
    *
-   * @param zero what times count from
-   * @return the facts
+   * @param zero origin of the times
+   * @return the clock
    */
   public static RecordingClock wide(Zero zero) {
     return new RecordingClock(zero, OptionalLong.empty());
   }
 
   /**
-   * A clock that turns.
+   * A clock that wraps.
    *
-   * @param zero what times count from
-   * @param turnUs length of a turn in microseconds, above 0
-   * @return the facts
+   * @param zero origin of the times
+   * @param turnUs wrap period in microseconds, above 0
+   * @return the clock
    */
   public static RecordingClock turning(Zero zero, long turnUs) {
     return new RecordingClock(zero, OptionalLong.of(turnUs));
   }
 
   /**
-   * What is zero, for a user.
+   * The origin, for users.
    *
    * @return a line such as {@code 1970}
    */

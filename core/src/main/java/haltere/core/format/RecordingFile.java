@@ -15,8 +15,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.Objects;
 
 /**
- * The bytes of a recording: reads at any offset. It reads instead of mapping, so a file that is cut
- * while it is open ends early and does no worse.
+ * The bytes of a recording: reads at any offset. It reads instead of mapping, so that a file
+ * truncated while it is open only ends early.
  *
  * <p>The bytes of a {@link #stream} are read once, from front to back: offsets may go back by
  * {@value #KEPT_BYTES} bytes, and its size is unknown until its end.
@@ -33,7 +33,7 @@ public final class RecordingFile implements Closeable {
   private boolean closed;
   private long size;
 
-  /** A stream, and the bytes of it that can be read again; null for a file. */
+  /** The stream, and its buffered bytes, which can be read again; null for a file. */
   private ReadableByteChannel stream;
 
   private byte[] kept = {};
@@ -43,8 +43,8 @@ public final class RecordingFile implements Closeable {
   /**
    * Opens a file.
    *
-   * @param path which one
-   * @throws RecordingProblem if it is not there or may not be read
+   * @param path the file
+   * @throws RecordingProblem if it does not exist or may not be read
    * @throws IOException if it cannot be read for another reason
    */
   public RecordingFile(Path path) throws IOException {
@@ -74,9 +74,9 @@ public final class RecordingFile implements Closeable {
   /**
    * The bytes of a stream, such as standard input.
    *
-   * @param name what to call it
+   * @param name its name for messages
    * @param stream closed with this
-   * @return nothing of it is read yet
+   * @return an open file; nothing has been read
    */
   public static RecordingFile stream(Path name, ReadableByteChannel stream) {
     return new RecordingFile(name, stream);
@@ -86,7 +86,7 @@ public final class RecordingFile implements Closeable {
    * Rejects pipes and devices, which have no known end.
    *
    * @param path any path
-   * @throws RecordingProblem if something is there that is neither file nor folder
+   * @throws RecordingProblem if it exists and is neither file nor folder
    */
   public static void checkRegular(Path path) throws RecordingProblem {
     if (Files.exists(path) && !Files.isRegularFile(path) && !Files.isDirectory(path)) {
@@ -96,9 +96,9 @@ public final class RecordingFile implements Closeable {
   }
 
   /**
-   * Refuses a stream where a recording has to be read more than once.
+   * Rejects a stream for formats that read a recording more than once.
    *
-   * @param advice what to do, such as naming an option
+   * @param advice advice for users, such as an option
    * @throws RecordingProblem if this is a stream
    */
   public void requireFile(String advice) throws RecordingProblem {
@@ -116,27 +116,27 @@ public final class RecordingFile implements Closeable {
     return stream != null;
   }
 
-  /** Makes a reader of a file, which is closed with it. */
+  /** Creates a reader of a file; closing the reader closes the file. */
   @FunctionalInterface
   public interface Opening {
     /**
-     * Makes the reader.
+     * Creates the reader.
      *
      * @param file the bytes
      * @return a reader at the start
-     * @throws IOException if it is no recording that can be read
+     * @throws IOException if it is not a readable recording
      */
     RecordingReader open(RecordingFile file) throws IOException;
   }
 
   /**
-   * Opens a file for a reader; the file is closed again if there will be none.
+   * Opens a file for a reader; the file is closed if the reader cannot be created.
    *
-   * @param path which file
-   * @param opening makes the reader
-   * @return what that made
-   * @throws RecordingProblem if the file is not there or may not be read
-   * @throws IOException if the reader cannot be made
+   * @param path the file
+   * @param opening creates the reader
+   * @return the reader
+   * @throws RecordingProblem if the file does not exist or may not be read
+   * @throws IOException if the reader cannot be created
    */
   public static RecordingReader reading(Path path, Opening opening) throws IOException {
     RecordingFile file = new RecordingFile(path);
@@ -149,9 +149,9 @@ public final class RecordingFile implements Closeable {
   }
 
   /**
-   * Which file it is.
+   * The file.
    *
-   * @return the path that it was opened with
+   * @return the path as given
    */
   public Path path() {
     return path;
@@ -160,19 +160,19 @@ public final class RecordingFile implements Closeable {
   /**
    * Its size when it was opened.
    *
-   * @return bytes; {@link Long#MAX_VALUE} for a stream whose end was not yet read
+   * @return bytes; {@link Long#MAX_VALUE} for a stream whose end has not been read
    */
   public long size() {
     return size;
   }
 
   /**
-   * Fills a buffer as far as the file goes, and flips it; empty if that fails.
+   * Fills a buffer, up to the end of the file, and flips it; empty after a failure.
    *
    * @param buffer is cleared first
-   * @param offset where in the file to start; behind its end nothing is read
+   * @param offset byte offset in the file; nothing is read after its end
    * @throws RecordingProblem if the file can no longer be read
-   * @throws java.io.InterruptedIOException if the thread is interrupted; one may go on reading
+   * @throws java.io.InterruptedIOException if the thread is interrupted; reading may continue
    * @throws IOException if the file is closed
    */
   public void read(ByteBuffer buffer, long offset) throws IOException {
@@ -187,12 +187,12 @@ public final class RecordingFile implements Closeable {
       return;
     }
     if (!channel.isOpen() && !closed) {
-      // An interrupt closes a channel; whoever continues reading afterwards may.
+      // an interrupt closes a channel; reading may continue afterwards
       channel = FileChannel.open(path, StandardOpenOption.READ);
     }
     try {
       while (buffer.hasRemaining() && channel.read(buffer, offset + buffer.position()) >= 0) {
-        // The channel may give less than was asked for.
+        // the channel may return less than requested
       }
     } catch (ClosedChannelException e) {
       buffer.limit(0);
@@ -235,7 +235,7 @@ public final class RecordingFile implements Closeable {
     buffer.flip();
   }
 
-  /** Removes bytes far before an offset if there is no space for more. */
+  /** Discards bytes far before an offset if the buffer is full. */
   private void makeRoom(long offset) {
     if (keptCount < kept.length) {
       return;
@@ -252,9 +252,9 @@ public final class RecordingFile implements Closeable {
   /**
    * Reads some bytes.
    *
-   * @param offset where in the file to start
-   * @param bytes how many at most
-   * @return as many as there are
+   * @param offset byte offset in the file
+   * @param bytes maximum number
+   * @return fewer at the end of the file
    * @throws IOException as {@link #read(ByteBuffer, long)}
    */
   public byte[] read(long offset, int bytes) throws IOException {

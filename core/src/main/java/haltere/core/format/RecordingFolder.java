@@ -11,13 +11,13 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * A folder in place of a recording: a bag of ROS 2, which is cut into parts when it grows, or any
- * folder with just one recording in it.
+ * A folder as a recording: a ROS 2 bag, which is split into files as it grows, or any folder with
+ * exactly one recording.
  */
 final class RecordingFolder {
   private static final int NAMED_FILES = 3;
 
-  /** Of a bag of ROS 2; it lists the parts in their order. */
+  /** Metadata of a ROS 2 bag, with its files in order. */
   private static final String BAG_LIST = "metadata.yaml";
 
   private static final String BAG_PARTS = "relative_file_paths:";
@@ -29,15 +29,15 @@ final class RecordingFolder {
    * The parts of the recording in a folder.
    *
    * @return at least one
-   * @throws RecordingProblem if there is none, or there are several that nothing joins, of which it
-   *     names some
+   * @throws RecordingProblem if there is none, or several that are not a bag; the message names
+   *     some
    */
   static List<Path> parts(Path folder) throws RecordingProblem {
     List<Path> parts = partsOfBag(folder);
     return parts.isEmpty() ? List.of(onlyRecording(folder)) : parts;
   }
 
-  /** Whether a folder holds a bag in parts. */
+  /** Whether a folder is a ROS 2 bag. */
   static boolean isBag(Path folder) throws RecordingProblem {
     return !partsOfBag(folder).isEmpty();
   }
@@ -77,7 +77,7 @@ final class RecordingFolder {
         return part;
       }
     } catch (java.nio.file.InvalidPathException ignored) {
-      // said below
+      // reported below
     }
     throw new RecordingProblem(
         folder, "its " + BAG_LIST + " names " + name + ", which is not in this folder");

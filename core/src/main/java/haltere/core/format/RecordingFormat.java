@@ -8,8 +8,8 @@ import java.util.Set;
 
 /**
  * A file format. Formats are found as services ({@code
- * META-INF/services/haltere.core.format.RecordingFormat}), so another jar can add one; see {@link
- * Recordings}.
+ * META-INF/services/haltere.core.format.RecordingFormat}), so that another jar can add one; see
+ * {@link Recordings}.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *
@@ -17,52 +17,51 @@ import java.util.Set;
  */
 public interface RecordingFormat {
   /**
-   * The name by which a user can ask for the format.
+   * The name by which users select the format.
    *
    * @return lower case, such as {@code aedat2}
    */
   String name();
 
   /**
-   * What the format is, in a few words for users.
+   * Description in a few words for users.
    *
    * @return such as "AEDAT-2.0 (jAER)"
    */
   String description();
 
   /**
-   * Endings of names that files of this format usually have. The first one is what a writer of this
-   * format answers to.
+   * Usual file name extensions of this format. The first one selects this format for writing.
    *
    * @return lower case, without the dot, in order
    */
   Set<String> extensions();
 
   /**
-   * Whether other kinds of files often have the same endings, such as tables of text. In a folder,
-   * such a file is a recording only by its content.
+   * Whether other kinds of files often have the same extensions, such as text tables. In a folder,
+   * only its content identifies such a file as a recording.
    *
-   * @return false if the ending alone makes a recording of a file
+   * @return false if the extension alone identifies a recording
    */
   default boolean sharesExtensions() {
     return false;
   }
 
   /**
-   * Says whether a file is of this format, by its content.
+   * Assesses by its content whether a file has this format.
    *
    * @param head start and end of the file
-   * @return how sure and why
+   * @return confidence and reason
    */
   ProbeResult probe(FileHead head);
 
   /**
    * Opens a recording.
    *
-   * @param file a file that is, or is said to be, of this format
-   * @param options of the user
+   * @param file a file of this format, as detected or as specified by the user
+   * @param options the user's options
    * @return a reader at its start
-   * @throws IOException a {@link RecordingProblem} where the file is not what it should be
+   * @throws IOException a {@link RecordingProblem} if the file is not valid
    */
   RecordingReader open(Path file, ReadOptions options) throws IOException;
 
@@ -77,13 +76,13 @@ public interface RecordingFormat {
   }
 
   /**
-   * Opens a recording that comes as a stream of bytes.
+   * Opens a recording from a stream of bytes.
    *
-   * @param stream of this format
-   * @param options of the user
+   * @param stream bytes of this format
+   * @param options the user's options
    * @return a reader at its start, which cannot seek
-   * @throws IOException a {@link RecordingProblem} where the stream is not what it should be, or
-   *     the format cannot be read in one pass
+   * @throws IOException a {@link RecordingProblem} if the stream is not valid, or the format cannot
+   *     be read in one pass
    */
   default RecordingReader openStream(RecordingFile stream, ReadOptions options) throws IOException {
     throw new RecordingProblem(
@@ -93,7 +92,7 @@ public interface RecordingFormat {
   /**
    * Whether the format can be written.
    *
-   * @return false if {@link #create} always answers empty
+   * @return false if {@link #create} always returns empty
    */
   default boolean writable() {
     return true;
@@ -119,10 +118,10 @@ public interface RecordingFormat {
   }
 
   /**
-   * Starts to write a recording.
+   * Starts a recording.
    *
-   * @param file where it will be
-   * @param options about the events
+   * @param file its path
+   * @param options of the writer
    * @return a writer, or empty for a format that is only read
    * @throws IOException if the file cannot be written
    */

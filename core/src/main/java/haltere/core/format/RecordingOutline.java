@@ -1,9 +1,9 @@
 package haltere.core.format;
 
 /**
- * Metadata of a recording without decoding its events: from a table of its packets, or the lengths
- * and ends of its columns. Events that reading skips, off the sensor or in damaged bytes, count
- * here.
+ * Metadata of a recording without decoding its events: from a table of its packets, or from the
+ * lengths and last values of its columns. It includes events that reading skips, which are outside
+ * the sensor or in damaged bytes.
  *
  * <p>Thread rule: immutable.
  *
@@ -14,10 +14,10 @@ package haltere.core.format;
  * @since 0.1
  */
 public record RecordingOutline(long events, long firstUs, long lastUs) {
-  /** Of a recording without events. */
+  /** Outline of a recording without events. */
   public static final RecordingOutline NOTHING = new RecordingOutline(0, 0, 0);
 
-  /** Checks. */
+  /** Checks the values. */
   public RecordingOutline {
     if (events < 0) {
       throw new IllegalArgumentException(events + " events");
@@ -25,10 +25,10 @@ public record RecordingOutline(long events, long firstUs, long lastUs) {
   }
 
   /**
-   * The outline of this recording and its continuation.
+   * The outline of this recording together with its continuation.
    *
    * @param next the continuation
-   * @return of both
+   * @return the outline of both
    */
   public RecordingOutline and(RecordingOutline next) {
     if (events == 0) {

@@ -9,8 +9,8 @@ import java.util.Locale;
 import java.util.Objects;
 
 /**
- * A recording that cannot be read or written. The message is one line for users: the file, the byte
- * offset where there is one, what is wrong and what to do.
+ * A recording that cannot be read or written. The message is one line for users: file, byte offset
+ * if known, cause and advice.
  *
  * @since 0.1
  */
@@ -18,11 +18,11 @@ public final class RecordingProblem extends IOException {
   private static final long serialVersionUID = 1L;
 
   /**
-   * The problem of a failed write, for users: file, cause and what to do.
+   * The problem of a failed write, for users: file, cause and advice.
    *
-   * @param file which file
-   * @param cause what the system threw
-   * @return a problem of the file, or the cause itself where it names a file already or tells of an
+   * @param file the file
+   * @param cause exception of the system
+   * @return a problem of the file, or the cause itself if it already names a file or is an
    *     interruption
    */
   public static IOException writing(Path file, IOException cause) {
@@ -32,9 +32,9 @@ public final class RecordingProblem extends IOException {
   /**
    * The problem of a failed read, for users, as {@link #writing}.
    *
-   * @param file which file
+   * @param file the file
    * @param offset byte offset in it
-   * @param cause what the system threw
+   * @param cause exception of the system
    * @return as {@link #writing}
    */
   public static IOException reading(Path file, long offset, IOException cause) {
@@ -80,19 +80,19 @@ public final class RecordingProblem extends IOException {
   /**
    * A problem with a file as a whole.
    *
-   * @param file which file
-   * @param message what is wrong and what to do
+   * @param file the file
+   * @param message cause and advice
    */
   public RecordingProblem(Path file, String message) {
     super(file + ": " + message);
   }
 
   /**
-   * A problem at a place.
+   * A problem at an offset.
    *
-   * @param file which file
+   * @param file the file
    * @param offset byte offset in it
-   * @param message what is wrong and what to do
+   * @param message cause and advice
    */
   public RecordingProblem(Path file, long offset, String message) {
     super(file + ", byte " + offset + ": " + message);

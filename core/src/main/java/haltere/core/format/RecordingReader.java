@@ -9,11 +9,11 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A recording as a source of events. It streams: memory is bounded whatever the file's size or what
- * its headers claim.
+ * A recording as a source of events. It streams: memory is bounded for files of any size and with
+ * any header.
  *
- * <p>A jump back of the recording's clock that is no wrap becomes a {@code Reset(CLOCK_RESTARTED)};
- * the stretches between such jumps are the recording's segments.
+ * <p>A backward jump of the recording's clock other than a wrap becomes a {@code
+ * Reset(CLOCK_RESTARTED)}; the sections between such jumps are the recording's segments.
  *
  * <p>Thread rule: one thread at a time.
  *
@@ -23,7 +23,7 @@ public interface RecordingReader extends EventSource {
   /**
    * The format's name.
    *
-   * @return as {@link RecordingFormat#name()}, with the version where there are several
+   * @return as {@link RecordingFormat#name()}, with the version if there are several
    */
   String formatName();
 
@@ -49,23 +49,23 @@ public interface RecordingReader extends EventSource {
   long sizeBytes();
 
   /**
-   * What was wrong or left out so far.
+   * Violations of the format so far.
    *
    * @return live counts
    */
   ViolationCounts violations();
 
   /**
-   * What a user should know about how the file was read, such as a sensor size that was assumed.
+   * Remarks for users about the reading of the file, such as an assumed sensor size.
    *
    * @return one line each
    */
   List<String> remarks();
 
   /**
-   * What its times count from, and whether the clock in the file is a narrow one.
+   * Origin of its times, and wrap period of the clock in the file.
    *
-   * @return facts of the format, or of the kind of events that are read
+   * @return the clock of the format, or of the kind of events that are read
    */
   RecordingClock clock();
 
@@ -73,7 +73,7 @@ public interface RecordingReader extends EventSource {
    * Number and times of the events as stated by the file, if it is consistent. Does not move this
    * reader.
    *
-   * @return empty if only reading shows them; see {@link RecordingSummary}
+   * @return empty if the events must be read for it; see {@link RecordingSummary}
    * @throws IOException if the file can no longer be read
    */
   default Optional<RecordingOutline> outline() throws IOException {
@@ -93,15 +93,15 @@ public interface RecordingReader extends EventSource {
   /**
    * How the events are compressed.
    *
-   * @return name of the method, such as "lz4", or "none"; empty where the format does not say
+   * @return name of the method, such as "lz4", or "none"; empty if the format does not state it
    */
   default Optional<String> compression() {
     return Optional.empty();
   }
 
   /**
-   * How many frames, inertial samples and triggers the recording holds, whether or not they are
-   * wanted as a part of the stream. It may read through the file, but does not move this reader.
+   * Numbers of frames, inertial samples and triggers of the recording, even if they are not part of
+   * the stream. It may read the whole file, but does not move this reader.
    *
    * @return counts; {@link SampleCounts#NONE} for formats without samples
    * @throws IOException if the file can no longer be read
@@ -111,28 +111,28 @@ public interface RecordingReader extends EventSource {
   }
 
   /**
-   * Whether one can go back and forth in the recording.
+   * Whether the recording supports seeking.
    *
-   * @return false for a stream, which only {@link #next} reads
+   * @return false for a stream
    */
   default boolean isSeekable() {
     return true;
   }
 
   /**
-   * The stretches of continuous time, in file order. The first call may read through the file.
+   * The sections of continuous time, in file order. The first call may read the whole file.
    *
-   * @return at least one segment unless the recording has no event; where samples are read and
-   *     there is no event, the segment from the first to the last sample
+   * @return at least one segment if the recording has an event; without events but with samples
+   *     that are read, the segment from the first to the last sample
    * @throws IOException if the file can no longer be read
    */
   List<TimeSegment> segments() throws IOException;
 
   /**
-   * Goes on at the first event at or after a time within a segment; behind the segment's end that
-   * is the start of the next. What is handed over next is a {@code Reset(SEEK)} (before the first
-   * call of {@link #next} it is the start of the stream). May be called after the end of the
-   * stream, which then restarts.
+   * Continues at the first event at or after a time within a segment; after the segment's end that
+   * is the start of the next. The next element is a {@code Reset(SEEK)} (before the first call of
+   * {@link #next}, the start of the stream). May be called after the end of the stream, which then
+   * restarts.
    *
    * @param segment index into {@link #segments()}
    * @param timeUs time on the recording's clock
@@ -141,7 +141,7 @@ public interface RecordingReader extends EventSource {
   void seek(int segment, long timeUs) throws IOException;
 
   /**
-   * Goes on at the first event at or after a time, in the first segment that reaches that far.
+   * Continues at the first event at or after a time, in the first segment that ends at or after it.
    *
    * @param timeUs time on the recording's clock
    * @throws IOException if the file can no longer be read

@@ -7,8 +7,8 @@ import java.io.IOException;
 import java.util.List;
 
 /**
- * Writes events to a recording. It writes to a hidden file beside the target and moves it there
- * when it is {@link #finish() finished}; closed before that, it leaves nothing.
+ * Writes events to a recording. It writes to a hidden temporary file beside the target, which
+ * {@link #finish} renames; closing it earlier deletes the temporary file.
  *
  * <p>Thread rule: one thread at a time.
  *
@@ -18,13 +18,13 @@ public interface RecordingWriter extends Closeable {
   /**
    * Writes a packet.
    *
-   * @param packet borrowed and not changed
+   * @param packet borrowed, not modified
    * @throws IOException if it cannot be written
    */
   void write(EventPacket packet) throws IOException;
 
   /**
-   * Flushes buffered data to the file, if the format and the way of writing allow; others do
+   * Flushes buffered data to the file, if the format and the output allow it; otherwise does
    * nothing.
    *
    * @throws IOException if it cannot be written
@@ -32,10 +32,10 @@ public interface RecordingWriter extends Closeable {
   default void writeThrough() throws IOException {}
 
   /**
-   * Writes a frame, an inertial sample or a trigger. It comes in order of time among the packets.
+   * Writes a frame, an inertial sample or a trigger. Samples and packets must be in order of time.
    *
-   * @param sample what to write
-   * @return false if the format holds nothing of the kind, so that it is lost
+   * @param sample the sample
+   * @return false if the format does not store its kind; the sample is then lost
    * @throws IOException if it cannot be written
    */
   default boolean write(SensorSample sample) throws IOException {
@@ -43,16 +43,16 @@ public interface RecordingWriter extends Closeable {
   }
 
   /**
-   * What the format could not hold so far, such as times beyond its clock.
+   * Data that the format could not store so far, such as times beyond its clock.
    *
    * @return one line each, with counts
    */
   List<String> losses();
 
   /**
-   * Completes the file and puts it in its place.
+   * Completes the file and renames it to its target.
    *
-   * @throws IOException if that fails; the target is then as it was
+   * @throws IOException if that fails; the target is then unchanged
    */
   void finish() throws IOException;
 

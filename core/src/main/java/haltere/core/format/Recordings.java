@@ -15,7 +15,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /**
- * Opens recordings: the content decides which format reads a file.
+ * Opens recordings; the format is detected from the content.
  *
  * <p>Thread rule: all methods may be called from any thread.
  *
@@ -40,12 +40,11 @@ public final class Recordings {
   /**
    * Opens a recording.
    *
-   * @param file any file, or a folder with one recording in it, in parts as ROS 2 makes them or
-   *     whole
-   * @param options of the user
+   * @param file any file, a folder with one recording, or the folder of a ROS 2 bag
+   * @param options the user's options
    * @return a reader at its start
-   * @throws RecordingProblem if it is not a readable file, or of no known format; the message says
-   *     what each format saw in it
+   * @throws RecordingProblem if it is not a readable file or has no known format; the message has
+   *     the assessment of each format
    * @throws IOException if reading fails
    */
   public static RecordingReader open(Path file, ReadOptions options) throws IOException {
@@ -68,10 +67,9 @@ public final class Recordings {
   }
 
   /**
-   * Opens a recording whose file says everything.
+   * Opens a recording with the default options.
    *
-   * @param file any file, or a folder with one recording in it, in parts as ROS 2 makes them or
-   *     whole
+   * @param file any file, a folder with one recording, or the folder of a ROS 2 bag
    * @return a reader at its start
    * @throws IOException as {@link #open(Path, ReadOptions)}
    */
@@ -80,14 +78,14 @@ public final class Recordings {
   }
 
   /**
-   * Opens a recording that comes as a stream of bytes, such as standard input. Frames, inertial
-   * samples and triggers of a stream are not read, but counted.
+   * Opens a recording from a stream of bytes, such as standard input. Frames, inertial samples and
+   * triggers of a stream are counted, but not read.
    *
-   * @param name what to call it
-   * @param stream closed with the reader, or if there will be none
-   * @param options of the user
-   * @return a reader at its start, which can go forth only
-   * @throws RecordingProblem if it is of no known format, or of one that cannot be read in one pass
+   * @param name its name for messages
+   * @param stream closed with the reader, or if opening fails
+   * @param options the user's options
+   * @return a reader at its start, which cannot seek
+   * @throws RecordingProblem if it has no known format, or one that cannot be read in one pass
    * @throws IOException if reading fails
    */
   public static RecordingReader openStream(
@@ -106,12 +104,11 @@ public final class Recordings {
   }
 
   /**
-   * Tells which format a file has.
+   * Detects the format of a file.
    *
-   * @param file a readable file, or a folder with one recording in it, in parts as ROS 2 makes them
-   *     or whole
-   * @return the one format that is surest
-   * @throws RecordingProblem if none is, or several are equally sure
+   * @param file a readable file, a folder with one recording, or the folder of a ROS 2 bag
+   * @return the format with the highest confidence
+   * @throws RecordingProblem if none is confident, or several are equally so
    * @throws IOException if reading fails
    */
   public static RecordingFormat detect(Path file) throws IOException {
@@ -119,12 +116,12 @@ public final class Recordings {
   }
 
   /**
-   * Whether a path looks like a recording: a file that a format knows by its content or, where no
-   * other kind of files has that {@link RecordingFormat#sharesExtensions() ending}, by its name; or
-   * the folder of a bag in parts.
+   * Whether a path looks like a recording: a file that a format detects by its content or, unless
+   * other kinds of files {@linkplain RecordingFormat#sharesExtensions() share it}, by its
+   * extension; or the folder of a ROS 2 bag.
    *
    * @param path any path
-   * @return for a file that cannot be read, whether a format's files have its ending
+   * @return for an unreadable file, whether its extension is that of a format
    */
   public static boolean isRecording(Path path) {
     try {
@@ -205,11 +202,11 @@ public final class Recordings {
   }
 
   /**
-   * The format that writes files of a name, by its ending.
+   * The format for writing a file, by its extension.
    *
-   * @param file where the recording will be
-   * @return a format that can be written and whose first extension it is
-   * @throws RecordingProblem if there is none, listing the endings there are
+   * @param file path of the recording
+   * @return a writable format whose first extension it is
+   * @throws RecordingProblem if there is none; the message lists the valid extensions
    */
   public static RecordingFormat forWriting(Path file) throws RecordingProblem {
     String extension = FileHead.extension(file);
@@ -243,7 +240,7 @@ public final class Recordings {
     return format;
   }
 
-  /** The files of which a recording is made. */
+  /** The files of a recording. */
   private static List<Path> parts(Path named) throws RecordingProblem {
     return Files.isDirectory(named) ? RecordingFolder.parts(named) : List.of(named);
   }

@@ -7,19 +7,19 @@ import java.util.List;
 /**
  * Numbers of frames, inertial samples and triggers.
  *
- * @param frames pictures
+ * @param frames number of frames
  * @param inertialSamples samples of an inertial sensor
  * @param triggers edges and other marks
  * @since 0.1
  */
 public record SampleCounts(long frames, long inertialSamples, long triggers) {
-  /** None of any kind. */
+  /** No samples. */
   public static final SampleCounts NONE = new SampleCounts(0, 0, 0);
 
   /**
    * The count of a kind.
    *
-   * @param kind which one
+   * @param kind the kind
    * @return at least 0
    */
   public long of(SampleKind kind) {
@@ -31,9 +31,9 @@ public record SampleCounts(long frames, long inertialSamples, long triggers) {
   }
 
   /**
-   * One more.
+   * The counts after another sample.
    *
-   * @param kind of which kind
+   * @param kind its kind
    * @return new counts
    */
   public SampleCounts plus(SampleKind kind) {
@@ -44,9 +44,9 @@ public record SampleCounts(long frames, long inertialSamples, long triggers) {
   }
 
   /**
-   * These and others together.
+   * The sum with other counts.
    *
-   * @param others what is added
+   * @param others added counts
    * @return the sum
    */
   public SampleCounts plus(SampleCounts others) {
@@ -57,7 +57,7 @@ public record SampleCounts(long frames, long inertialSamples, long triggers) {
   }
 
   /**
-   * What is left of these without others that are among them.
+   * The difference from other counts.
    *
    * @param others at most as many of each kind
    * @return the difference
@@ -70,7 +70,7 @@ public record SampleCounts(long frames, long inertialSamples, long triggers) {
   }
 
   /**
-   * Whether there is none at all.
+   * Whether there are no samples.
    *
    * @return true if all counts are 0
    */
@@ -78,7 +78,7 @@ public record SampleCounts(long frames, long inertialSamples, long triggers) {
     return frames == 0 && inertialSamples == 0 && triggers == 0;
   }
 
-  /** For a person, such as "59 frames, 236 triggers"; those that are 0 are left out. */
+  /** Text for users, such as "59 frames, 236 triggers"; counts of 0 are omitted. */
   @Override
   public String toString() {
     List<String> parts = new ArrayList<>();

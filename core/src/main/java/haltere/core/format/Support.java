@@ -6,12 +6,12 @@ package haltere.core.format;
  * @since 0.1
  */
 public enum Support {
-  /** The content speaks against it. */
+  /** The content contradicts the format. */
   NONE,
-  /** Only the file's name speaks for it. */
+  /** Only the file's name matches. */
   EXTENSION_ONLY,
-  /** The content looks like it, but other formats' content can too. */
+  /** The content matches, but other formats may match too. */
   PLAUSIBLE,
-  /** The content says so. */
+  /** The content identifies the format. */
   CERTAIN
 }

@@ -1,9 +1,9 @@
 package haltere.core.format;
 
 /**
- * A stretch of a recording in which the clock does not go back.
+ * A section of a recording in which the clock does not go back.
  *
- * @param firstUs time of its first event, or of its first sample where there are no events
+ * @param firstUs time of its first event, or of its first sample if there are no events
  * @param lastUs time of its last event or sample, not before the first
  * @since 0.1
  */
@@ -16,7 +16,7 @@ public record TimeSegment(long firstUs, long lastUs) {
   }
 
   /**
-   * Its length.
+   * Its duration.
    *
    * @return microseconds, at least 0
    */

@@ -6,25 +6,25 @@ package haltere.core.format;
  * @since 0.1
  */
 public enum Violation {
-  /** An event's pixel is not on the sensor; the event is left out. */
+  /** An event outside the sensor; it is skipped. */
   OUTSIDE_SENSOR("events outside of the sensor were left out"),
-  /** The clock went back without being a wrap; the stream has a notification there. */
+  /** A backward jump of the clock other than a wrap; the stream has a notification of it. */
   CLOCK_WENT_BACK("jumps back of the clock"),
-  /** The file ends in the middle of an event or a packet; what was whole has been read. */
+  /** The file ends within an event or a packet; the complete ones have been read. */
   CUT_OFF("the file ends in the middle of an event or packet"),
-  /** Words that the format does not define; they are left out. */
+  /** Words that the format does not define; they are skipped. */
   UNKNOWN_WORD("words that are invalid in this format were left out"),
-  /** A length, count or size that cannot be true; what it belongs to is left out. */
+  /** An impossible length, count or size; the data with it is skipped. */
   LYING_LENGTH("impossible lengths or counts"),
-  /** A packet that cannot be decompressed; it is left out. */
+  /** A packet that cannot be decompressed; it is skipped. */
   DAMAGED_PACKET("damaged packets were left out"),
-  /** Messages that were lost before they were recorded, by the numbers of those that were not. */
+  /** Messages lost before recording, as gaps in the message numbers show. */
   MISSING_MESSAGE("messages were lost before they were recorded"),
-  /** Events before the first word that tells the time; they are left out. */
+  /** Events before the first time word; they are skipped. */
   NO_TIME_YET("events before the first time word were left out"),
-  /** Data of another kind than polarity events (frames, inertial samples, triggers). */
+  /** Data other than polarity events (frames, inertial samples, triggers). */
   OTHER_DATA("words hold data other than polarity events, which are not read"),
-  /** A frame or an inertial sample of which a part is missing, or that cannot be true. */
+  /** An incomplete or invalid frame or inertial sample. */
   INCOMPLETE_SAMPLE("incomplete frames or inertial samples were left out");
 
   private final String sentence;
@@ -34,7 +34,7 @@ public enum Violation {
   }
 
   /**
-   * What it means, for users.
+   * Description for users.
    *
    * @return a few words that can follow a count
    */
@@ -43,8 +43,8 @@ public enum Violation {
   }
 
   /**
-   * Whether it says that the file is damaged, rather than that it holds more than is read or that
-   * the recording began in the middle of the camera's stream.
+   * Whether it indicates damage, rather than data that is not read or a recording that began within
+   * the camera's stream.
    *
    * @return true for damage
    */

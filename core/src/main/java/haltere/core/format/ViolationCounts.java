@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * Counts violations by kind and remembers where each kind was first seen.
+ * Counts violations by kind, with the offset of the first of each kind.
  *
  * <p>Thread rule: one thread.
  *
@@ -21,8 +21,8 @@ public final class ViolationCounts {
   private long reached;
 
   /**
-   * States how far a recording has been read. What lies before that is not counted again when a
-   * reader goes back.
+   * Sets the offset up to which a recording has been read. Violations before it are not counted
+   * again after a seek.
    *
    * @param offset byte offset in the file
    */
@@ -31,18 +31,18 @@ public final class ViolationCounts {
   }
 
   /**
-   * How far the recording has been read.
+   * Offset up to which the recording has been read.
    *
-   * @return byte offset in the file; what lies before it is not counted any more
+   * @return byte offset in the file; violations before it are not counted again
    */
   public long reached() {
     return reached;
   }
 
   /**
-   * Counts one of a kind that there is once in a recording at most.
+   * Counts a violation of a kind that occurs at most once in a recording.
    *
-   * @param kind what was wrong
+   * @param kind the kind
    * @param offset byte offset in the file
    */
   public void addOnce(Violation kind, long offset) {
@@ -52,9 +52,9 @@ public final class ViolationCounts {
   }
 
   /**
-   * Counts one.
+   * Counts a violation.
    *
-   * @param kind what was wrong
+   * @param kind the kind
    * @param offset byte offset in the file
    */
   public void add(Violation kind, long offset) {
@@ -62,11 +62,11 @@ public final class ViolationCounts {
   }
 
   /**
-   * Counts several of a kind.
+   * Counts several violations of a kind.
    *
-   * @param kind what was wrong
+   * @param kind the kind
    * @param offset byte offset of the first of them; before {@link #reached} they are not counted
-   * @param count how many, at least 0
+   * @param count their number, at least 0
    */
   public void add(Violation kind, long offset, long count) {
     if (count == 0 || offset < reached) {
@@ -80,10 +80,10 @@ public final class ViolationCounts {
   }
 
   /**
-   * Takes over what another one has counted of a kind.
+   * Copies the count of a kind from other counts.
    *
-   * @param kind what was wrong
-   * @param other has the count
+   * @param kind the kind
+   * @param other the source
    */
   public void take(Violation kind, ViolationCounts other) {
     counts[kind.ordinal()] = other.counts[kind.ordinal()];
@@ -91,9 +91,9 @@ public final class ViolationCounts {
   }
 
   /**
-   * How often a kind was seen.
+   * Number of violations of a kind.
    *
-   * @param kind what was wrong
+   * @param kind the kind
    * @return at least 0
    */
   public long count(Violation kind) {
@@ -101,23 +101,23 @@ public final class ViolationCounts {
   }
 
   /**
-   * Where a kind was first seen.
+   * Offset of the first violation of a kind.
    *
-   * @param kind what was wrong
-   * @return byte offset, or -1 if it was never seen
+   * @param kind the kind
+   * @return byte offset, or -1 if there is none
    */
   public long firstOffset(Violation kind) {
     return counts[kind.ordinal()] == 0 ? -1 : firstOffsets[kind.ordinal()];
   }
 
-  /** Forgets all counts. */
+  /** Resets all counts. */
   public void clear() {
     java.util.Arrays.fill(counts, 0);
     reached = 0;
   }
 
   /**
-   * A line per kind that was seen.
+   * A line for each kind with violations.
    *
    * @return for users
    */
@@ -126,9 +126,9 @@ public final class ViolationCounts {
   }
 
   /**
-   * A line per kind that was seen.
+   * A line for each kind with violations.
    *
-   * @param told kinds that have been told otherwise and are left out
+   * @param told kinds to omit because they are reported otherwise
    * @return for users
    */
   public List<String> describe(Set<Violation> told) {

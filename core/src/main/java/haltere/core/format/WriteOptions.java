@@ -14,13 +14,13 @@ import java.util.Set;
 /**
  * Options of a writer.
  *
- * @param geometry sensor of the events; its origin is where plain exports count rows from
+ * @param geometry sensor of the events, with the origin of rows in plain exports
  * @param overwrite whether an existing file may be replaced
- * @param origin where plain exports count rows from, if not as their source did
- * @param metadata lines for the header of formats that can hold them, by key
- * @param samples what will be written beside events, for formats whose header says so
- * @param stream where a recording of a {@linkplain RecordingFormat#isStreamed() streamed} format
- *     goes instead of to a file
+ * @param origin origin of rows in plain exports, if it differs from that of the geometry
+ * @param metadata metadata for the header, by key, if the format has metadata
+ * @param samples kinds of samples that will be written, for formats whose header lists them
+ * @param stream output of a recording of a {@linkplain RecordingFormat#isStreamed() streamed}
+ *     format, instead of a file
  * @since 0.1
  */
 public record WriteOptions(
@@ -30,7 +30,7 @@ public record WriteOptions(
     Map<String, String> metadata,
     Set<SampleKind> samples,
     Optional<OutputStream> stream) {
-  /** Checks and copies. */
+  /** Checks the values and copies the metadata. */
   public WriteOptions {
     Objects.requireNonNull(geometry, "geometry");
     Objects.requireNonNull(origin, "origin");
@@ -39,12 +39,12 @@ public record WriteOptions(
   }
 
   /**
-   * Options of one who writes events only.
+   * Options for events only.
    *
    * @param geometry sensor of the events
    * @param overwrite whether an existing file may be replaced
-   * @param origin where plain exports count rows from, if not as their source did
-   * @param metadata lines for the header of formats that can hold them, by key
+   * @param origin origin of rows in plain exports, if it differs from that of the geometry
+   * @param metadata metadata for the header, by key, if the format has metadata
    */
   public WriteOptions(
       SensorGeometry geometry,
@@ -55,13 +55,13 @@ public record WriteOptions(
   }
 
   /**
-   * Options of one who writes to a file.
+   * Options for a file.
    *
    * @param geometry sensor of the events
    * @param overwrite whether an existing file may be replaced
-   * @param origin where plain exports count rows from, if not as their source did
-   * @param metadata lines for the header of formats that can hold them, by key
-   * @param samples what will be written beside events
+   * @param origin origin of rows in plain exports, if it differs from that of the geometry
+   * @param metadata metadata for the header, by key, if the format has metadata
+   * @param samples kinds of samples that will be written
    */
   public WriteOptions(
       SensorGeometry geometry,
@@ -83,7 +83,7 @@ public record WriteOptions(
   }
 
   /**
-   * The same options but for overwriting.
+   * The same options with or without overwriting.
    *
    * @param allowed whether an existing file may be replaced
    * @return new options
@@ -93,7 +93,7 @@ public record WriteOptions(
   }
 
   /**
-   * The same options but for what is written beside events.
+   * The same options with other kinds of samples.
    *
    * @param kinds kinds of samples that will be written
    * @return new options
@@ -103,7 +103,7 @@ public record WriteOptions(
   }
 
   /**
-   * These options with a stream to write to.
+   * The same options with an output stream.
    *
    * @param target flushed at the end, never closed
    * @return new options
@@ -115,7 +115,7 @@ public record WriteOptions(
   /**
    * Starts the output.
    *
-   * @param path where a file goes, or what the stream is called
+   * @param path the file, or the name of the stream for messages
    * @return an empty file
    * @throws IOException if it cannot be written
    */

@@ -1,5 +1,5 @@
 /**
- * Recordings: one entry point for all file formats, which are named services. Readers are event
- * sources that can seek and have metadata, writers are sinks.
+ * Recordings: one entry point for all file formats, which are services. Readers are event sources
+ * with seeking and metadata; writers are sinks.
  */
 package haltere.core.format;

@@ -7,7 +7,7 @@ import haltere.core.stream.StreamNotification;
 import java.util.stream.IntStream;
 
 /**
- * Event rate over time, for one line of block characters or a plot, however long the stream is.
+ * Event rate over time, for one line of block characters or a plot, for streams of any length.
  *
  * <p>Thread rule: one thread.
  *
@@ -23,16 +23,16 @@ public final class EventRate implements StreamHandler {
   private long lastUs;
 
   /**
-   * A rate of nothing yet.
+   * A rate without events.
    *
-   * @param bins stretches of time at most, an even number
+   * @param bins maximum number of time bins, even
    */
   public EventRate(int bins) {
     this.bins = new TimeBins(bins, 1_000);
   }
 
   /**
-   * Time since the first event, without what lies between a clock's end and its next start.
+   * Time since the first event, without the gaps at clock restarts.
    *
    * @return microseconds
    */
@@ -59,10 +59,10 @@ public final class EventRate implements StreamHandler {
   }
 
   /**
-   * Events in stretches of time since the first event, which grow with the stream; a clock that
-   * restarts continues.
+   * Events in time bins since the first event, which grow with the stream; a clock that restarts
+   * continues.
    *
-   * @return these bins as they are, not a copy
+   * @return the live bins, not a copy
    */
   public TimeBins bins() {
     return bins;
@@ -92,7 +92,7 @@ public final class EventRate implements StreamHandler {
   /**
    * The rate as block characters.
    *
-   * @return one for each stretch of time, a space where nothing happened
+   * @return one for each time bin, a space for a bin without events
    */
   public String line() {
     StringBuilder line = new StringBuilder();

@@ -11,7 +11,7 @@ import java.io.InterruptedIOException;
 import java.util.List;
 
 /**
- * The event rate over a recording's elapsed timeline, on which its segments lie end to end, in bins
+ * The event rate over a recording's elapsed timeline, on which its segments are contiguous, in bins
  * of equal length.
  *
  * <p>Thread rule: immutable.
@@ -28,11 +28,11 @@ public final class RateProfile {
   }
 
   /**
-   * Reads a recording from its start to its end. It is fit for a thread in the background with a
-   * reader of its own.
+   * Reads a recording from its start to its end. Suitable for a background thread with its own
+   * reader.
    *
    * @param reader at its start; at its end afterwards
-   * @param bins how many bins, at least 1
+   * @param bins number of bins, at least 1
    * @return the profile
    * @throws InterruptedIOException if the thread is interrupted
    * @throws IOException if the file can no longer be read
@@ -43,7 +43,7 @@ public final class RateProfile {
     }
     Collector scan = new Collector(reader.segments(), bins);
     while (reader.next(scan)) {
-      // beside a window that is to answer meanwhile
+      // keeps the user interface responsive
       Thread.yield();
       if (Thread.currentThread().isInterrupted()) {
         throw new InterruptedIOException("interrupted while reading " + reader.path());
@@ -74,7 +74,7 @@ public final class RateProfile {
    * Rate in a bin.
    *
    * @param bin 0 to {@link #bins()} - 1
-   * @return events per second; 0 where the recording has no length
+   * @return events per second; 0 for a recording without duration
    */
   public double eventsPerSecond(int bin) {
     return durationUs == 0 ? 0 : events[bin] * 1e6 * events.length / durationUs;
@@ -95,10 +95,10 @@ public final class RateProfile {
     private long segmentStartUs;
 
     /**
-     * Nothing counted yet.
+     * A collector without events.
      *
      * @param segments of the recording
-     * @param bins how many bins, at least 1
+     * @param bins number of bins, at least 1
      */
     public Collector(List<TimeSegment> segments, int bins) {
       this.segments = segments;
@@ -107,7 +107,7 @@ public final class RateProfile {
     }
 
     /**
-     * Place of a time of the segment that is being read.
+     * Elapsed time of a time in the current segment.
      *
      * @param timeUs time on the recording's clock, microseconds
      * @return microseconds since the recording's start
@@ -121,7 +121,7 @@ public final class RateProfile {
     }
 
     /**
-     * The profile of what was read.
+     * The profile of the events so far.
      *
      * @return a copy
      */

@@ -31,16 +31,16 @@ import java.util.Set;
  * @param off number of OFF events
  * @param firstUs time of the first event in microseconds, 0 without events
  * @param lastUs time of the last event in microseconds, 0 without events
- * @param durationS length of all segments together in seconds
- * @param meanRateEps events per second over that length, 0 where it is 0
- * @param peakRateEps most events in a stretch of 10 ms, in events per second; the stretches lie end
- *     to end from the first event of each segment
+ * @param durationS total duration of all segments in seconds
+ * @param meanRateEps events per second over that duration, 0 if it is 0
+ * @param peakRateEps maximum event rate in a bin of 10 ms, in events per second; the bins are
+ *     contiguous from the first event of each segment
  * @param timestampsMonotonic whether the clock never goes back
- * @param gaps losses that the recording itself tells of, and silences of the whole sensor of at
+ * @param gaps losses that the recording itself reports, and silences of the whole sensor of at
  *     least {@link #SILENCE_US}; the first {@link #MAX_LISTED}
- * @param segments stretches between which the clock goes back; the first {@link #MAX_LISTED}
- * @param samples frames, inertial samples and triggers that it holds beside the events
- * @param warnings what a user should know: assumptions of the reader and what was wrong or left out
+ * @param segments sections between which the clock goes back; the first {@link #MAX_LISTED}
+ * @param samples numbers of frames, inertial samples and triggers
+ * @param warnings for users: assumptions of the reader, violations and skipped data
  * @since 0.1
  */
 public record RecordingSummary(
@@ -59,15 +59,15 @@ public record RecordingSummary(
     List<TimeSegment> segments,
     SampleCounts samples,
     List<String> warnings) {
-  /** Silence of a whole sensor that counts as a gap: any sensor's noise is denser than that. */
+  /** Minimum silence of a whole sensor that is a gap: any sensor's noise is denser than that. */
   public static final long SILENCE_US = 1_000_000;
 
-  /** So many gaps and segments are listed at most; the warnings tell of more. */
+  /** Maximum number of listed gaps and segments; the warnings report more. */
   public static final int MAX_LISTED = 10_000;
 
   private static final long PEAK_US = 10_000;
 
-  /** Checks and copies. */
+  /** Checks the values and copies the lists. */
   public RecordingSummary {
     Objects.requireNonNull(format, "format");
     Objects.requireNonNull(geometry, "geometry");
@@ -81,9 +81,9 @@ public record RecordingSummary(
    * Reads a recording from its start to its end, in bounded memory.
    *
    * @param reader at its start; at its end afterwards
-   * @param progress hears how far it is
-   * @param also are handed all that is read; must not change packets
-   * @return what it holds
+   * @param progress receives the progress
+   * @param also receive the whole stream; must not change packets
+   * @return the summary
    * @throws InterruptedIOException if the thread is interrupted
    * @throws IOException if the file can no longer be read
    */

@@ -3,8 +3,8 @@ package haltere.core.format.summary;
 import java.util.Arrays;
 
 /**
- * Lowest and highest value in bins of time. The bins double in length whenever time outgrows them,
- * so memory is bounded and the length of a stream need not be known.
+ * Lowest and highest value in time bins. The bins double in length when time exceeds their range,
+ * so that memory is bounded for streams of any length.
  *
  * <p>Thread rule: one thread.
  *
@@ -20,8 +20,8 @@ public final class TimeBins {
   /**
    * Empty bins.
    *
-   * @param bins how many at most, an even number
-   * @param firstBinUs length of each at first, microseconds
+   * @param bins maximum number, even
+   * @param firstBinUs initial length of each, microseconds
    */
   public TimeBins(int bins, long firstBinUs) {
     counts = new long[bins];
@@ -31,7 +31,7 @@ public final class TimeBins {
   }
 
   /**
-   * Takes a sample.
+   * Adds a sample.
    *
    * @param elapsedUs its time since the first, microseconds, at least 0
    * @param value its value
@@ -79,7 +79,7 @@ public final class TimeBins {
   }
 
   /**
-   * How many samples are in a bin.
+   * Number of samples in a bin.
    *
    * @param bin 0 to {@link #size()} - 1
    * @return at least 0
@@ -89,8 +89,8 @@ public final class TimeBins {
   }
 
   /**
-   * Samples per second in a bin; of the last one over what it covers of time, and at least half of
-   * its length.
+   * Samples per second in a bin; in the last one over the time that it covers, at least half of its
+   * length.
    *
    * @param bin 0 to {@link #size()} - 1
    * @return hertz

@@ -3,19 +3,18 @@ package haltere.core.format.internal.aedat2;
 import haltere.core.event.EventPacket;
 
 /**
- * Turns the address words of one camera into packed event addresses and back. Pure: the same words
- * give the same addresses.
+ * Converts the address words of one camera to packed event addresses and back, without state.
  *
  * <p>Thread rule: immutable.
  */
 abstract sealed class AddressDecoder permits Dvs128AddressDecoder, DavisAddressDecoder {
-  /** Answer of {@link #address}: no polarity event (frame, inertial sample, external input). */
+  /** Result of {@link #address}: not a polarity event (frame, inertial sample, external input). */
   public static final int OTHER = -1;
 
-  /** Answer of {@link #address}: a pixel that is not on the sensor. */
+  /** Result of {@link #address}: a pixel outside the sensor. */
   public static final int OUTSIDE = -2;
 
-  /** Answer of {@link #address}: a word that means nothing in this layout. */
+  /** Result of {@link #address}: an invalid word in this layout. */
   public static final int UNKNOWN = -3;
 
   AddressDecoder() {}
@@ -38,16 +37,16 @@ abstract sealed class AddressDecoder permits Dvs128AddressDecoder, DavisAddressD
   public abstract int word(int address);
 
   /**
-   * Decodes a run of 8-byte records at once, appending to a packet, as long as nothing is odd about
-   * them: the clock neither wraps nor goes back, and there is nothing to count but {@link #OTHER}.
-   * If something is odd the packet stays as it was and the caller goes record by record.
+   * Decodes a run of regular 8-byte records at once and appends them to a packet: the clock neither
+   * wraps nor goes back, and there are no violations except {@link #OTHER}. For an irregular run
+   * the packet is unchanged and the caller decodes single records.
    *
    * @param records 8-byte records, address word above, time below
-   * @param count how many of them
-   * @param turnUs what to add to the 32-bit times
-   * @param lastUs time of the event before
+   * @param count their number
+   * @param turnUs offset of the 32-bit times
+   * @param lastUs time of the previous event
    * @param out packet with room for all of them
-   * @return number of records that held another kind of data, or -1 if something is odd
+   * @return number of records with other data, or -1 for an irregular run
    */
   abstract int decodeRun(long[] records, int count, long turnUs, long lastUs, EventPacket out);
 }

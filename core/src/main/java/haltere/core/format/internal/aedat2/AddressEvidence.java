@@ -8,12 +8,11 @@ import java.nio.ByteBuffer;
 import java.util.List;
 
 /**
- * How many address words of an AEDAT-2.0 file each layout explains, from the first record to the
- * last.
+ * Number of address words of an AEDAT-2.0 file that each layout explains, over all records.
  *
- * <p>A lost byte shifts all records behind it. If no layout explains two blocks of records, they
- * are read again at the shift at which they are a DVS128's and times ascend; words of a DAVIS have
- * too few bits that are always zero to be recognised at a shift.
+ * <p>A lost byte shifts all records after it. If no layout explains two blocks of records, they are
+ * read again at the shift at which they match a DVS128 and times ascend; DAVIS words have too few
+ * constant zero bits to detect a shift.
  *
  * <p>Thread rule: one thread.
  */
@@ -23,10 +22,10 @@ final class AddressEvidence {
   private static final int BLOCK_BYTES = BLOCK_RECORDS * RECORD_BYTES;
   private static final int PIECE_BYTES = 4096 * BLOCK_BYTES;
 
-  /** Least share of the words that an accepted layout explains. */
+  /** Minimum share of the words that an accepted layout explains. */
   private static final double MIN_EXPLAINED = 0.6;
 
-  /** Share of the words of a block that one layout explains where it is not damaged. */
+  /** Minimum share of the words of an undamaged block that one layout explains. */
   private static final double MIN_EXPLAINED_IN_BLOCK = 0.9;
 
   /** Counts of words. */
@@ -56,7 +55,7 @@ final class AddressEvidence {
         dvs128Words++;
       }
       if (word < 0 || (word & 0x400) != 0) {
-        // A sample or an external input; of the latter only the lowest bits carry more.
+        // a sample, or an external input, which uses only the lowest bits
         davisWords += word < 0 || (word & 0x3f8) == 0 ? 1 : 0;
       } else if ((word & 0x3ff) == 0) {
         davisWords++;
@@ -149,19 +148,19 @@ final class AddressEvidence {
     return isExplained(Tally.of(piece, from, end(from)), from);
   }
 
-  /** Any word with its highest bit set is a DAVIS's, so the times of its records have to ascend. */
+  /** Any word with its highest bit set is valid for a DAVIS, so the times must ascend too. */
   private boolean isExplained(Tally block, int from) {
     return block.isDvs128() || block.isDavis() && ascends(from, end(from));
   }
 
-  /** The last block of a file may be short; records before it are used for its times as well. */
+  /** The last block of a file may be short; its times are checked with records before it. */
   private boolean ascends(int from, int to) {
     int missing = Math.min(from, BLOCK_BYTES - (to - from)) / RECORD_BYTES;
     int first = from - missing * RECORD_BYTES;
     return AedatHeader.clockAscends(piece.array(), first, to, RECORD_BYTES, BLOCK_RECORDS);
   }
 
-  /** The layout that explains most words, among those that leave events if any does. */
+  /** The layout that explains most words, preferably one that yields events. */
   AedatSensor.Layout layout(boolean isLarge) {
     long dvs128 = all.dvs128Events == 0 ? 0 : all.dvs128Words;
     long davis = all.davisEvents == 0 ? 0 : all.davisWords;
@@ -171,7 +170,7 @@ final class AddressEvidence {
     return dvs128 > davis ? AedatSensor.Layout.DVS128 : AedatSensor.Layout.DAVIS;
   }
 
-  /** Whether a layout leaves events and explains the words; without words none is refuted. */
+  /** Whether a layout yields events and explains the words; true without words. */
   boolean isExplained(AedatSensor.Layout layout) {
     boolean isDvs128 = layout == AedatSensor.Layout.DVS128;
     return all.words == 0
@@ -185,7 +184,7 @@ final class AddressEvidence {
     return all.words == 0 ? 1 : (double) words / all.words;
   }
 
-  /** The first of some sizes that holds the events of a DAVIS, as far as they are not damaged. */
+  /** The first of some sizes that holds the undamaged events of a DAVIS. */
   SensorGeometry smallest(List<SensorGeometry> sizes) {
     Tally events = undamaged.davisEvents > 0 ? undamaged : all;
     return sizes.stream()

@@ -18,12 +18,12 @@ import java.util.Set;
 
 /**
  * AEDAT-1.0, the oldest recordings of jAER, of DVS128 and Tmpdiff128: read only. A file without a
- * header is one if its bytes, as records, have ascending times.
+ * header is detected by the ascending times of its records.
  */
 public final class Aedat1Format implements ReadOnlyFormat {
   private static final int CLOCK_RECORDS = 1000;
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public Aedat1Format() {}
 
   @Override

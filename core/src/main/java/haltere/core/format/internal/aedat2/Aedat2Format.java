@@ -18,9 +18,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** AEDAT-2.0, what jAER recorded from 2008 until AEDAT-4: read and written. */
+/** AEDAT-2.0, the format of jAER from 2008 until AEDAT-4: read and written. */
 public final class Aedat2Format implements StreamedFormat {
-  /** For the service loader. */
+  /** Called by the service loader. */
   public Aedat2Format() {}
 
   @Override

@@ -25,7 +25,7 @@ import java.util.TreeMap;
  *
  * <p>The header is plain ASCII with CRLF, because jAER finds the first record by counting
  * characters. Its end line separates it from a first record whose first byte is a number sign. For
- * times beyond 32 bits, a header line of our own has the offset; jAER ignores it.
+ * times beyond 32 bits, a header line of Haltere has the offset; jAER ignores it.
  */
 final class Aedat2Writer implements RecordingWriter {
   private static final List<String> OWN_KEYS =
@@ -120,7 +120,7 @@ final class Aedat2Writer implements RecordingWriter {
     return EventAddress.x(event) >= geometry.width() || EventAddress.y(event) >= geometry.height();
   }
 
-  /** The first event, one outside, or one to which the clock does not simply go on. */
+  /** Writes the first event, one outside the sensor, or one after a jump of the clock. */
   private void writeWithCare(long timeUs, int event) {
     if (isOutside(event)) {
       outside++;
@@ -131,7 +131,7 @@ final class Aedat2Writer implements RecordingWriter {
   }
 
   private void start(long firstTurnUs) throws IOException {
-    // A start too far from 0 for the header line counts as a leap.
+    // a start too far from 0 for the header line is a jump
     boolean tooFar =
         firstTurnUs > AedatHeader.MAX_BASE_US || firstTurnUs < -AedatHeader.MAX_BASE_US;
     long turnUs = tooFar ? 0 : firstTurnUs;

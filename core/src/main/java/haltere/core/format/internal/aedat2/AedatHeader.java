@@ -9,18 +9,18 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The text header of an AEDAT-1.0 or AEDAT-2.0 file, counted in bytes: line ends may be LF or CRLF,
- * and characters may be of any encoding.
+ * The text header of an AEDAT-1.0 or AEDAT-2.0 file, parsed as bytes: line ends may be LF or CRLF,
+ * and the encoding is arbitrary.
  *
  * @param version the integer part of the version, empty without a version line
  * @param versionText the version as written, such as 2.0; empty without a version line
  * @param dataOffset where the records start
  * @param ended whether the header has its end line
- * @param cutOff whether the file ends in the middle of the header
+ * @param cutOff whether the file ends within the header
  * @param chip class of the chip as jAER writes it
  * @param hardware name of the hardware interface
- * @param sensor size of the sensor, from our own line
- * @param firstTurnUs what to add to the file's 32-bit times, from our own line
+ * @param sensor size of the sensor, from Haltere's line
+ * @param firstTurnUs offset of the file's 32-bit times, from Haltere's line
  */
 record AedatHeader(
     OptionalInt version,
@@ -51,9 +51,9 @@ record AedatHeader(
    * Reads a header.
    *
    * @param bytes the start of the file
-   * @param length how many of them count
+   * @param length number of valid bytes
    * @param whole whether the file ends there
-   * @return the header, or empty if it may go on behind the bytes
+   * @return the header, or empty if it may continue after the bytes
    */
   public static Optional<AedatHeader> parse(byte[] bytes, int length, boolean whole) {
     Lines lines = new Lines(bytes, length);
@@ -88,7 +88,7 @@ record AedatHeader(
       this.length = length;
     }
 
-    /** Where the header line that starts at an offset ends, or the offset if none does. */
+    /** End of the header line that starts at an offset, or the offset if there is none. */
     int next(int offset) {
       if (offset >= length || bytes[offset] != '#') {
         return offset;
@@ -107,15 +107,15 @@ record AedatHeader(
       return offset;
     }
 
-    /** The line without its number sign and blanks around it. */
+    /** The line without its number sign and surrounding blanks. */
     String text(int from, int to) {
       return new String(bytes, from + 1, to - from - 1, StandardCharsets.ISO_8859_1).strip();
     }
 
     /**
-     * Without an end line, a record can pass for a line: its first byte is a number sign and none
-     * of the following, up to one that is a line feed, is a control character. Such a record and
-     * those behind it make a clock that ascends; a line of text does not.
+     * Start of the records without an end line. A record looks like a line if its first byte is a
+     * number sign and no control character precedes a line feed. Read as records, it and those
+     * after it have ascending times; a line of text does not.
      */
     int firstRecord(int headerEnd) {
       int recordBytes = version(headerEnd).orElse(1) == 1 ? 6 : 8;
@@ -170,7 +170,7 @@ record AedatHeader(
       return Optional.empty();
     }
 
-    /** Whether all bytes from an offset on are one more line that lacks its end. */
+    /** Whether the bytes from an offset on are an unterminated line. */
     boolean endsInText(int offset) {
       if (offset >= length || bytes[offset] != '#' || length - offset > MAX_LINE) {
         return false;
@@ -228,14 +228,14 @@ record AedatHeader(
   }
 
   /**
-   * Whether bytes look like records: nine in ten of their times follow the one before within a
-   * minute.
+   * Whether bytes look like records: 90 % of their times are at most a minute after the previous
+   * one.
    *
    * @param bytes of a file
-   * @param offset where a record would start
-   * @param length how many of the bytes count
+   * @param offset start of the first record
+   * @param length number of valid bytes
    * @param recordBytes 6 or 8
-   * @param records how many to look at
+   * @param records number of records to examine
    * @return true if there are at least three records and they do
    */
   static boolean clockAscends(byte[] bytes, int offset, int length, int recordBytes, int records) {

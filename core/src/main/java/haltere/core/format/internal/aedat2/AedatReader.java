@@ -15,7 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** What the readers of AEDAT-1.0 and AEDAT-2.0 have in common. */
+/** Common parts of the readers of AEDAT-1.0 and AEDAT-2.0 have in common. */
 final class AedatReader {
   private static final int FIRST_LOOK = 256 * 1024;
   private static final int MAX_HEADER = 16 * 1024 * 1024;

@@ -11,8 +11,8 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * Goes through the records of an AEDAT-1.0 or AEDAT-2.0 file for those that are no events. The
- * events move its clock, as they do that of {@link RecordDecoder}.
+ * Finds the samples among the records of an AEDAT-1.0 or AEDAT-2.0 file. Events advance its clock,
+ * as they do that of {@link RecordDecoder}.
  *
  * <p>Thread rule: one thread.
  */
@@ -29,15 +29,15 @@ final class AedatSampleCursor implements SampleCursor {
   private long offset;
   private SensorSample sample;
 
-  /** Makes samples of the words that are no events. */
+  /** Assembles samples from the words that are not events. */
   interface SampleAssembly {
     /**
      * Takes the next word.
      *
      * @param word address word of a record
      * @param timeUs its time
-     * @param offset where in the file the record is
-     * @return a sample that is whole with it, or null
+     * @param offset byte offset of the record
+     * @return the sample that it completes, or null
      */
     SensorSample take(int word, long timeUs, long offset);
 

@@ -12,10 +12,10 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The camera of an AEDAT file: by the header, else by the options of the user, else by the
- * addresses of its records.
+ * The camera of an AEDAT file: by the header, else by the user's options, else by the addresses of
+ * its records.
  *
- * @param layout how to read the address words
+ * @param layout layout of the address words
  * @param geometry the sensor
  * @param remarks assumptions, a line each
  */
@@ -37,7 +37,7 @@ record AedatSensor(Layout layout, SensorGeometry geometry, List<String> remarks)
           new SensorGeometry(640, 480),
           new SensorGeometry(DavisAddressDecoder.MAX_WIDTH, DavisAddressDecoder.MAX_HEIGHT));
 
-  /** Sizes by how the chip's class is called in jAER, without its package and in lower case. */
+  /** Sizes by the chip's class in jAER, without its package and in lower case. */
   private static final Map<String, SensorGeometry> DAVIS_CHIPS =
       Map.of(
           "davis240", DAVIS_SIZES.get(0),
@@ -57,14 +57,14 @@ record AedatSensor(Layout layout, SensorGeometry geometry, List<String> remarks)
   }
 
   /**
-   * Decides.
+   * Determines the sensor.
    *
    * @param header of the file
-   * @param options of the user
+   * @param options the user's options
    * @param file its bytes, read to the end if the header is not sufficient
-   * @return the decision with its reasons
-   * @throws RecordingProblem if the camera is no retina, or no layout explains the addresses, and
-   *     the user names neither format nor sensor
+   * @return the sensor, with remarks
+   * @throws RecordingProblem if the camera has no event sensor, or no layout explains the
+   *     addresses, and the user names neither format nor sensor
    * @throws IOException if the file cannot be read
    */
   public static AedatSensor of(AedatHeader header, ReadOptions options, RecordingFile file)

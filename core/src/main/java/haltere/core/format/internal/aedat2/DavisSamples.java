@@ -98,7 +98,7 @@ final class DavisSamples implements AedatSampleCursor.SampleAssembly {
     }
     Frame whole = null;
     if (!signal && samples.hasReset(x, y)) {
-      // A region of the sensor has as many samples as it has; the next frame's first ends it.
+      // a region of the sensor has fewer samples; the next frame's first sample ends it
       whole = samples.finish();
       if (whole == null) {
         violations.add(Violation.INCOMPLETE_SAMPLE, offset);

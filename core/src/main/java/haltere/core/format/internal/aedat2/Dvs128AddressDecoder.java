@@ -19,7 +19,7 @@ public final class Dvs128AddressDecoder extends AddressDecoder {
   /**
    * Decodes for a sensor.
    *
-   * @param geometry 128x128, or less to leave the rest out
+   * @param geometry 128x128, or less to skip the rest
    */
   public Dvs128AddressDecoder(SensorGeometry geometry) {
     this.geometry = geometry;
@@ -41,9 +41,7 @@ public final class Dvs128AddressDecoder extends AddressDecoder {
     return address;
   }
 
-  /**
-   * Bits 1 to 7 mirror and bit 0 turns round with the same exclusive or; bits 8 to 14 move to y.
-   */
+  /** One exclusive or mirrors bits 1 to 7 and inverts bit 0; bits 8 to 14 move to y. */
   private static int pixel(int word) {
     return (word & 0x7f00) << 8 | ((word ^ 0xff) & 0xff);
   }

@@ -3,7 +3,7 @@ package haltere.core.format.internal.aedat2;
 import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 
-/** Triggers of the DVS128: edges of its input without a direction; its LED makes some as well. */
+/** Triggers of the DVS128: edges of its input without a direction; its LED causes some as well. */
 final class Dvs128Samples implements AedatSampleCursor.SampleAssembly {
   @Override
   public SensorSample take(int word, long timeUs, long offset) {
@@ -12,6 +12,6 @@ final class Dvs128Samples implements AedatSampleCursor.SampleAssembly {
 
   @Override
   public void reset() {
-    // Each word is a whole mark.
+    // each word is a complete trigger
   }
 }

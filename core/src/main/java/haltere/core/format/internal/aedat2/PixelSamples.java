@@ -4,7 +4,7 @@ import haltere.core.event.Frame;
 import haltere.core.event.SensorGeometry;
 import java.util.Arrays;
 
-/** The samples of a frame while they come in: of each pixel one after its reset and one later. */
+/** Collects the samples of a frame: each pixel has a reset sample and a later signal sample. */
 final class PixelSamples {
   private static final short NONE = -1;
   private static final int UNUSED_BITS = 6;
@@ -47,7 +47,7 @@ final class PixelSamples {
     return resets[y * width + x] != NONE;
   }
 
-  /** Takes a sample; false for a second reading of a pixel that has no first one. */
+  /** Adds a sample; false for the signal sample of a pixel without a reset sample. */
   boolean add(int x, int y, boolean signal, int value, long timeUs) {
     int pixel = y * width + x;
     if (signal) {

@@ -11,8 +11,8 @@ import haltere.core.format.internal.decoding.StreamDecoder;
 import java.nio.ByteBuffer;
 
 /**
- * Turns the records of an AEDAT-1.0 or AEDAT-2.0 file into packets: bytes in, events out. All state
- * is here: the clock, and how far violations have been counted.
+ * Decodes the records of an AEDAT-1.0 or AEDAT-2.0 file. It holds all state: the clock and the
+ * offset up to which violations have been counted.
  *
  * <p>Thread rule: one thread.
  */
@@ -101,7 +101,7 @@ final class RecordDecoder implements StreamDecoder {
     return true;
   }
 
-  /** Record by record; returns how many were dealt with before the clock went back. */
+  /** Decodes single records; returns their number before the clock went back. */
   private int decodeSingly(ByteBuffer in, int position, int records, long at, EventPacket out) {
     boolean wide = recordBytes == AEDAT2_BYTES;
     for (int i = 0; i < records; i++) {

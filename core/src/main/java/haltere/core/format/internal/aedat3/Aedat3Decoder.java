@@ -41,7 +41,7 @@ final class Aedat3Decoder implements StreamDecoder {
   /**
    * A decoder before the first packet.
    *
-   * @param geometry the sensor; events outside are left out
+   * @param geometry the sensor; events outside are skipped
    * @param oldLayout whether addresses are those of version 3.0
    * @param fileBytes size of the file
    * @param violations counts violations
@@ -85,7 +85,7 @@ final class Aedat3Decoder implements StreamDecoder {
     return times.restarted();
   }
 
-  /** Reads a header; returns how many bytes to go on. */
+  /** Reads a header; returns the number of bytes to advance. */
   private int header(ByteBuffer in, int position, long offset) {
     PacketHeader header = PacketHeader.read(in, position);
     long bytesLeft = fileBytes - offset - PacketHeader.BYTES;
@@ -115,7 +115,7 @@ final class Aedat3Decoder implements StreamDecoder {
     return PacketHeader.BYTES;
   }
 
-  /** Returns how many were decoded before the clock went back. */
+  /** Returns the number decoded before the clock went back. */
   private int decodeEvents(ByteBuffer in, int position, long offset, int count, EventPacket out) {
     boolean fromTop = geometry.origin() == Origin.TOP;
     int width = geometry.width();
@@ -160,7 +160,7 @@ final class Aedat3Decoder implements StreamDecoder {
     return 6;
   }
 
-  /** {@link Aedat3SampleCursor} goes by these numbers too. */
+  /** {@link Aedat3SampleCursor} uses these values too. */
   @Override
   public void save(long[] state, int at) {
     state[at] = events;

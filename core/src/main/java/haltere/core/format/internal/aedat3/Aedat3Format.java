@@ -25,11 +25,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** AEDAT-3.0 and AEDAT-3.1, what cAER recorded: read only. */
+/** AEDAT-3.0 and AEDAT-3.1, the formats of cAER: read only. */
 public final class Aedat3Format implements ReadOnlyFormat {
   private static final int ANY_SIDE = 1 << 15;
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public Aedat3Format() {}
 
   @Override

@@ -13,7 +13,7 @@ import java.util.Optional;
 
 /**
  * The text header of an AEDAT-3 file: lines that begin with {@code #}, up to {@code #!END-HEADER}
- * or, in files of version 3.0, up to the first byte that begins no line.
+ * or, in files of version 3.0, up to the first byte that does not begin a line.
  *
  * @param version as written, such as 3.1; empty without a version line
  * @param format as written, empty for {@code RAW}
@@ -98,7 +98,7 @@ record Aedat3Header(
     return version.equals("3.0") || version.equals("3");
   }
 
-  /** The camera's size, its rows counting upwards. */
+  /** The camera's size, with rows counted upwards. */
   Optional<SensorGeometry> size() {
     String name = source.orElse("").toUpperCase(Locale.ROOT);
     return CAMERAS.entrySet().stream()

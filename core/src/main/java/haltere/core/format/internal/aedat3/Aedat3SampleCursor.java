@@ -16,8 +16,8 @@ import java.nio.ByteOrder;
 
 /**
  * Goes from packet to packet of an AEDAT-3 file and reads those of special events, frames and
- * inertial samples. Where a header cannot be true it looks for the next one, as {@link
- * Aedat3Decoder} does.
+ * inertial samples. After an invalid header it searches the next one, as {@link Aedat3Decoder}
+ * does.
  *
  * <p>Thread rule: one thread.
  */
@@ -64,7 +64,7 @@ final class Aedat3SampleCursor implements SampleCursor {
     return Step.SAMPLE;
   }
 
-  /** The next packet of samples; null at the end or behind a place. */
+  /** The next packet of samples; null at the end or after an offset. */
   private PacketHeader nextPacket(long untilOffset) throws IOException {
     while (position <= file.size() - PacketHeader.BYTES && position < untilOffset) {
       ByteBuffer bytes = bytes(position, PacketHeader.BYTES);
@@ -136,7 +136,7 @@ final class Aedat3SampleCursor implements SampleCursor {
     return ((long) packet.overflow() << TIME_BITS) + (bytes.getInt(at) & Integer.MAX_VALUE);
   }
 
-  /** Marks of the clock's turns and of rows without events are none. */
+  /** Null for marks of clock wraps and of rows without events. */
   private Trigger trigger(ByteBuffer bytes) {
     long timeUs = time(bytes, 4);
     int type = bytes.getInt(0) >>> 1 & 0x7f;
@@ -213,7 +213,7 @@ final class Aedat3SampleCursor implements SampleCursor {
     return position + PacketHeader.BYTES + packet.payloadBytes();
   }
 
-  /** The numbers are the offset and those of {@link Aedat3Decoder#save}. */
+  /** The values are the offset and those of {@link Aedat3Decoder#save}. */
   @Override
   public void restore(long[] state, int at) {
     position = state[at] + state[at + 1] * Aedat3Decoder.EVENT_BYTES + state[at + 2];

@@ -8,11 +8,11 @@ import java.nio.ByteBuffer;
  * @param kind of its events
  * @param source number of the camera
  * @param eventBytes bytes of an event
- * @param timeOffset where in an event its time is
- * @param overflow turns of the 31-bit clock before it
- * @param capacity events that it has room for
- * @param number events that are there
- * @param valid those of them that are valid
+ * @param timeOffset byte offset of the time in an event
+ * @param overflow wraps of the 31-bit clock before it
+ * @param capacity maximum number of events
+ * @param number number of events
+ * @param valid number of valid events
  */
 record PacketHeader(
     int kind,
@@ -47,7 +47,7 @@ record PacketHeader(
         in.getInt(position + 24));
   }
 
-  /** Whether it can be true. */
+  /** Whether its values are possible. */
   boolean isPossible() {
     return kind >= 0
         && kind <= MAX_KIND
@@ -63,7 +63,7 @@ record PacketHeader(
         && capacity >= number;
   }
 
-  /** Whether it can be one to go on with after damage, with so many bytes behind it. */
+  /** Whether decoding can continue with it after damage. */
   boolean canFollowDamage(long bytesLeft) {
     return isPossible()
         && kind == POLARITY
@@ -72,7 +72,7 @@ record PacketHeader(
         && source <= MAX_KIND;
   }
 
-  /** Bytes of the packet behind its header. */
+  /** Bytes of the packet after its header. */
   long payloadBytes() {
     return capacity * eventBytes;
   }

@@ -7,7 +7,7 @@
  * polarity events that are marked as not valid, and those of a second camera. Rows count from the
  * top.
  *
- * <p><b>What a time means.</b> Microseconds of the camera's clock: 31 bits in the event and 31 more
- * in the packet's header, so it neither wraps nor is negative.
+ * <p><b>Times.</b> Microseconds of the camera's clock: 31 bits in the event and 31 more in the
+ * packet's header, so it neither wraps nor is negative.
  */
 package haltere.core.format.internal.aedat3;

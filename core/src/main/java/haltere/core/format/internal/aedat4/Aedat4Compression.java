@@ -4,17 +4,17 @@ import java.util.Locale;
 
 /** How the packets of an AEDAT-4 file are compressed. */
 public enum Aedat4Compression {
-  /** As they are: fastest, 16 bytes an event. */
+  /** Uncompressed: fastest, 16 bytes an event. */
   NONE,
-  /** LZ4 frames, what most programs write: about half the size. */
+  /** LZ4 frames, as most programs write: about half the size. */
   LZ4,
-  /** LZ4 frames by a slow compressor that makes them a quarter smaller; read as fast as others. */
+  /** LZ4 frames of a slow compressor: a quarter smaller, read as fast as others. */
   LZ4_HIGH,
   /** Zstandard frames: about a third of the size, at half of the speed of LZ4. */
   ZSTD,
   /**
-   * Zstandard frames of the highest level, as DV does it: a fifth smaller, and so slow that it is
-   * for archives, not for recording.
+   * Zstandard frames of the highest level, as in DV: a fifth smaller; slow, for archives rather
+   * than recording.
    */
   ZSTD_HIGH;
 

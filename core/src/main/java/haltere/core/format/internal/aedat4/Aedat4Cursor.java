@@ -30,16 +30,16 @@ import java.util.Set;
 final class Aedat4Cursor implements EventCursor {
   static final int EVENT_BYTES = 16;
 
-  /** Numbers of the state of a cursor. */
+  /** Number of values of a cursor's state. */
   static final int STATE_LONGS = 3;
 
-  /** So many packets in order before a thread is started that helps. */
+  /** Packets decoded in order before a second thread is started. */
   private static final int PACKETS_ALONE = 8;
 
-  /** So often it is started again after damage. */
+  /** Maximum number of restarts of that thread after damage. */
   private static final int MAX_RESTARTS = 16;
 
-  /** Events that are decoded at a time. */
+  /** Events per decoded run. */
   static final int RUN = 1024;
 
   private static final long POLARITY = 1L << 32;
@@ -88,8 +88,8 @@ final class Aedat4Cursor implements EventCursor {
    * Layout of the packets of a file.
    *
    * @param known numbers of its streams
-   * @param start where packets start
-   * @param end where they end
+   * @param start offset of the first packet
+   * @param end end of the packets
    * @param cutOff whether the file is truncated there
    * @param metadata of the file
    * @param compression stated compression of the packets
@@ -124,7 +124,7 @@ final class Aedat4Cursor implements EventCursor {
     return Stop.MORE;
   }
 
-  /** Opens the next packet of the stream that is read. */
+  /** Opens the next packet of the selected stream. */
   private boolean nextPacket() throws IOException {
     while (walk.find()) {
       if (walk.stream() != eventStream) {
@@ -154,9 +154,7 @@ final class Aedat4Cursor implements EventCursor {
     inPacket = true;
   }
 
-  /**
-   * Takes the packet if it is decompressed already; starts a thread for that where it is worth it.
-   */
+  /** Uses the packet if it is decoded already; starts the decoding thread if it is worthwhile. */
   private boolean takeFromAhead() throws IOException {
     if (ahead == null && !startAhead()) {
       return false;
@@ -166,7 +164,7 @@ final class Aedat4Cursor implements EventCursor {
     }
     slot = ahead.take();
     if (slot == null || slot.position() != walk.position()) {
-      // An interrupt, or damage that led the two to different places.
+      // an interrupt, or damage after which the positions differ
       stopAhead();
       alone = ++restarts > MAX_RESTARTS;
       return false;
@@ -212,7 +210,7 @@ final class Aedat4Cursor implements EventCursor {
     violations.reached(walk.position());
   }
 
-  /** Where an event of the packet lies, or would lie if it were not compressed. */
+  /** File offset of an event, as if the packet were uncompressed. */
   private long offset(long event) {
     return walk.payload() + (count == 0 ? 0 : (long) ((double) walk.size() * event / count));
   }
@@ -249,7 +247,7 @@ final class Aedat4Cursor implements EventCursor {
     return false;
   }
 
-  /** Takes events of a packet that is decoded; returns true if the clock goes back with it. */
+  /** Copies events of a decoded packet; returns true if the clock goes back with it. */
   private boolean copy(EventPacket out, int maxEvents) {
     EventPacket decoded = slot.events();
     int from = (int) index;
@@ -265,7 +263,7 @@ final class Aedat4Cursor implements EventCursor {
     return false;
   }
 
-  /** Decodes events as long as nothing is odd about them; if something is, none. */
+  /** Decodes events if all are regular; otherwise none. */
   private boolean decodeRun(int run, EventPacket out) {
     if (times.lastUs() == StreamNotification.NO_TIME_US
         || !events.decode(decompressor.data(), decompressor.from(), run, times.lastUs(), out)) {
@@ -275,7 +273,7 @@ final class Aedat4Cursor implements EventCursor {
     return true;
   }
 
-  /** Returns how many were decoded before the clock went back. */
+  /** Returns the number decoded before the clock went back. */
   private int decodeSingly(int events, EventPacket out) {
     boolean top = geometry.origin() == Origin.TOP;
     for (int i = 0; i < events; i++) {
@@ -351,7 +349,7 @@ final class Aedat4Cursor implements EventCursor {
     return STATE_LONGS;
   }
 
-  /** What {@link #save} gives before a packet. */
+  /** The state that {@link #save} writes before a packet. */
   static void save(long[] state, long position, long lastUs) {
     state[0] = position;
     state[1] = 0;

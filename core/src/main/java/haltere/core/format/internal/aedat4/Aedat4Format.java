@@ -38,7 +38,7 @@ public final class Aedat4Format implements RecordingFormat {
   private static final int LOOK_PACKETS = 256;
   private static final int ANY_SIDE = 1 << 15;
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public Aedat4Format() {}
 
   @Override
@@ -72,11 +72,10 @@ public final class Aedat4Format implements RecordingFormat {
    * Opens a recording with several streams of events.
    *
    * @param file a file of this format
-   * @param options of the user
-   * @param stream number of the stream whose events are read; empty for the first that has any
+   * @param options the user's options
+   * @param stream number of the stream to read; empty for the first with events
    * @return a reader at its start
-   * @throws IOException a {@link RecordingProblem} where the file is not what it should be, or has
-   *     no such stream
+   * @throws IOException a {@link RecordingProblem} if the file is not valid or has no such stream
    */
   public RecordingReader open(Path file, ReadOptions options, OptionalInt stream)
       throws IOException {
@@ -84,11 +83,11 @@ public final class Aedat4Format implements RecordingFormat {
   }
 
   /**
-   * The streams that a file states, including those that are not read.
+   * The streams listed in a file, including those that are not read.
    *
    * @param file a file of this format
    * @return in order of their numbers
-   * @throws IOException a {@link RecordingProblem} where the file is not what it should be
+   * @throws IOException a {@link RecordingProblem} if the file is not valid
    */
   public static List<Aedat4Stream> streams(Path file) throws IOException {
     try (RecordingFile bytes = new RecordingFile(file)) {
@@ -175,7 +174,7 @@ public final class Aedat4Format implements RecordingFormat {
           Optional.of(counts -> samples(geometry, description, counts)));
     }
 
-    /** Of several streams of a kind those of the same camera are read, or the first. */
+    /** Of several streams of a kind, the one of the same camera is read, else the first. */
     private Aedat4SampleCursor samples(
         SensorGeometry geometry, Optional<Aedat4Stream> events, ViolationCounts counts) {
       Set<Integer> passed = new HashSet<>();

@@ -14,9 +14,9 @@ import java.util.Optional;
  *
  * @param compression stated compression of the packets
  * @param tablePosition stated position of the table of packets; below 0 while the file is open
- * @param dataOffset where the packets start
+ * @param dataOffset offset of the first packet
  * @param described whether the description of the streams could be read
- * @param streams stated by the file
+ * @param streams listed in the file
  */
 record Aedat4Header(
     Optional<Aedat4Compression> compression,
@@ -83,10 +83,10 @@ record Aedat4Header(
         List.copyOf(streams));
   }
 
-  /** Where in the bytes of {@link #write} the position of the table stands. */
+  /** Offset of the table's position in the bytes of {@link #write}. */
   static final int TABLE_POSITION_OFFSET = MAGIC_BYTES + 4 + 36;
 
-  /** A whole header for a file that is open, laid out as DV does it. */
+  /** A complete header for an open file, in DV's layout. */
   static byte[] write(Aedat4Compression compression, String infoNode) {
     byte[] text = infoNode.getBytes(StandardCharsets.UTF_8);
     int length = (48 + text.length + 1 + 7) / 8 * 8 + 4;

@@ -13,7 +13,7 @@ import java.util.Set;
 
 /**
  * Goes from packet to packet of an AEDAT-4 file and reads those of frames, inertial samples and
- * triggers. Packets of events are passed over without being decompressed.
+ * triggers. Packets of events are skipped without decompression.
  *
  * <p>Thread rule: one thread.
  */
@@ -33,10 +33,10 @@ final class Aedat4SampleCursor implements SampleCursor {
    * A cursor at the start.
    *
    * @param file the file
-   * @param layout where its packets lie
-   * @param passed numbers of the streams that are not read
-   * @param payload makes samples of packets
-   * @param violations where packets are counted that are not whole
+   * @param layout layout of its packets
+   * @param passed numbers of the skipped streams
+   * @param payload converts packets to samples
+   * @param violations counts incomplete packets
    */
   Aedat4SampleCursor(
       RecordingFile file,

@@ -4,13 +4,13 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A stream that an AEDAT-4 file states.
+ * A stream of an AEDAT-4 file.
  *
- * @param id number by which its packets name it
+ * @param id stream number in its packets
  * @param type four letters: {@code EVTS}, {@code FRME}, {@code IMUS}, {@code TRIG} and others
  * @param width of the sensor, 0 if it is not stated
  * @param height of the sensor, 0 if it is not stated
- * @param module the program's part that made it, such as {@code capture} or {@code jAER}
+ * @param module module of the writing program, such as {@code capture} or {@code jAER}
  * @param source the camera
  * @param metadata of the camera and the chain in recordings of this program, by key
  */

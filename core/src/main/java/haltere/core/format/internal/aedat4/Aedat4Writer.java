@@ -23,8 +23,8 @@ import java.util.TreeMap;
 /**
  * Writes AEDAT-4.0 as DV does: a stream of events and those of samples that the options name, rows
  * counted from the top, a table of packets at the end. The header is complete from the start and
- * packets are written whole, so the file can be read up to its last whole packet whenever its
- * writer dies.
+ * complete packets are written, so that a file of a killed writer can be read up to its last
+ * packet.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -76,11 +76,11 @@ public final class Aedat4Writer implements RecordingWriter {
   }
 
   /**
-   * Starts a file that appears when it is finished, or not at all.
+   * Starts a file that is replaced atomically when it is finished.
    *
-   * @param path where it will be
-   * @param options about the events; of the metadata, {@code source} names the camera
-   * @param compression how packets are compressed
+   * @param path path of the file
+   * @param options the writer's options; of the metadata, {@code source} names the camera
+   * @param compression compression of packets
    * @return a writer
    * @throws IOException if the file cannot be written
    */
@@ -98,13 +98,12 @@ public final class Aedat4Writer implements RecordingWriter {
   }
 
   /**
-   * Starts a file in its place, for a recording that is to survive the death of the program: from
-   * the moment that the file is there it can be read, up to its last packet. Closed without being
-   * finished it stays so.
+   * Starts a file under its final name, for a recording that survives the death of the program: it
+   * can be read at any time, up to its last packet. It remains if it is closed unfinished.
    *
-   * @param path where it is
-   * @param options about the events; of the metadata, {@code source} names the camera
-   * @param compression how packets are compressed
+   * @param path path of the file
+   * @param options the writer's options; of the metadata, {@code source} names the camera
+   * @param compression compression of packets
    * @return a writer
    * @throws IOException if the file cannot be written
    */
@@ -150,9 +149,9 @@ public final class Aedat4Writer implements RecordingWriter {
   }
 
   /**
-   * Writes a frame, an inertial sample or a trigger, if the options named its kind.
+   * Writes a frame, an inertial sample or a trigger, if the options include its kind.
    *
-   * @return false for a kind that they did not name, and for what the format has no number for
+   * @return false for another kind, and for samples that the format cannot represent
    */
   @Override
   public boolean write(SensorSample sample) throws IOException {
@@ -168,7 +167,7 @@ public final class Aedat4Writer implements RecordingWriter {
   }
 
   /**
-   * Writes events and samples up to now as packets, so that a reader finds them.
+   * Writes the events and samples so far as packets, so that a reader finds them.
    *
    * @throws IOException if they cannot be written
    */
@@ -239,7 +238,7 @@ public final class Aedat4Writer implements RecordingWriter {
     compressor.close();
     try (owner) {
       if (inPlace && !finished && channel.isOpen()) {
-        // What failed may have left a part of a packet.
+        // the failed write may have left a partial packet
         channel.truncate(packetsEnd);
       }
     }

@@ -7,8 +7,8 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 
 /**
- * Output in whole blocks, unless the bytes are needed sooner: blocks aligned with pages are written
- * a third faster than single packets.
+ * Writes in whole blocks unless the bytes are needed sooner: page-aligned blocks are written a
+ * third faster than single packets.
  *
  * <p>Thread rule: one thread.
  */
@@ -20,7 +20,7 @@ final class BlockOutput {
   private final ByteBuffer block = ByteBuffer.allocateDirect(BLOCK);
   private long blockStart;
 
-  /** Goes on at the end of a file. */
+  /** Continues at the end of a file. */
   BlockOutput(Path path, FileChannel channel) throws IOException {
     this.path = path;
     this.channel = channel;
@@ -32,7 +32,7 @@ final class BlockOutput {
     block.clear().limit(BLOCK - (int) (blockStart % BLOCK));
   }
 
-  /** Where in the file the next byte goes. */
+  /** File offset of the next byte. */
   long position() {
     return blockStart + block.position();
   }

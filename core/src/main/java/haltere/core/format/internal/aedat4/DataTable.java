@@ -7,8 +7,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * The table of packets at the end of a file that was closed: which stream, where, how many events,
- * from when to when. Here it is collected while writing.
+ * The table of packets at the end of a closed file: stream, offset, number of events, first and
+ * last time. This class collects it during writing.
  *
  * <p>Thread rule: one thread.
  */
@@ -22,7 +22,7 @@ final class DataTable {
   private long[] entries = new long[64 * ENTRY_LONGS];
   private int count;
 
-  /** Whether a table begins at a place, compressed or not. */
+  /** Whether a table begins at an offset, compressed or not. */
   static boolean isThere(RecordingFile file, long offset) throws IOException {
     byte[] start = file.read(offset, 12);
     if (start.length < 8) {
@@ -34,7 +34,7 @@ final class DataTable {
         || FlatTable.identifier(start, 0, start.length).equals(IDENTIFIER);
   }
 
-  /** Notes a packet; beyond what a table can hold, nothing. */
+  /** Adds a packet, unless the table is full. */
   void add(int stream, long payloadOffset, int size, int events, long firstUs, long lastUs) {
     if (count == MAX_ENTRIES) {
       return;
@@ -51,7 +51,7 @@ final class DataTable {
     entries[at + 5] = stream;
   }
 
-  /** The table as a buffer that starts with its size, laid out as DV does it. */
+  /** The table as a size-prefixed buffer, in DV's layout. */
   byte[] toBytes() {
     int tables = (44 + 4 * count + 7) / 8 * 8;
     int length = tables + ENTRY_BYTES * count;

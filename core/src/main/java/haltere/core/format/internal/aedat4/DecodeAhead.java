@@ -25,17 +25,17 @@ import java.util.concurrent.locks.ReentrantLock;
  * <p>Thread rule: all methods are for the reader's thread.
  */
 final class DecodeAhead implements Closeable {
-  /** Packets must be so large, on average, that handing them over is worth it. */
+  /** Minimum average packet size for which a second thread is worthwhile. */
   static final int WORTH_BYTES = 4096;
 
-  /** Bytes to read for the header of a packet that somebody else decompresses. */
+  /** Bytes to read for the header of a packet that the other thread decompresses. */
   static final int HEADER_WINDOW = 512;
 
   private static final int SLOTS = 6;
   private static final int MAX_COMPRESSED = 512 * 1024;
   private static final int MAX_EVENTS = 64 * 1024;
 
-  /** A packet that is decoded. */
+  /** A packet and its decoded events. */
   static final class Slot {
     private final EventPacket events = new EventPacket(0);
     private long position;
@@ -44,12 +44,12 @@ final class DecodeAhead implements Closeable {
     private boolean done;
     private boolean decoded;
 
-    /** Where the packet is in the file. */
+    /** File offset of the packet. */
     long position() {
       return position;
     }
 
-    /** Whether its events are here. */
+    /** Whether its events are decoded. */
     boolean isDecoded() {
       return decoded;
     }
@@ -76,14 +76,14 @@ final class DecodeAhead implements Closeable {
   private boolean ended;
 
   /**
-   * Starts to work.
+   * Starts decoding.
    *
    * @param path the file
    * @param layout of the file
    * @param geometry sensor of the events
    * @param stream whose packets are decoded
    * @param start position of the first packet
-   * @throws IOException if the file cannot be opened once more
+   * @throws IOException if the file cannot be reopened
    */
   DecodeAhead(
       Path path, Aedat4Cursor.Layout layout, SensorGeometry geometry, int stream, long start)
@@ -210,9 +210,10 @@ final class DecodeAhead implements Closeable {
   }
 
   /**
-   * The next packet. Decodes some itself until that is there.
+   * The next packet. The calling thread decodes packets until it is available.
    *
-   * @return a packet until it is released, or null if there is none or the thread is interrupted
+   * @return a packet, valid until it is released; null if there is none or the thread is
+   *     interrupted
    */
   Slot take() {
     try {
@@ -247,7 +248,7 @@ final class DecodeAhead implements Closeable {
     }
   }
 
-  /** Gives the packet back that was taken last. */
+  /** Releases the packet taken last. */
   void release() {
     lock.lock();
     try {

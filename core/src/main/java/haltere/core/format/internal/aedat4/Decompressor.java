@@ -11,14 +11,14 @@ import haltere.core.format.internal.compression.ZstdPayload;
 import java.io.IOException;
 
 /**
- * Decompresses the payload of a packet piece by piece, so that memory is bounded whatever its size.
- * The bytes that are there and not yet used lie in {@link #data} from {@link #from} to {@link #to};
- * who uses some moves {@link #from}.
+ * Decompresses the payload of a packet piece by piece, so that memory is bounded for any size. The
+ * available unused bytes are in {@link #data} from {@link #from} to {@link #to}; its user advances
+ * {@link #from}.
  *
  * <p>Thread rule: one thread.
  */
 final class Decompressor {
-  /** A packet's table and the vector of events must start within so many bytes. */
+  /** A packet's table and the vector of events must start within this number of bytes. */
   private static final int TABLE_BYTES = 4096;
 
   private final FileWindow window;
@@ -37,7 +37,7 @@ final class Decompressor {
     return window;
   }
 
-  /** How a payload is compressed, by its first bytes; empty for nothing that could be one. */
+  /** Compression of a payload, by its first bytes; empty if they are invalid. */
   static Aedat4Compression compression(byte[] bytes, int at, long size) {
     int first = LittleEndian.getInt(bytes, at);
     if (first == Aedat4Compression.LZ4_MAGIC) {
@@ -49,7 +49,7 @@ final class Decompressor {
     return first == size - 4 ? Aedat4Compression.NONE : null;
   }
 
-  /** Starts with a payload of any compression. */
+  /** Opens a payload of any compression. */
   void open(long offset, long size) throws IOException, DamagedPacketException {
     int at = size < 4 ? -1 : window.require(offset, 4);
     Aedat4Compression compression = at < 0 ? null : compression(window.bytes(), at, size);
@@ -110,7 +110,7 @@ final class Decompressor {
     method.skip(bytes);
   }
 
-  /** Gets at least so many bytes together, or all that there are. */
+  /** Makes a number of bytes available, or all that remain. */
   boolean gather(int bytes) throws IOException, DamagedPacketException {
     return method.gather(bytes);
   }

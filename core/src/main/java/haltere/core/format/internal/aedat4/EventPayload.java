@@ -8,8 +8,8 @@ import java.lang.invoke.VarHandle;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Makes the payload of a packet of events: a FlatBuffer that starts with its size. As {@link
- * EventRun} does the other way, it works in short loops of one kind where nothing is odd.
+ * Encodes the payload of a packet of events: a size-prefixed FlatBuffer. As {@link EventRun} does
+ * for decoding, it encodes regular events in short loops.
  *
  * <p>Thread rule: one thread.
  */
@@ -17,7 +17,7 @@ final class EventPayload {
   /** Bytes before the first event. */
   static final int HEADER_BYTES = 32;
 
-  /** As many as DV's packets of 10 ms have of a busy scene. */
+  /** About the size of DV's packets of 10 ms in a busy scene. */
   static final int MAX_EVENTS = 8192;
 
   private static final int RUN = Aedat4Cursor.RUN;
@@ -43,7 +43,7 @@ final class EventPayload {
     this.geometry = geometry;
     limits = ABOVE | geometry.height() - 1 << EventAddress.Y_SHIFT | geometry.width() - 1;
     bytes = new byte[HEADER_BYTES + MAX_EVENTS * Aedat4Cursor.EVENT_BYTES];
-    // All but the sizes is the same in each packet.
+    // all fields except the sizes are constant
     LittleEndian.putInt(bytes, 4, 16);
     byte[] letters = Aedat4Stream.EVENTS.getBytes(StandardCharsets.ISO_8859_1);
     System.arraycopy(letters, 0, bytes, 8, 4);
@@ -54,12 +54,12 @@ final class EventPayload {
     LittleEndian.putInt(bytes, 24, 4);
   }
 
-  /** The array that holds it, from its start on. */
+  /** The array with the payload at its start. */
   byte[] bytes() {
     return bytes;
   }
 
-  /** Bytes of it, once the sizes in it are put right. */
+  /** Completes the sizes in the payload; returns its number of bytes. */
   int complete() {
     int size = HEADER_BYTES + events * Aedat4Cursor.EVENT_BYTES;
     LittleEndian.putInt(bytes, 0, size - 4);
@@ -80,20 +80,20 @@ final class EventPayload {
     return firstUs;
   }
 
-  /** Time of the last event that there ever was. */
+  /** Time of the last event of all packets. */
   long lastUs() {
     return lastUs;
   }
 
-  /** Events that were left out because they are off the sensor. */
+  /** Events skipped because they are outside the sensor. */
   long outside() {
     return outside;
   }
 
   /**
-   * Appends events as far as there is room.
+   * Appends events up to the payload's capacity.
    *
-   * @return index behind the last that was taken
+   * @return index after the last appended event
    */
   int append(EventPacket packet, int from, int to) {
     int at = from;
@@ -118,7 +118,7 @@ final class EventPayload {
     return HEADER_BYTES + event * Aedat4Cursor.EVENT_BYTES;
   }
 
-  /** Columns, and rows from the top; false if one is off the sensor. */
+  /** Computes columns, and rows from the top; false if one is outside the sensor. */
   private boolean turn(int[] addresses, int from, int run) {
     int[] target = pixels;
     int fromLimits = limits;

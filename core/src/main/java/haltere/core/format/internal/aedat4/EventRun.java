@@ -8,9 +8,9 @@ import haltere.core.format.internal.compression.LittleEndian;
 import java.lang.invoke.VarHandle;
 
 /**
- * Decodes runs of events about which nothing is odd, in several short loops: only the first takes
- * the 16 bytes apart, the others work on arrays of one kind, which the compiler makes instructions
- * for many events at once of. Together they take two thirds of the time of one loop.
+ * Decodes runs of regular events in several short loops: the first splits the 16 bytes, the others
+ * work on arrays of one type, which the compiler vectorises. Together they take two thirds of the
+ * time of one loop.
  *
  * <p>Thread rule: immutable.
  */
@@ -21,10 +21,10 @@ final class EventRun {
   /** The bits above row and column. */
   private static final int ABOVE = 0x8000_8000;
 
-  /** Where the polarity waits until the address is made. */
+  /** Position of the polarity until the address is composed. */
   private static final int POLARITY_SHIFT = 15;
 
-  /** Longer gaps than 2 to the power of so many microseconds, 35 years, are odd. */
+  /** Gaps of more than 2 to this power microseconds, 35 years, are irregular. */
   private static final int GAP_BITS = 50;
 
   private final int limits;
@@ -40,15 +40,15 @@ final class EventRun {
   }
 
   /**
-   * Appends a run to a packet, all of it or nothing.
+   * Appends a run to a packet if all events are regular.
    *
    * @param data holds the events
-   * @param at where
-   * @param events how many; the packet has room for them
-   * @param lastUs time of the event before
+   * @param at index of the first
+   * @param events their number; the packet has room for them
+   * @param lastUs time of the previous event
    * @param out receives them
-   * @return false if an event is off the sensor or before the one before it, or its polarity is
-   *     none
+   * @return false if an event is outside the sensor, earlier than the previous one, or has an
+   *     invalid polarity
    */
   boolean decode(byte[] data, int at, int events, long lastUs, EventPacket out) {
     int from = out.size();
@@ -87,7 +87,7 @@ final class EventRun {
     for (int i = from + 1; i < to; i++) {
       gaps |= times[i] - times[i - 1];
     }
-    // With gaps so small their sum has not overflowed, unless the last is below the first.
+    // with such gaps the sum has not overflowed unless the last is below the first
     return gaps >>> GAP_BITS == 0 && times[to - 1] >= lastUs;
   }
 

@@ -3,11 +3,11 @@ package haltere.core.format.internal.aedat4;
 import haltere.core.format.internal.compression.LittleEndian;
 import java.nio.charset.StandardCharsets;
 
-/** Parts of a FlatBuffer that starts with its size. Places count from that size. */
+/** Parts of a size-prefixed FlatBuffer. Positions are relative to the size. */
 final class FlatPayload {
   private FlatPayload() {}
 
-  /** A buffer of which only size and four letters are there. */
+  /** A buffer with only the size and the four-letter identifier. */
   static byte[] start(String identifier, int length) {
     byte[] bytes = new byte[(length + 3) & -4];
     LittleEndian.putInt(bytes, 0, bytes.length - 4);
@@ -15,7 +15,7 @@ final class FlatPayload {
     return bytes;
   }
 
-  /** The layout of tables of a size: where in a table each field is, 0 for one that is not. */
+  /** Writes the layout of tables: the offset of each field in a table, 0 for a missing one. */
   static void putLayout(byte[] bytes, int at, int tableBytes, int... offsets) {
     LittleEndian.putShort(bytes, at, 4 + 2 * offsets.length);
     LittleEndian.putShort(bytes, at + 2, tableBytes);

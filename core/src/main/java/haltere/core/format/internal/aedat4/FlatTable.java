@@ -5,8 +5,8 @@ import haltere.core.format.internal.compression.LittleEndian;
 import java.nio.charset.StandardCharsets;
 
 /**
- * A table of a FlatBuffer, read where it lies. Every step is checked against the buffer, so any
- * bytes do no worse than a {@link DamagedPacketException}.
+ * A table of a FlatBuffer, read without copying. All positions are checked; invalid bytes throw a
+ * {@link DamagedPacketException}.
  */
 final class FlatTable {
   private final byte[] bytes;
@@ -37,11 +37,11 @@ final class FlatTable {
   }
 
   /**
-   * The root of a buffer that starts with its size.
+   * The root of a size-prefixed buffer.
    *
    * @param bytes holds the buffer
-   * @param from where its size stands
-   * @param to where the bytes that are there end, at least one of the buffer's parts
+   * @param from position of its size
+   * @param to end of the available bytes, which may be fewer than the buffer has
    */
   static FlatTable root(byte[] bytes, int from, int to) throws DamagedPacketException {
     if (to - from < 12) {
@@ -67,7 +67,7 @@ final class FlatTable {
     return (int) at;
   }
 
-  /** Where a field of some bytes lies, or -1 if the table has none. */
+  /** Position of a field, or -1 if the table does not have it. */
   private int field(int index, int length) throws DamagedPacketException {
     int slot = 4 + 2 * index;
     if (slot + 2 > vtableBytes) {
@@ -93,12 +93,12 @@ final class FlatTable {
     return at < 0 ? otherwise : LittleEndian.getLong(bytes, at);
   }
 
-  /** Where a field of a number of bytes lies in the array, or -1 if the table has none. */
+  /** Index of a field in the array, or -1 if the table does not have it. */
   int position(int index, int length) throws DamagedPacketException {
     return field(index, length);
   }
 
-  /** Where a vector's length stands in the array, or -1 if the table has none. */
+  /** Index of a vector's length in the array, or -1 if the table does not have it. */
   private int vector(int index) throws DamagedPacketException {
     int at = field(index, 4);
     if (at < 0) {
@@ -123,7 +123,7 @@ final class FlatTable {
     return at < 0 ? 0 : LittleEndian.getInt(bytes, at) & 0xffff_ffffL;
   }
 
-  /** Where a vector's elements start in the array, or -1 if the table has none. */
+  /** Index of a vector's first element in the array, or -1 if the table does not have it. */
   int vectorElements(int index) throws DamagedPacketException {
     int at = vector(index);
     return at < 0 ? -1 : at + 4;

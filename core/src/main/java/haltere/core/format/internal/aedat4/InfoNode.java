@@ -43,7 +43,7 @@ final class InfoNode {
   private InfoNode() {}
 
   /**
-   * Reads the streams; external entities and document types are refused.
+   * Reads the streams; external entities and document types are rejected.
    *
    * @return in order of their numbers
    */
@@ -153,7 +153,7 @@ final class InfoNode {
     return side <= MAX_SIDE ? side : 0;
   }
 
-  /** Writes the description of a stream of events and of others beside it, as DV does. */
+  /** The description of a stream of events and of sample streams, as in DV. */
   static String of(
       String compression,
       SensorGeometry sensor,
@@ -215,7 +215,7 @@ final class InfoNode {
     xml.append("</attr>\n");
   }
 
-  /** What XML cannot hold at all becomes a question mark. */
+  /** Characters that XML does not allow become a question mark. */
   private static void escape(StringBuilder xml, String text) {
     text.codePoints()
         .forEach(

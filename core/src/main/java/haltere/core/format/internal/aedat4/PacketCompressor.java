@@ -21,7 +21,7 @@ final class PacketCompressor implements Closeable {
   private static final int LZ4_STORED = 0x8000_0000;
 
   /**
-   * DV takes level 3. Of events level 2 makes less (5.31 bytes each instead of 5.35) and is faster.
+   * DV uses level 3. For events level 2 is smaller (5.31 bytes each instead of 5.35) and faster.
    */
   private static final int ZSTD_LEVEL = 2;
 
@@ -41,7 +41,7 @@ final class PacketCompressor implements Closeable {
     }
   }
 
-  /** Bytes that a compressed payload needs at the worst. */
+  /** Upper bound of the compressed size. */
   int bound(int bytes) {
     return switch (compression) {
       case NONE -> bytes;
@@ -57,8 +57,8 @@ final class PacketCompressor implements Closeable {
    * @param payload holds it
    * @param size its bytes, from index 0
    * @param target receives it
-   * @param at where
-   * @return end of it
+   * @param at index of its start
+   * @return index of its end
    */
   int pack(byte[] payload, int size, byte[] target, int at) {
     switch (compression) {

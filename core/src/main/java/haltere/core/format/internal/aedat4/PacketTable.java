@@ -12,9 +12,9 @@ import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * The table of packets of a file that was closed, as an index of its times. It is valid if it
- * covers every byte between the header and itself exactly once, as the headers of the packets do,
- * and if some packets, including the first and the last, have its times.
+ * The table of packets of a closed file, as an index of its times. It is valid if it covers every
+ * byte between the header and itself exactly once, as the packet headers do, and if its times match
+ * some packets, including the first and the last.
  *
  * <p>Thread rule: one thread.
  */
@@ -29,7 +29,7 @@ final class PacketTable {
   private final int stream;
   private final Decompressor decompressor;
 
-  // Of each packet with events: where it is, its size, events, first and last time.
+  // for each packet with events: offset, size, events, first and last time
   private long[] packets = new long[64 * COLUMNS];
   private int count;
 
@@ -104,7 +104,7 @@ final class PacketTable {
     return next == layout.end();
   }
 
-  /** Returns where the packet ends that an entry is about. */
+  /** Reads an entry; returns the end of its packet. */
   private long read(byte[] bytes, FlatTable entry, long start)
       throws IOException, DamagedPacketException {
     int packet = entry.position(1, 8);
@@ -164,8 +164,7 @@ final class PacketTable {
   }
 
   /**
-   * Goes through the packets, as {@link
-   * haltere.core.format.internal.decoding.EventCursor#visitPieces}.
+   * Visits the packets, as {@link haltere.core.format.internal.decoding.EventCursor#visitPieces}.
    */
   void visit(PieceVisitor visitor) throws IOException {
     long[] state = new long[Aedat4Cursor.STATE_LONGS];

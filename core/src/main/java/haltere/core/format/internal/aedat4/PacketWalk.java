@@ -9,8 +9,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Set;
 
 /**
- * Goes from packet to packet by their headers (number of the stream, size), and finds the next one
- * where a header is damaged.
+ * Goes from packet to packet by their headers (number of the stream, size), and searches the next
+ * one after a damaged header.
  *
  * <p>Thread rule: one thread.
  */
@@ -41,10 +41,10 @@ final class PacketWalk {
    *
    * @param window over the file
    * @param known numbers of the stated streams
-   * @param start where the packets start
-   * @param end where they end
+   * @param start offset of the first packet
+   * @param end end of the packets
    * @param cutOff whether the file is truncated there
-   * @param violations where damage is counted
+   * @param violations counts damage
    */
   PacketWalk(
       FileWindow window,
@@ -61,12 +61,12 @@ final class PacketWalk {
     position = start;
   }
 
-  /** Where the packet's header is. */
+  /** Offset of the packet's header. */
   long position() {
     return position;
   }
 
-  /** Looks at the file through another window. */
+  /** Reads the file through another window. */
   void lookThrough(FileWindow other) {
     window = other;
   }
@@ -79,7 +79,7 @@ final class PacketWalk {
     return stream;
   }
 
-  /** Bytes of the payload, which starts behind the header. */
+  /** Bytes of the payload, which starts after the header. */
   long size() {
     return size;
   }
@@ -92,7 +92,7 @@ final class PacketWalk {
     return payload() + size;
   }
 
-  /** Reads the header at the position, or at the next one that can be a packet's. */
+  /** Reads the header at the position, or the next possible one. */
   boolean find() throws IOException {
     while (position < end) {
       int at = end - position < HEADER_BYTES ? -1 : window.require(position, HEADER_BYTES);
@@ -120,12 +120,12 @@ final class PacketWalk {
     return false;
   }
 
-  /** Goes behind a packet that can be trusted. */
+  /** Skips a valid packet. */
   void pass() {
     position = packetEnd();
   }
 
-  /** Goes behind a packet whose payload is damaged, so that its size may be wrong too. */
+  /** Skips a packet with a damaged payload, whose size may be wrong too. */
   void passDamaged() throws IOException {
     long next = packetEnd();
     if (next < end && !looksLikePacket(next)) {
@@ -135,7 +135,7 @@ final class PacketWalk {
     position = next;
   }
 
-  /** The first offset that can be a packet's, or −1. Damage in many places is searched once. */
+  /** The first offset of a possible packet, or −1. Each damaged range is searched once. */
   private long search(long from) throws IOException {
     boolean isSearched = from >= searchedFrom && (searchFound < 0 || from <= searchFound);
     if (searchedFrom == 0 || !isSearched) {

@@ -14,8 +14,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Gathers samples for the packets of their streams and lays those out as DV does. A frame is a
- * packet; samples and triggers share one as long as they lie within {@value #SPAN_US} us.
+ * Collects samples into packets of their streams, in DV's layout. Each frame is a packet; inertial
+ * samples and triggers within {@value #SPAN_US} us share one.
  *
  * <p>Thread rule: one thread.
  */
@@ -28,7 +28,7 @@ final class SamplePackets {
   private static final Map<SampleKind, Integer> STREAMS =
       Map.of(SampleKind.FRAME, 1, SampleKind.INERTIAL_SAMPLE, 2, SampleKind.TRIGGER, 3);
 
-  /** Takes whole packets. */
+  /** Receives complete packets. */
   @FunctionalInterface
   interface Target {
     /**
@@ -73,7 +73,7 @@ final class SamplePackets {
     };
   }
 
-  /** Takes a sample; false if the file has no stream of its kind, or none that could hold it. */
+  /** Adds a sample; false if the file has no stream that can hold it. */
   boolean add(SensorSample sample) throws IOException {
     if (!kinds.contains(sample.kind())) {
       return false;
@@ -98,7 +98,7 @@ final class SamplePackets {
     return true;
   }
 
-  /** Writes packets that have waited long enough at a time. */
+  /** Writes the packets that are due at a time. */
   void reached(long timeUs) throws IOException {
     for (SampleKind kind : kinds) {
       List<SensorSample> waiting = gathered.get(kind);
@@ -115,7 +115,7 @@ final class SamplePackets {
     }
   }
 
-  /** Triggers whose number of the input could not be written. */
+  /** Number of triggers whose input number could not be written. */
   long channelsLost() {
     return channelsLost;
   }
@@ -195,7 +195,7 @@ final class SamplePackets {
     private final int first;
     private final int stride;
 
-    /** The offsets are those of the fields in a table of a size; the first one has 8 bytes. */
+    /** The offsets are those of the fields in a table; the first field has 8 bytes. */
     VectorPayload(String type, int elements, int stride, int size, int... offsets) {
       this.stride = stride;
       int layout = 28;

@@ -9,9 +9,9 @@ import haltere.core.format.internal.compression.LittleEndian;
 import java.util.Collection;
 
 /**
- * Makes samples of payloads. A frame's format is a number of OpenCV: depth in the lowest three
- * bits, channels less one above; colours are blue, green, red, as there, and become red, green,
- * blue. Times that a frame does not have follow from those that it has.
+ * Converts payloads to samples. A frame's format is an OpenCV type: depth in the lowest three bits,
+ * channels less one above; the colour order is converted from blue, green, red to red, green, blue.
+ * Missing times of a frame are derived from the others.
  *
  * @param sensorHeight rows of the sensor, 0 if not known
  * @param rowsFromBottom whether the file counts rows from the bottom
@@ -21,7 +21,9 @@ record SamplePayload(int sensorHeight, boolean rowsFromBottom) {
   static final String INERTIAL = "IMUS";
   static final String TRIGGERS = "TRIG";
 
-  /** Depths in the order of OpenCV's numbers; the eighth, of 16 bits, is turned into 32 bits. */
+  /**
+   * Depths in the order of OpenCV's numbers; the eighth, half precision, is converted to 32 bits.
+   */
   static final Frame.Depth[] DEPTHS = {
     Frame.Depth.UNSIGNED_8,
     Frame.Depth.SIGNED_8,
@@ -176,7 +178,7 @@ record SamplePayload(int sensorHeight, boolean rowsFromBottom) {
     return new Frame.Times(startUs, endUs, table.getLong(1, startUs), table.getLong(2, endUs));
   }
 
-  /** Turns numbers of 16 bits (sign, five bits of exponent, ten of fraction) into 32 bits. */
+  /** Converts half precision (16 bits) to single precision (32 bits). */
   private static byte[] widened(byte[] data, int at, int values) {
     byte[] wide = new byte[4 * values];
     for (int i = 0; i < values; i++) {

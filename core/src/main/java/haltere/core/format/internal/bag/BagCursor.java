@@ -21,7 +21,7 @@ import java.util.Optional;
  * <p>Thread rule: one thread.
  */
 final class BagCursor implements EventCursor {
-  /** Numbers of its own, before the walk's and the decoder's. */
+  /** Number of its own state values, before those of the walk and the decoder. */
   private static final int OWN_LONGS = 2;
 
   private static final long UNKNOWN = -1;
@@ -44,10 +44,10 @@ final class BagCursor implements EventCursor {
    *
    * @param walk stops at the messages of the topic; closed with the cursor
    * @param geometry the sensor
-   * @param encoding of the events; messages in another are counted and passed over
+   * @param encoding of the events; messages in another are counted and skipped
    * @param cdr whether messages are serialised as in ROS 2
-   * @param compression of the first message; empty where there is none
-   * @param violations where everything is counted
+   * @param compression of the first message; empty if there is none
+   * @param violations counts violations
    */
   BagCursor(
       MessageWalk walk,
@@ -85,7 +85,7 @@ final class BagCursor implements EventCursor {
     return Stop.MORE;
   }
 
-  /** Opens the next message, if it can be read; false at the end. */
+  /** Opens the next readable message; false at the end. */
   private boolean nextMessage() throws IOException {
     if (Thread.currentThread().isInterrupted()) {
       throw new InterruptedIOException("interrupted while reading a bag");
@@ -162,7 +162,7 @@ final class BagCursor implements EventCursor {
         return false;
       }
       if (!body.more()) {
-        // Less than an event is left over.
+        // less than an event remains
         violations.add(Violation.LYING_LENGTH, walk.offset(body.used()));
         pass();
         return false;

@@ -18,12 +18,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** Opens a bag of any container: chooses the topic, finds out about its events. */
+/**
+ * Opens a bag of any container: selects the topic and detects sensor and encoding of its events.
+ */
 final class BagOpening {
   private static final int ANY_SIDE = EventAddress.MAX_COORDINATE + 1;
   private static final long NS_PER_S = 1_000_000_000;
 
-  /** Makes walks through the messages of a bag. */
+  /** Creates walks through the messages of a bag. */
   @FunctionalInterface
   interface Walks {
     /** A walk from the start that stops at the messages of some topics. */
@@ -42,13 +44,13 @@ final class BagOpening {
   private final List<String> remarks = new ArrayList<>();
 
   /**
-   * What there is to open.
+   * A bag to open.
    *
    * @param formatName the container's name
    * @param file the bag
-   * @param options of the user
-   * @param topics those that are known, and where walks add those that they come across
-   * @param walks through its messages
+   * @param options the user's options
+   * @param topics the known topics, to which walks add others
+   * @param walks creates walks through its messages
    */
   BagOpening(
       String formatName, RecordingFile file, ReadOptions options, BagTopics topics, Walks walks) {
@@ -59,7 +61,7 @@ final class BagOpening {
     this.walks = walks;
   }
 
-  /** Adds what a user should know. */
+  /** Adds remarks for users. */
   BagOpening remark(List<String> lines) {
     remarks.addAll(lines);
     return this;
@@ -115,7 +117,7 @@ final class BagOpening {
         && (options.topic().isEmpty() || options.topic().get().equals(topic.name()));
   }
 
-  /** Looks for the first message that has events. */
+  /** Finds the first message with events. */
   private Optional<First> first() throws IOException {
     ViolationCounts ignored = new ViolationCounts();
     MessageBody body = new MessageBody();

@@ -8,9 +8,9 @@ package haltere.core.format.internal.bag;
  * @param cdr whether messages are serialised as in ROS 2, else as in ROS 1
  */
 record BagTopic(String name, String type, boolean cdr) {
-  /** What is read of it. */
+  /** The contents of its messages. */
   enum Kind {
-    /** Events one by one: {@code dvs_msgs/EventArray} and its likes. */
+    /** Single events: {@code dvs_msgs/EventArray} and similar types. */
     ARRAY,
     /** Bytes that encode events: {@code event_camera_msgs/EventPacket} and its predecessor. */
     PACKET,
@@ -18,7 +18,7 @@ record BagTopic(String name, String type, boolean cdr) {
     OTHER
   }
 
-  /** What is read of the topic, by its type. */
+  /** The contents of the messages, by their type. */
   Kind kind() {
     return switch (type.replace("/msg/", "/")) {
       case "dvs_msgs/EventArray", "prophesee_event_msgs/EventArray" -> Kind.ARRAY;

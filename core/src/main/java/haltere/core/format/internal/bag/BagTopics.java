@@ -5,17 +5,17 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The topics of a bag that are known so far, by the numbers that its messages name them with.
+ * The topics of a bag that are known so far, by their numbers in the messages.
  *
  * <p>Thread rule: one thread.
  */
 final class BagTopics {
-  /** More than a bag can have. */
+  /** Limit for damaged files, above that of any bag. */
   private static final int MAX_TOPICS = 1 << 16;
 
   private final Map<Long, BagTopic> byNumber = new LinkedHashMap<>();
 
-  /** Takes note of a topic; the first word on a number counts. */
+  /** Adds a topic; the first one of a number is kept. */
   void add(long number, BagTopic topic) {
     if (byNumber.size() < MAX_TOPICS) {
       byNumber.putIfAbsent(number, topic);
@@ -27,12 +27,12 @@ final class BagTopics {
     return byNumber.get(number);
   }
 
-  /** All of them, each once, in the order in which they became known. */
+  /** All topics, each once, in the order of their discovery. */
   List<BagTopic> all() {
     return byNumber.values().stream().distinct().toList();
   }
 
-  /** Those that have events. */
+  /** The topics with events. */
   List<BagTopic> ofEvents() {
     return all().stream().filter(topic -> topic.kind() != BagTopic.Kind.OTHER).toList();
   }

@@ -10,11 +10,11 @@ import org.apache.commons.compress.compressors.bzip2.BZip2CompressorInputStream;
 
 /**
  * A payload that is one bzip2 stream, decompressed by commons-compress. A block is released after
- * its checksum was verified, or in pieces of {@link #MAX_HELD_BYTES} before: runs of equal bytes
- * make a block as large as 46 MB.
+ * its checksum was verified, or before that in pieces of {@link #MAX_HELD_BYTES}: runs of equal
+ * bytes can expand a block to 46 MB.
  */
 final class Bzip2Payload extends Payload {
-  /** More than a block holds (900 kB) whose bytes repeat little. */
+  /** More than a block (900 kB) with few repeated bytes. */
   private static final int MAX_HELD_BYTES = 2 * 1024 * 1024;
 
   private static final int PIECE_BYTES = 64 * 1024;
@@ -50,8 +50,7 @@ final class Bzip2Payload extends Payload {
     to -= from;
     from = 0;
     int end = to;
-    // The library reads a block as a whole, and only when the checksum of the block before is
-    // right.
+    // the library reads a whole block, after it has verified the checksum of the previous one
     long position = compressed.position();
     try {
       while (compressed.position() == position && end - to < MAX_HELD_BYTES) {

@@ -1,13 +1,13 @@
 package haltere.core.format.internal.bag;
 
-/** The chunks of a bag, as far as its index knows them. */
+/** The chunks of a bag that its index lists. */
 interface ChunkList {
-  /** Where the first chunk after a position begins, as far as it is known; else {@link #end}. */
+  /** Start of the first listed chunk after a position; {@link #end} if there is none. */
   long chunkAfter(long position);
 
-  /** Where chunks end. */
+  /** End of the chunks. */
   long end();
 
-  /** Whether the bag was not closed, or has lost its end. */
+  /** Whether the bag was not closed, or is truncated. */
   boolean cutOff();
 }

@@ -3,7 +3,7 @@ package haltere.core.format.internal.bag;
 import java.util.Arrays;
 
 /**
- * Positions of the chunks of a bag, as far as its index states them.
+ * Positions of the chunks of a bag that its index lists.
  *
  * <p>Thread rule: one thread.
  */
@@ -25,7 +25,7 @@ final class ChunkPlaces {
     sorted = false;
   }
 
-  /** The first place after another, or something else if none is known. */
+  /** The first position after another, or a fallback if there is none. */
   long after(long place, long otherwise) {
     if (!sorted) {
       Arrays.sort(places, 0, count);

@@ -11,7 +11,7 @@ import haltere.core.format.internal.compression.StoredPayload;
 import haltere.core.format.internal.compression.ZstdPayload;
 import java.io.IOException;
 
-/** What the walks through bags have in common whose messages lie in chunks, compressed or not. */
+/** Common part of the walks through bags with messages in chunks, compressed or not. */
 abstract class ChunkWalk implements MessageWalk {
   final RecordingFile file;
   final BagTopics topics;
@@ -24,10 +24,10 @@ abstract class ChunkWalk implements MessageWalk {
   /** Offset of the next chunk, or of records before it. */
   long next;
 
-  /** Decompressed bytes of the chunk before the record at hand. */
+  /** Decompressed bytes of the chunk before the current record. */
   long recordAt;
 
-  /** Decompressed bytes of the chunk before the message that was found. */
+  /** Decompressed bytes of the chunk before the current message. */
   long messageAt;
 
   long messageBytes;
@@ -97,8 +97,8 @@ abstract class ChunkWalk implements MessageWalk {
   /**
    * Opens the chunk at {@link #next}.
    *
-   * @param compression its name in the file
-   * @param data where its bytes start
+   * @param compression name of the method in the file
+   * @param data offset of its bytes
    * @param bytes stated size
    * @param decompressedBytes stated size after decompression
    * @return false if it is damaged from the first byte on
@@ -150,7 +150,7 @@ abstract class ChunkWalk implements MessageWalk {
     }
   }
 
-  /** Passes over damage between chunks. */
+  /** Skips damage between chunks. */
   final void damagedBetweenChunks() {
     long at = next;
     next = chunks.chunkAfter(at);
@@ -187,7 +187,7 @@ abstract class ChunkWalk implements MessageWalk {
     return place(messageAt + done);
   }
 
-  /** Where a byte of the chunk is in the file, or would be if it were not compressed. */
+  /** File offset of a byte of the chunk, as if it were uncompressed. */
   private long place(long at) {
     if (payload == stored) {
       return compressedAt + Math.min(at, compressedBytes);
@@ -223,7 +223,7 @@ abstract class ChunkWalk implements MessageWalk {
       violations.add(cut ? Violation.LYING_LENGTH : Violation.DAMAGED_PACKET, at);
     }
     inChunk = false;
-    // A length that was too large leads past chunks that the index knows.
+    // an excessive length would skip chunks that the index lists
     next = Math.min(next, chunks.chunkAfter(chunk));
   }
 

@@ -7,9 +7,9 @@ import haltere.core.format.internal.compression.ZstdPayload;
 import java.io.IOException;
 
 /**
- * A walk whose messages are decompressed where they are compressed one by one ({@code
- * compression_mode: message} of rosbag2). A message of ROS 2 begins with the name of its
- * serialisation, which is never what a Zstandard frame begins with.
+ * A walk that decompresses individually compressed messages ({@code compression_mode: message} of
+ * rosbag2). A ROS 2 message begins with its serialisation, which differs from the start of a
+ * Zstandard frame.
  */
 final class DecompressingWalk implements MessageWalk {
   private static final int FRAME = 0xfd2f_b528;
@@ -26,7 +26,7 @@ final class DecompressingWalk implements MessageWalk {
   /**
    * A walk.
    *
-   * @param walk through the messages as they are; closed with this one
+   * @param walk walk through the stored messages; closed with this one
    */
   DecompressingWalk(MessageWalk walk) {
     this.walk = walk;

@@ -6,11 +6,11 @@ import haltere.core.format.internal.decoding.StreamDecoder;
 import haltere.core.format.internal.evt.Evt3Decoder;
 import java.util.Optional;
 
-/** How the events of a topic are encoded. */
+/** Encoding of the events of a topic. */
 enum Encoding {
-  /** One by one, of a type of their own. */
+  /** Single events in a message type of their own. */
   ARRAY(EventMessage.ARRAY),
-  /** The words of a Prophesee camera, as they came. */
+  /** The words of a Prophesee camera, unchanged. */
   EVT3("evt3"),
   /** libcaer's words. */
   LIBCAER("libcaer"),
@@ -39,17 +39,17 @@ enum Encoding {
     return Optional.empty();
   }
 
-  /** How a message names it. */
+  /** Its name in messages. */
   String word() {
     return word;
   }
 
-  /** Whether there are pixel events in it. */
+  /** Whether it contains pixel events. */
   boolean hasEvents() {
     return this != TRIGGER;
   }
 
-  /** Triggers that a message holds. */
+  /** Number of triggers in a message. */
   static long triggers(EventMessage message) {
     return Math.max(1, message.events() / TRIGGER_BYTES);
   }

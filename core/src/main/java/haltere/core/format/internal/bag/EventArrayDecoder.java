@@ -11,11 +11,11 @@ import java.lang.invoke.VarHandle;
 import java.nio.ByteBuffer;
 
 /**
- * Events one by one: column and row in 16 bits, seconds and nanoseconds in 32, polarity in a byte.
- * ROS 1 packs them into 13 bytes. ROS 2 aligns seconds and nanoseconds to 4 bytes and columns to 2,
- * so all but the first have a byte that means nothing before them and two before the seconds.
+ * Single events: column and row in 16 bits, seconds and nanoseconds in 32, polarity in a byte. ROS
+ * 1 packs them into 13 bytes. ROS 2 aligns seconds and nanoseconds to 4 bytes and columns to 2, so
+ * that each event but the first has a padding byte before it, and two before the seconds.
  *
- * <p>Time goes from nanoseconds to the microsecond in which it lies.
+ * <p>Nanoseconds are rounded down to microseconds.
  */
 final class EventArrayDecoder extends MessageDecoder {
   private static final int PACKED_BYTES = 13;
@@ -32,7 +32,7 @@ final class EventArrayDecoder extends MessageDecoder {
     this.cdr = cdr;
   }
 
-  /** Bytes of so many events. */
+  /** Bytes of a number of events. */
   static long bytes(long events, boolean cdr) {
     return cdr && events > 0 ? PACKED_BYTES + (events - 1) * ALIGNED_BYTES : events * PACKED_BYTES;
   }
@@ -93,7 +93,7 @@ final class EventArrayDecoder extends MessageDecoder {
     return take(out, timeUs, x, row, data[at + seconds + 8] == 0 ? 0 : 1, offset);
   }
 
-  /** Decodes events as long as nothing is odd about them; if something is, none. */
+  /** Decodes events if all are regular; otherwise none. */
   private boolean decodeRun(
       byte[] data, int from, int events, int stride, int pixel, int seconds, EventPacket out) {
     if (times.lastUs() == StreamNotification.NO_TIME_US) {

@@ -5,20 +5,20 @@ import java.io.IOException;
 
 /**
  * Header of a message with events. Both types begin with the standard header (in ROS 1 with a
- * number), height and width; then {@code EventArray} has the count of its events, {@code
- * EventPacket} a number, a base of time, the name of the encoding, the order of bytes, and the
- * count of bytes. ROS 2 begins with four bytes that name the serialisation and aligns each number
- * to its size.
+ * sequence number), height and width; then {@code EventArray} has the number of events, {@code
+ * EventPacket} a sequence number, a time base, the name of the encoding, the byte order, and the
+ * number of bytes. ROS 2 begins with four bytes for the serialisation and aligns each number to its
+ * size.
  *
  * @param stampNs the header's time, nanoseconds since 1970
  * @param width stated columns
  * @param height stated rows
- * @param number counts up by one; -1 where the type has none
+ * @param number sequence number; -1 if the type has none
  * @param timeBaseNs offset of times in the encoding
  * @param encoding of the events
- * @param bigEndian whether numbers of encodings in the machine's order begin with the highest byte
- * @param events count of events or bytes, as it says
- * @param lying whether that count is more than the message holds
+ * @param bigEndian byte order of encodings in the machine's order
+ * @param events stated number of events or bytes
+ * @param lying whether that number exceeds the message
  */
 record EventMessage(
     long stampNs,
@@ -30,14 +30,14 @@ record EventMessage(
     boolean bigEndian,
     long events,
     boolean lying) {
-  /** What an {@code EventArray} counts as. */
+  /** Encoding name for an {@code EventArray}. */
   static final String ARRAY = "array";
 
   private static final long NS_PER_S = 1_000_000_000;
   private static final int CDR_LITTLE_ENDIAN = 0x0100;
   private static final long NO_NUMBER = -1;
 
-  /** Reads up to the first event; the body's end is then that of the events. */
+  /** Reads up to the first event; the body then ends with the events. */
   static EventMessage read(BagTopic topic, MessageBody body)
       throws IOException, DamagedPacketException {
     boolean cdr = topic.cdr();

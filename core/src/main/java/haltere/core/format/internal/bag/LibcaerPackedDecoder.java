@@ -10,7 +10,7 @@ import java.nio.ByteBuffer;
 /**
  * The encoding {@code libcaer_cmp}: words of 16 bits, with the type in the upper four. Times count
  * microseconds from the message's base of time, in 24 bits that begin at 0 with each message; a
- * column word precedes row words, which make events one by one or eight at a time.
+ * column word precedes row words, each with one event or a group of eight pixels.
  */
 final class LibcaerPackedDecoder extends MessageDecoder {
   private static final int WORD_BYTES = 2;
@@ -33,7 +33,7 @@ final class LibcaerPackedDecoder extends MessageDecoder {
   private int firstRow;
   private int on;
 
-  /** Events of the word at the input's position that have been handed over already. */
+  /** Events of the word at the input's position that have already been appended. */
   private int handedOver;
 
   LibcaerPackedDecoder(SensorGeometry geometry, ViolationCounts violations) {

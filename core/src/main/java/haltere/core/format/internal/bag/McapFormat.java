@@ -15,9 +15,9 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Set;
 
-/** MCAP files with messages of ROS 1 or ROS 2: read; written as bags of ROS 2. */
+/** MCAP files with ROS 1 or ROS 2 messages: read; written as ROS 2 bags. */
 public final class McapFormat implements RecordingFormat {
-  /** For the service loader. */
+  /** Called by the service loader. */
   public McapFormat() {}
 
   @Override

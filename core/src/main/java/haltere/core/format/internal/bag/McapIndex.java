@@ -17,7 +17,7 @@ import java.util.Arrays;
 final class McapIndex implements ChunkList {
   private static final byte[] MAGIC = {(byte) 0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
 
-  /** Where the first record starts. */
+  /** Offset of the first record. */
   static final int FIRST_RECORD = MAGIC.length;
 
   /** The footer with kind and length. */
@@ -49,7 +49,7 @@ final class McapIndex implements ChunkList {
    *
    * @param file the bag
    * @param topics receives its topics
-   * @param violations where damage of the summary is counted
+   * @param violations counts damage of the summary
    */
   static McapIndex read(RecordingFile file, BagTopics topics, ViolationCounts violations)
       throws IOException {
@@ -105,7 +105,7 @@ final class McapIndex implements ChunkList {
     }
   }
 
-  /** Schemas and channels that are known. */
+  /** The known schemas and channels. */
   McapSchemas schemas() {
     return schemas;
   }

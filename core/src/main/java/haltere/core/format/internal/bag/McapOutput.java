@@ -4,7 +4,7 @@ import haltere.core.format.internal.compression.LittleEndian;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Puts records of an MCAP file together: little-endian numbers, texts with their length. */
+/** Composes records of an MCAP file: little-endian numbers, length-prefixed texts. */
 final class McapOutput {
   private byte[] bytes = new byte[4096];
   private int size;
@@ -21,7 +21,7 @@ final class McapOutput {
     size = 0;
   }
 
-  /** Reserves space for bytes and counts them as written; returns where they go. */
+  /** Reserves space for bytes; returns its index. */
   int grow(int count) {
     if (count > bytes.length - size) {
       bytes = Arrays.copyOf(bytes, Math.max(size + count, 2 * bytes.length));
@@ -66,13 +66,13 @@ final class McapOutput {
     return this;
   }
 
-  /** Starts a record; returns where its length will stand. */
+  /** Starts a record; returns the index of its length. */
   int start(int kind) {
     u8(kind);
     return grow(8);
   }
 
-  /** Ends the record whose length stands there. */
+  /** Ends the record with its length at an index. */
   McapOutput end(int lengthAt) {
     LittleEndian.putLong(bytes, lengthAt, size - lengthAt - 8L);
     return this;

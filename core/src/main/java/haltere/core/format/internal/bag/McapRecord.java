@@ -26,7 +26,7 @@ final class McapRecord {
   static final int SUMMARY_OFFSET = 14;
   static final int DATA_END = 15;
 
-  /** From here on kinds are other programs' own. */
+  /** First kind of private records. */
   static final int PRIVATE = 0x80;
 
   /** Kind and length. */
@@ -39,7 +39,7 @@ final class McapRecord {
   private long left;
   private long bytes;
 
-  /** Reads records from a payload that is opened. */
+  /** Reads records from an open payload. */
   McapRecord(Payload payload) {
     this.payload = payload;
   }
@@ -75,7 +75,7 @@ final class McapRecord {
     return bytes;
   }
 
-  /** Bytes of its content that are not used. */
+  /** Unused bytes of its content. */
   long left() {
     return left;
   }
@@ -114,7 +114,7 @@ final class McapRecord {
     return new String(payload.data(), at, (int) length, StandardCharsets.UTF_8);
   }
 
-  /** Passes over the rest. */
+  /** Skips the rest. */
   void pass() throws IOException, DamagedPacketException {
     payload.skip(left);
     left = 0;

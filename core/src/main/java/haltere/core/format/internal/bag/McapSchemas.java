@@ -6,7 +6,7 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * The schemas and channels of an MCAP file, which together are topics.
+ * The schemas and channels of an MCAP file, which define its topics.
  *
  * <p>Thread rule: one thread.
  */
@@ -18,7 +18,7 @@ final class McapSchemas {
     this.topics = topics;
   }
 
-  /** Takes note of a schema or channel, and passes over the record. */
+  /** Reads a schema or channel; skips any other record. */
   void read(McapRecord record) throws IOException, DamagedPacketException {
     int number = record.takeUnsignedShort();
     if (record.kind() == McapRecord.SCHEMA) {

@@ -12,7 +12,7 @@ import java.util.zip.CRC32;
 
 /**
  * Writes an MCAP file of one topic around its messages: header, chunks with the indexes of their
- * messages, and the summary, an index of chunks by time. With all checksums.
+ * messages, and the summary, an index of chunks by time. All checksums are written.
  *
  * <p>Thread rule: one thread.
  */
@@ -50,7 +50,7 @@ final class McapSummary {
   private long allFirstNs = Long.MAX_VALUE;
   private long allLastNs;
 
-  /** Writes what a file begins with. */
+  /** Writes the start of a file. */
   McapSummary(AtomicFile file, Map<String, String> metadata) throws IOException {
     this.file = file;
     out.raw(McapIndex.magic(), McapIndex.FIRST_RECORD);
@@ -96,13 +96,13 @@ final class McapSummary {
     to.u16(CHANNEL).u16(SCHEMA).text("/dvs/events").text("cdr").u32(0).end(at);
   }
 
-  /** Puts down what the messages of a chunk are about. */
+  /** Writes the schema and the channel to a chunk. */
   void putTopic(McapOutput chunk) {
     putSchema(chunk);
     putChannel(chunk);
   }
 
-  /** Takes note of a message in the chunk that is being filled. */
+  /** Adds a message in the current chunk to its index. */
   void message(long timeNs, long offset) {
     if (2 * messageCount == messages.length) {
       messages = Arrays.copyOf(messages, 2 * messages.length);
@@ -148,7 +148,7 @@ final class McapSummary {
     messageCount = 0;
   }
 
-  /** Writes what a file ends with. */
+  /** Writes the end of a file. */
   void finish() throws IOException {
     if (chunks == 0) {
       putTopic(out);
@@ -181,7 +181,7 @@ final class McapSummary {
     out.raw(offsets.bytes(), offsets.size());
     at = out.start(McapRecord.FOOTER);
     out.u64(summaryAt).u64(offsetsAt);
-    // The checksum covers the footer up to itself, with its length.
+    // the checksum covers the footer before it, including its length
     out.u32(0).end(at);
     CRC32 crc = new CRC32();
     crc.update(out.bytes(), 0, out.size() - 4);
@@ -190,7 +190,7 @@ final class McapSummary {
     flush();
   }
 
-  /** Says where a group of the summary begins, if there is one. */
+  /** Writes the offset of a group of the summary, if it exists. */
   private void offset(McapOutput offsets, int kind, long groupAt) {
     long bytes = position + out.size() - groupAt;
     if (bytes > 0) {

@@ -53,7 +53,7 @@ final class McapWalk extends ChunkWalk {
     return false;
   }
 
-  /** Returns false if the record at hand is not a chunk that can be read. */
+  /** Returns false if the current record is not a readable chunk. */
   private boolean openNext(McapRecord record, long rest)
       throws IOException, DamagedPacketException {
     record.next();
@@ -82,7 +82,7 @@ final class McapWalk extends ChunkWalk {
         }
       }
       default -> {
-        // Attachments, indexes, and what programs add of their own.
+        // attachments, indexes and private records
         if (record.kind() > McapRecord.DATA_END && record.kind() < McapRecord.PRIVATE) {
           violations.add(Violation.UNKNOWN_WORD, next);
         }

@@ -17,13 +17,13 @@ import java.util.List;
 
 /**
  * Writes events as messages {@code dvs_msgs/msg/EventArray} of ROS 2, which more programs read than
- * packets of encoded events, and whose times are exact. A message holds at most {@value
- * #MAX_EVENTS} events and 10 ms; chunks are compressed with Zstandard.
+ * encoded packets, and which have exact times. A message holds at most {@value #MAX_EVENTS} events
+ * and 10 ms; chunks are compressed with Zstandard.
  *
- * <p>Times have signed 32 bits of seconds: times more than 68 years from 0 are refused.
+ * <p>Times have signed 32 bits of seconds: times more than 68 years from 0 are rejected.
  */
 final class McapWriter implements RecordingWriter {
-  /** Most events of a message. */
+  /** Maximum number of events of a message. */
   static final int MAX_EVENTS = 8192;
 
   private static final long MESSAGE_US = 10_000;

@@ -8,7 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The bytes of one message, read from its start; also as a source of compressed ones.
+ * The bytes of one message, read from its start; also a source of compressed bytes.
  *
  * <p>Thread rule: one thread.
  */
@@ -19,19 +19,19 @@ final class MessageBody implements ByteSource {
   private long size;
   private long used;
 
-  /** Starts with a message. */
+  /** Opens a message. */
   void open(Payload bytes, long messageBytes) {
     payload = bytes;
     size = messageBytes;
     used = 0;
   }
 
-  /** Bytes that are used already. */
+  /** Number of used bytes. */
   long used() {
     return used;
   }
 
-  /** Bytes that are not used yet. */
+  /** Number of unused bytes. */
   long left() {
     return size - used;
   }
@@ -50,7 +50,7 @@ final class MessageBody implements ByteSource {
     return payload.from();
   }
 
-  /** Where the bytes end that are there and belong to the message. */
+  /** End of the available bytes of the message. */
   int to() {
     return (int) Math.min(payload.to(), payload.from() + left());
   }
@@ -89,7 +89,7 @@ final class MessageBody implements ByteSource {
     used += bytes;
   }
 
-  /** Passes over what makes the place in the message a multiple of a number of bytes. */
+  /** Skips padding up to a multiple of a number of bytes. */
   void align(int bytes, long start) throws IOException, DamagedPacketException {
     skip(-(used - start) & bytes - 1);
   }
@@ -122,7 +122,7 @@ final class MessageBody implements ByteSource {
     return LittleEndian.getLong(bytes(), at);
   }
 
-  /** A text with its length before it. */
+  /** A length-prefixed text. */
   String takeText() throws IOException, DamagedPacketException {
     long length = takeUnsignedInt();
     if (length > LONGEST_TEXT) {

@@ -10,8 +10,8 @@ import haltere.core.format.internal.clock.EventTimes;
 import haltere.core.format.internal.decoding.StreamDecoder;
 
 /**
- * What the decoders of messages have in common whose times count from one in the message. Rows
- * count from the top in messages.
+ * Common part of the decoders with times relative to a base in the message. Rows count from the top
+ * in messages.
  *
  * <p>Thread rule: one thread.
  */
@@ -29,11 +29,11 @@ abstract class MessageDecoder implements StreamDecoder {
     this.violations = violations;
   }
 
-  /** Starts with the events of a message. */
+  /** Starts the events of a message. */
   abstract void startMessage(EventMessage message);
 
   /**
-   * Appends an event, unless it is outside of the sensor.
+   * Appends an event, unless it is outside the sensor.
    *
    * @return false if the clock goes back with it
    */

@@ -6,20 +6,20 @@ import java.io.Closeable;
 import java.io.IOException;
 
 /**
- * Goes from message to message of a bag, in the order of the file. What is damaged is counted and
- * passed over.
+ * Iterates over the messages of a bag, in the order of the file. Damaged ones are counted and
+ * skipped.
  *
  * <p>Thread rule: one thread.
  */
 interface MessageWalk extends Closeable {
-  /** Numbers that {@link #save} notes. */
+  /** Number of values that {@link #save} writes. */
   int PLACE_LONGS = 2;
 
-  /** Which messages a walk stops at. */
+  /** Selects the messages at which a walk stops. */
   @FunctionalInterface
   interface Wanted {
     /**
-     * Whether a topic's messages are wanted.
+     * Whether a topic's messages are requested.
      *
      * @param topic any
      * @return true to stop at them
@@ -28,30 +28,29 @@ interface MessageWalk extends Closeable {
   }
 
   /**
-   * Finds the next message, from where the last one was passed.
+   * Finds the next message after the one passed last.
    *
    * @return false at the end of the bag
    */
   boolean find() throws IOException;
 
-  /** The topic of the message that was found. */
+  /** The topic of the current message. */
   BagTopic topic();
 
   /** Holds the message: its next {@link #size()} bytes. */
   Payload payload();
 
-  /** Bytes of the message that was found. */
+  /** Size of the current message in bytes. */
   long size();
 
-  /** How the message that was found is compressed: name of the method, or "none". */
+  /** Compression of the current message: name of the method, or "none". */
   String compression();
 
-  /** When it was recorded, nanoseconds since 1970. */
+  /** Time of recording, nanoseconds since 1970. */
   long recordedNs();
 
   /**
-   * Where a byte of the message that was found is in the file, or would be if it were not
-   * compressed.
+   * File offset of a byte of the current message, as if it were uncompressed.
    *
    * @param done bytes of the message before it
    */
@@ -61,18 +60,21 @@ interface MessageWalk extends Closeable {
   long position();
 
   /**
-   * Passes over the rest of the message that was found.
+   * Skips the rest of the current message.
    *
-   * @param unused its bytes that were not used
+   * @param unused its number of unused bytes
    */
   void pass(long unused) throws IOException;
 
-  /** Counts damage in the message that was found, and continues where the next one may be. */
+  /** Counts damage in the current message, and continues at the next possible one. */
   void damaged(DamagedPacketException damage) throws IOException;
 
-  /** Notes where the message that was found starts; without one, where {@link #find} continues. */
+  /**
+   * Saves the start of the current message or, without one, the position where {@link #find}
+   * continues.
+   */
   void save(long[] state, int at);
 
-  /** Goes to a place that was noted: {@link #find} finds the message there. */
+  /** Restores a saved position: {@link #find} finds the message there. */
   void restore(long[] state, int at) throws IOException;
 }

@@ -12,14 +12,14 @@ final class RosbagFields {
   private final int from;
   private final int to;
 
-  /** Fields in a part of an array; damaged ones are as if they were not there. */
+  /** Fields in a part of an array; damaged ones are ignored. */
   RosbagFields(byte[] data, int from, int to) {
     this.data = data;
     this.from = from;
     this.to = to;
   }
 
-  /** Index of a field's value, or -1 if there is none of so many bytes; any count with -1. */
+  /** Index of a field's value of a length (-1 for any), or -1 if there is none. */
   private int find(String name, int bytes) {
     int at = from;
     while (to - at >= 4) {

@@ -14,7 +14,7 @@ import java.util.Set;
 
 /** Bags of ROS 1, version 2.0: read. */
 public final class RosbagFormat implements ReadOnlyFormat {
-  /** For the service loader. */
+  /** Called by the service loader. */
   public RosbagFormat() {}
 
   @Override

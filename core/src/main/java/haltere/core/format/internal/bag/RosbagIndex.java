@@ -21,7 +21,7 @@ final class RosbagIndex implements ChunkList {
   /** The line that a bag begins with. */
   static final String MAGIC = "#ROSBAG V2.0\n";
 
-  /** Where the first record starts. */
+  /** Offset of the first record. */
   static final int FIRST_RECORD = MAGIC.length();
 
   private final long fileBytes;
@@ -39,7 +39,7 @@ final class RosbagIndex implements ChunkList {
    *
    * @param file the bag
    * @param topics receives its connections
-   * @param violations where damage of the index is counted
+   * @param violations counts damage of the index
    */
   static RosbagIndex read(RecordingFile file, BagTopics topics, ViolationCounts violations)
       throws IOException {
@@ -58,12 +58,12 @@ final class RosbagIndex implements ChunkList {
         place = bag.fields().getLong("index_pos");
       }
     } catch (DamagedPacketException e) {
-      // Counted when the records are walked through.
+      // counted during the walk through the records
     }
     if (place > FIRST_RECORD && place <= file.size()) {
       index.readRecords(payload, place, topics, violations);
     } else {
-      // 0: the recorder had no time to write an index.
+      // 0: the bag was not closed
       if (place > 0) {
         violations.add(Violation.LYING_LENGTH, FIRST_RECORD);
       }

@@ -17,7 +17,7 @@ final class RosbagRecord {
   static final int CHUNK_INFO = 6;
   static final int CONNECTION = 7;
 
-  /** No header is longer; topics have a length that a file system can hold. */
+  /** Limit of headers; topic names are not longer than file names. */
   private static final int MAX_HEADER = 64 * 1024;
 
   private static final int MAX_DESCRIPTION = 1024 * 1024;
@@ -78,7 +78,7 @@ final class RosbagRecord {
     return dataBytes;
   }
 
-  /** Takes note of the topic that a connection is about, and passes over the record. */
+  /** Adds the topic of a connection, and skips the record. */
   void readConnection(Payload payload, BagTopics topics)
       throws IOException, DamagedPacketException {
     long number = fields.getUnsignedInt("conn");

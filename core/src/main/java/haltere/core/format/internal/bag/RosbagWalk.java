@@ -7,8 +7,8 @@ import haltere.core.format.internal.compression.DamagedPacketException;
 import java.io.IOException;
 
 /**
- * The messages of a ROS 1 bag. They lie in chunks, each compressed by itself, with the connections
- * that they belong to; between chunks are indexes, which are passed over.
+ * The messages of a ROS 1 bag. They are in separately compressed chunks, together with their
+ * connections; indexes between chunks are skipped.
  */
 final class RosbagWalk extends ChunkWalk {
   private static final int LONGEST_HEADER = 64 * 1024 + 8;

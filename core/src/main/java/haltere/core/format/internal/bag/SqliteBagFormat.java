@@ -23,7 +23,7 @@ public final class SqliteBagFormat implements ReadOnlyFormat {
   private static final int SCHEMA_ROOT = 1;
   private static final int MAX_ROWS = 1 << 16;
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public SqliteBagFormat() {}
 
   @Override
@@ -99,7 +99,7 @@ public final class SqliteBagFormat implements ReadOnlyFormat {
           .open(found);
     }
 
-    /** What is done with each row of a table. */
+    /** Receives each row of a table. */
     @FunctionalInterface
     private interface RowReader {
       void read(SqliteTable table) throws IOException, DamagedPacketException;
@@ -143,7 +143,7 @@ public final class SqliteBagFormat implements ReadOnlyFormat {
           new BagTopic(name, serialisation.equals("cdr") ? type : serialisation, true));
     }
 
-    /** The first message's number from a number on; that number if there is none. */
+    /** The first message number at or after a number; that number if there is none. */
     private long firstFrom(long from) throws IOException {
       SqliteTable table = new SqliteTable(file, messagesRoot);
       table.seek(from);
@@ -154,7 +154,7 @@ public final class SqliteBagFormat implements ReadOnlyFormat {
       }
     }
 
-    /** The highest number, by halving. */
+    /** The highest number, by bisection. */
     private long last(long first) throws IOException {
       long low = first;
       long high = Long.MAX_VALUE;

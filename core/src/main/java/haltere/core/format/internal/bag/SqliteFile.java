@@ -8,15 +8,15 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The pages of an SQLite 3 file, to read tables from. Numbers begin with the highest byte.
+ * The pages of an SQLite 3 file, to read tables from. Numbers are big-endian.
  *
- * <p>Why our own: a library would bring native code for each machine, could hand out a message only
- * as a whole, and refuses a damaged file where half of it may be read.
+ * <p>Reason for an own reader: a library would need native code for each machine, returns only
+ * whole messages, and rejects damaged files that are partly readable.
  *
  * <p>Thread rule: one thread.
  */
 final class SqliteFile {
-  /** What a file begins with. */
+  /** Signature of a file. */
   static final String MAGIC = "SQLite format 3\0";
 
   private static final int HEADER_BYTES = 100;
@@ -42,7 +42,7 @@ final class SqliteFile {
     if (Integer.bitCount(pageBytes) != 1 || pageBytes < 512 || usableBytes < 480) {
       throw new RecordingProblem(file.path(), 16, "its pages have an impossible size");
     }
-    // Programs before 2010 did not count pages, which the number at 92 shows.
+    // programs before 2010 did not store the page count, as the number at 92 shows
     boolean counted = numbers.getInt(24) == numbers.getInt(92);
     long pages = counted ? numbers.getInt(28) & 0xffff_ffffL : 0;
     cutOff = file.size() % pageBytes != 0 || pages * pageBytes > file.size();
@@ -60,7 +60,7 @@ final class SqliteFile {
     return pageBytes;
   }
 
-  /** Bytes of a page that hold content. */
+  /** Usable bytes of a page. */
   int usableBytes() {
     return usableBytes;
   }

@@ -8,8 +8,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * A row of an SQLite table: what its columns hold, and the bytes of a column, which may go on over
- * a chain of pages.
+ * A row of an SQLite table: its column values, and the bytes of a column, which may continue on
+ * overflow pages.
  */
 final class SqliteRow extends Payload {
   private static final int MAX_COLUMNS = 64;
@@ -31,10 +31,10 @@ final class SqliteRow extends Payload {
   }
 
   /**
-   * Starts with a row.
+   * Opens a row.
    *
    * @param leaf holds its first bytes
-   * @param at where they start
+   * @param at index of the first
    * @param bytes of the whole row
    */
   void open(ByteBuffer leaf, int at, long bytes) throws IOException, DamagedPacketException {
@@ -137,7 +137,7 @@ final class SqliteRow extends Payload {
     };
   }
 
-  /** Takes the next column, a whole number; 0 if it is none. */
+  /** Reads the next column as an integer; 0 if it is not one. */
   long takeNumber() throws IOException, DamagedPacketException {
     long type = nextType();
     int count = (int) Math.min(9, bytes(type));
@@ -156,7 +156,7 @@ final class SqliteRow extends Payload {
     return value;
   }
 
-  /** Takes the next column, a text. */
+  /** Reads the next column, a text. */
   String takeText() throws IOException, DamagedPacketException {
     long type = nextType();
     long count = bytes(type);
@@ -172,7 +172,7 @@ final class SqliteRow extends Payload {
     return text;
   }
 
-  /** Bytes of the next column, which follow. */
+  /** Size of the next column in bytes; its bytes follow. */
   long takeBlob() throws DamagedPacketException {
     return bytes(nextType());
   }

@@ -43,24 +43,24 @@ final class SqliteTable {
     row = new SqliteRow(file);
   }
 
-  /** Goes on at the first row of at least this number. */
+  /** Continues at the first row with at least this number. */
   void seek(long rowNumber) {
     wanted = rowNumber;
     inLeaf = false;
     ended = false;
   }
 
-  /** The next row's number would be at least this. */
+  /** Minimum number of the next row. */
   long wanted() {
     return wanted;
   }
 
-  /** Number of the row that was found. */
+  /** Number of the current row. */
   long number() {
     return number;
   }
 
-  /** Page on which the row that was found begins. */
+  /** Page on which the current row begins. */
   long page() {
     return leafPage;
   }
@@ -73,7 +73,7 @@ final class SqliteTable {
    * Finds the next row.
    *
    * @return false at the end
-   * @throws DamagedPacketException if a page or row is damaged; the next call continues behind it
+   * @throws DamagedPacketException if a page or row is damaged; the next call continues after it
    */
   boolean next() throws IOException, DamagedPacketException {
     while (!ended) {
@@ -94,7 +94,7 @@ final class SqliteTable {
     return false;
   }
 
-  /** Counts rows up to a number as done. */
+  /** Marks the rows up to a number as visited. */
   private void pass(long done) {
     ended = done == Long.MAX_VALUE;
     wanted = Math.max(wanted, ended ? done : done + 1);
@@ -106,7 +106,7 @@ final class SqliteTable {
     number = SqliteVarint.take(this::takeByte);
   }
 
-  /** Goes down from the root to the leaf that has the row that is wanted. */
+  /** Descends from the root to the leaf of the requested row. */
   private void findLeaf() throws IOException, DamagedPacketException {
     long page = root;
     lastOfLeaf = Long.MAX_VALUE;
@@ -131,7 +131,7 @@ final class SqliteTable {
     throw new DamagedPacketException("pages that lead in a circle");
   }
 
-  /** The page below an inner one that has the row that is wanted. */
+  /** The child page of an inner page with the requested row. */
   private long child(int count) throws DamagedPacketException {
     for (int i = 0; i < count; i++) {
       at = unsignedShort(head + INNER_HEAD + 2 * i);

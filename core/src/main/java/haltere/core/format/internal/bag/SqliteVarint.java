@@ -2,14 +2,14 @@ package haltere.core.format.internal.bag;
 
 import haltere.core.format.internal.compression.DamagedPacketException;
 
-/** Numbers of SQLite with 1 to 9 bytes: 7 bits a byte, the ninth has 8. */
+/** SQLite's variable-length integers of 1 to 9 bytes: 7 bits a byte, the ninth has 8. */
 final class SqliteVarint {
   private static final int MAX_BYTES = 9;
 
-  /** Bytes, one after another. */
+  /** Source of single bytes. */
   @FunctionalInterface
   interface Bytes {
-    /** Takes the next byte. */
+    /** Reads the next byte. */
     byte take() throws DamagedPacketException;
   }
 

@@ -8,8 +8,8 @@ import java.io.IOException;
 
 /**
  * The messages of a ROS 2 bag in an SQLite file, by their numbers, which is the order in which they
- * were recorded. The pages of a file are in no order, so a message's place in the file is that of
- * its number among all numbers.
+ * were recorded. The pages of a file are unordered, so that a message's position in the file is
+ * estimated from its number.
  */
 final class SqliteWalk implements MessageWalk {
   private final SqliteFile file;
@@ -33,8 +33,8 @@ final class SqliteWalk implements MessageWalk {
    * @param root first page of its table of messages
    * @param lastNumber the highest number of a message
    * @param topics all topics
-   * @param wanted which messages to stop at
-   * @param violations where damage is counted
+   * @param wanted selects the messages at which it stops
+   * @param violations counts damage
    */
   SqliteWalk(
       SqliteFile file,
@@ -145,6 +145,6 @@ final class SqliteWalk implements MessageWalk {
 
   @Override
   public void close() {
-    // The file belongs to the reader.
+    // the reader closes the file
   }
 }

@@ -9,8 +9,8 @@ import java.nio.ByteBuffer;
 
 /**
  * The encodings {@code mono} and {@code libcaer}: a word of 64 bits for an event, with 32 bits of
- * time. {@code mono} counts nanoseconds from the message's base of time, {@code libcaer}
- * microseconds; its clock of 31 bits may turn once within a message.
+ * time. {@code mono} has nanoseconds since the message's time base, {@code libcaer} microseconds;
+ * its 31-bit clock may wrap once within a message.
  */
 final class WordDecoder extends MessageDecoder {
   private static final int WORD_BYTES = 8;

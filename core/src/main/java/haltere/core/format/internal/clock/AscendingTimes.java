@@ -3,22 +3,21 @@ package haltere.core.format.internal.clock;
 import haltere.core.stream.StreamNotification;
 
 /**
- * Times of a clock that is wide enough never to start again from zero: one that is before the last
- * begins a new segment.
+ * Times of a clock that does not wrap: a time before the last one begins a new segment.
  *
  * <p>Thread rule: one thread.
  */
 public final class AscendingTimes extends EventTimes {
-  /** Numbers that {@link #save} needs. */
+  /** Number of values that {@link #save} writes. */
   public static final int STATE_LONGS = 1;
 
   private long lastUs = StreamNotification.NO_TIME_US;
 
-  /** Before the first event. */
+  /** The state before the first event. */
   public AscendingTimes() {}
 
   /**
-   * Whether a time is before the last one. If so it is kept as the start of the next segment.
+   * Whether a time is before the last one. If so, it is saved as the start of the next segment.
    *
    * @param timeUs of the next event, microseconds
    * @return true if the event must wait for {@link #acceptRestart()}
@@ -32,7 +31,7 @@ public final class AscendingTimes extends EventTimes {
   }
 
   /**
-   * Moves on.
+   * Advances to a time.
    *
    * @param timeUs time of the newest event, not before the last one
    */

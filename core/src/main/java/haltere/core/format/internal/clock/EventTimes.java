@@ -1,8 +1,8 @@
 package haltere.core.format.internal.clock;
 
 /**
- * Where a decoder is in time. Times ascend within a segment; where the clock goes back, the event
- * that is earlier is held back until the new segment is accepted.
+ * The current time of a decoder. Times ascend within a segment; if the clock goes back, the earlier
+ * event is held back until the new segment is accepted.
  *
  * <p>Thread rule: one thread.
  */
@@ -21,29 +21,29 @@ public abstract sealed class EventTimes permits AscendingTimes, WrappingTimes {
   public abstract long lastUs();
 
   /**
-   * How many numbers {@link #save} needs.
+   * Number of values that {@link #save} writes.
    *
    * @return at least 1
    */
   public abstract int stateLongs();
 
   /**
-   * Notes the place in time.
+   * Saves the state.
    *
-   * @param state receives {@link #stateLongs()} numbers
+   * @param state receives {@link #stateLongs()} values
    * @param at index of the first of them
    */
   public abstract void save(long[] state, int at);
 
   /**
-   * Goes to a place that was noted.
+   * Restores a saved state.
    *
-   * @param state has the numbers
+   * @param state the values
    * @param at index of the first of them
    */
   public abstract void restore(long[] state, int at);
 
-  /** Forgets the last time, where the next segment begins. */
+  /** Clears the last time at the start of a segment. */
   abstract void forget();
 
   /**
@@ -56,7 +56,7 @@ public abstract sealed class EventTimes permits AscendingTimes, WrappingTimes {
   }
 
   /**
-   * Time of the first event of the new segment, where the clock goes back.
+   * Time of the first event of the new segment, if the clock goes back.
    *
    * @return microseconds
    */
@@ -65,7 +65,7 @@ public abstract sealed class EventTimes permits AscendingTimes, WrappingTimes {
   }
 
   /**
-   * Goes on after the clock went back, without memory of the last time.
+   * Continues after the clock went back, with the last time cleared.
    *
    * @throws IllegalStateException if it did not
    */
@@ -83,7 +83,7 @@ public abstract sealed class EventTimes permits AscendingTimes, WrappingTimes {
     restartUs = timeUs;
   }
 
-  /** No event is held back where decoding continues from a place that was noted. */
+  /** Clears the held event when a saved state is restored. */
   final void holdNothingBack() {
     restarted = false;
   }

@@ -1,7 +1,7 @@
 package haltere.core.format.internal.clock;
 
 /**
- * Continues a narrow clock of microseconds as 64 bits. With W the length of a turn of the clock
+ * Extends a narrow clock of microseconds to 64 bits. With W the wrap period of the clock
  * (2<sup>32</sup> for a clock of 32 bits, signed or not) and D the difference of two successive
  * values of the file:
  *
@@ -9,13 +9,13 @@ package haltere.core.format.internal.clock;
  *   <li>D at least 0: time continues by D;
  *   <li>D below -W/2: the clock has wrapped, time continues by D + W;
  *   <li>any other D: the clock went back. By a second at most, that is disorder within the same
- *       turn of the clock; by more, the camera's clock was reset and the first turn starts again;
+ *       period; by more, the camera's clock was reset and the first period starts again;
  *   <li>one exception: shortly after a wrap, a D so large that it leads back to at most a second
- *       before it is an event from before the wrap that comes late, not a leap of almost W.
+ *       before it is a late event from before the wrap, not a jump of almost W.
  * </ul>
  *
- * <p>A restart to zero of a signed clock that stood below zero looks like time going on, and a
- * silence of more than W/2 across a wrap like a restart: the bits do not say.
+ * <p>Two cases are ambiguous: a restart to zero of a signed clock below zero looks like advancing
+ * time, and a gap of more than W/2 across a wrap like a restart.
  *
  * <p>Thread rule: one thread.
  */
@@ -32,8 +32,8 @@ public final class WrappingClock {
   /**
    * A clock before its first value.
    *
-   * @param wrapUs length of a turn
-   * @param firstTurnUs what to add to values before the first wrap
+   * @param wrapUs wrap period
+   * @param firstTurnUs offset of values before the first wrap
    */
   public WrappingClock(long wrapUs, long firstTurnUs) {
     this.wrapUs = wrapUs;
@@ -42,9 +42,9 @@ public final class WrappingClock {
   }
 
   /**
-   * Forgets the last value.
+   * Clears the last value.
    *
-   * @param turn what to add to the values from now on
+   * @param turn offset of the values from now on
    */
   public void reset(long turn) {
     turnUs = turn;
@@ -64,7 +64,8 @@ public final class WrappingClock {
   }
 
   /**
-   * What the next value means. If it is {@link #goesBack before} the last one, the clock went back.
+   * The time of the next value. If it is {@link #goesBack before} the last one, the clock went
+   * back.
    *
    * @param value from the file
    * @return its time
@@ -88,7 +89,7 @@ public final class WrappingClock {
   /**
    * Whether a time of {@link #read} is before the last one.
    *
-   * @param timeUs what it gave
+   * @param timeUs its result
    * @return true if the clock went back
    */
   public boolean goesBack(long timeUs) {
@@ -98,7 +99,7 @@ public final class WrappingClock {
   /**
    * Sets the last time of {@link #read} as the newest.
    *
-   * @param timeUs what it gave
+   * @param timeUs its result
    */
   public void take(long timeUs) {
     turnUs = nextTurnUs;
@@ -107,7 +108,7 @@ public final class WrappingClock {
   }
 
   /**
-   * Moves on within a turn.
+   * Advances within a period.
    *
    * @param timeUs the newest time
    */
@@ -118,14 +119,14 @@ public final class WrappingClock {
   /**
    * Whether there was a value since the start or the last reset.
    *
-   * @return true if {@link #lastUs()} means anything
+   * @return true if {@link #lastUs()} is valid
    */
   public boolean started() {
     return started;
   }
 
   /**
-   * What is being added to values.
+   * The current offset of the values.
    *
    * @return microseconds
    */

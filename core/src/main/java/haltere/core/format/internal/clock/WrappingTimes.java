@@ -3,30 +3,30 @@ package haltere.core.format.internal.clock;
 import haltere.core.stream.StreamNotification;
 
 /**
- * Times of a narrow clock that turns ({@link WrappingClock} has the rule).
+ * Times of a narrow clock that wraps ({@link WrappingClock} has the rule).
  *
  * <p>Thread rule: one thread.
  */
 public final class WrappingTimes extends EventTimes {
-  /** Numbers that {@link #save} needs. */
+  /** Number of values that {@link #save} writes. */
   public static final int STATE_LONGS = 2;
 
   private final WrappingClock clock;
 
   /**
-   * Before the first event.
+   * The state before the first event.
    *
-   * @param clock what values of the file mean
+   * @param clock converts values of the file to times
    */
   public WrappingTimes(WrappingClock clock) {
     this.clock = clock;
   }
 
   /**
-   * Takes the time that the clock gave for the next event, unless it is before the last one; then
-   * it is kept as the start of the next segment.
+   * Accepts the time of the next event unless it is before the last one; then it is saved as the
+   * start of the next segment.
    *
-   * @param timeUs what {@link WrappingClock#read} gave last
+   * @param timeUs the last result of {@link WrappingClock#read}
    * @return false if the event must wait for {@link #acceptRestart()}
    */
   public boolean take(long timeUs) {

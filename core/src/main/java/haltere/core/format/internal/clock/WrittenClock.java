@@ -3,14 +3,13 @@ package haltere.core.format.internal.clock;
 import java.util.Optional;
 
 /**
- * A clock of 32 bits as a writer uses it: what a reader will make of the times that it writes,
- * which is another time where they leap too far for such a clock ({@link WrappingClock} has the
- * rule).
+ * The 32-bit clock of a writer: it predicts the times that a reader will reconstruct, which differ
+ * after jumps too large for the clock ({@link WrappingClock} has the rule).
  *
  * <p>Thread rule: one thread.
  */
 public final class WrittenClock {
-  /** Length of a turn. */
+  /** Wrap period. */
   public static final long TURN_US = 1L << 32;
 
   private final WrappingClock reader;
@@ -27,9 +26,9 @@ public final class WrittenClock {
   }
 
   /**
-   * Takes a time that is written, wherever it leads.
+   * Registers a written time.
    *
-   * @param timeUs the event's
+   * @param timeUs time of the event
    * @param written its low 32 bits as the format's readers see them, signed or not
    */
   public void take(long timeUs, long written) {
@@ -42,25 +41,25 @@ public final class WrittenClock {
   }
 
   /**
-   * Moves on within a turn, where times are written without {@link #take}.
+   * Advances within a period, for times written without {@link #take}.
    *
-   * @param timeUs the newest, less than half a turn behind the last one
+   * @param timeUs the newest, less than half a period after the last one
    */
   public void advance(long timeUs) {
     reader.advance(timeUs + shiftUs);
   }
 
   /**
-   * Whether a time was taken.
+   * Whether a time was registered.
    *
-   * @return true if {@link #lastUs()} means anything
+   * @return true if {@link #lastUs()} is valid
    */
   public boolean started() {
     return reader.started();
   }
 
   /**
-   * Start of the turn that the clock is in, on the clock of the events.
+   * Start of the current period, on the clock of the events.
    *
    * @return microseconds
    */
@@ -80,7 +79,7 @@ public final class WrittenClock {
   /**
    * Losses of such a clock.
    *
-   * @return a line for the user, or empty if nothing
+   * @return a line for the user, or empty without losses
    */
   public Optional<String> loss() {
     return leaps == 0

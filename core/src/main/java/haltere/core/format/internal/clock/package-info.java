@@ -1,5 +1,2 @@
-/**
- * Times of recordings: clocks that wrap or go back, and how far apart they are from the times of a
- * file.
- */
+/** Times of recordings: clocks that wrap or go back, and their relation to the times of a file. */
 package haltere.core.format.internal.clock;

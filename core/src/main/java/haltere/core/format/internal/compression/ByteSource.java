@@ -3,13 +3,13 @@ package haltere.core.format.internal.compression;
 import java.io.IOException;
 
 /**
- * Where compressed bytes come from, stretch by stretch.
+ * A source of compressed bytes, section by section.
  *
  * <p>Thread rule: one thread.
  */
 public interface ByteSource {
   /**
-   * Makes some bytes available in {@link #bytes()}.
+   * Makes a range of bytes available in {@link #bytes()}.
    *
    * @param offset of the first; not before that of the last call
    * @param count number of bytes, few enough for memory
@@ -22,7 +22,7 @@ public interface ByteSource {
   /**
    * The bytes.
    *
-   * @return borrowed array, another one after each {@link #require}
+   * @return borrowed array, replaced by each {@link #require}
    */
   byte[] bytes();
 }

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 
 /**
- * Packed bytes as a stream, for libraries that read one. It ends where its source does.
+ * Compressed bytes as a stream, for libraries that need one. It ends with its source.
  *
  * <p>Thread rule: one thread.
  */
@@ -17,10 +17,10 @@ public final class CompressedStream extends InputStream {
   private IOException failure;
 
   /**
-   * A stream over a stretch.
+   * A stream over a range.
    *
    * @param source holds the bytes; it is not closed with the stream
-   * @param offset where the stretch starts
+   * @param offset start of the range
    * @param size its bytes
    */
   public CompressedStream(ByteSource source, long offset, long size) {
@@ -39,7 +39,7 @@ public final class CompressedStream extends InputStream {
   }
 
   /**
-   * Throws again what the source threw, which is no damage of the bytes.
+   * Rethrows an exception of the source, which is not damage of the bytes.
    *
    * @throws IOException if the source could not be read
    */

@@ -5,14 +5,14 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 
 /**
- * A stretch of a file in memory, moved to where bytes are asked for.
+ * A range of a file in memory, moved to the requested bytes.
  *
  * <p>Thread rule: one thread.
  */
 public final class FileWindow implements ByteSource {
   private static final int USUAL_BYTES = 64 * 1024;
 
-  /** Asking for more than this at once is a fault of the caller. */
+  /** Maximum number of bytes per request; more is an error of the caller. */
   public static final int MAX_BYTES = 8 * 1024 * 1024;
 
   private final RecordingFile file;
@@ -23,7 +23,7 @@ public final class FileWindow implements ByteSource {
   private int length;
 
   /**
-   * A window that holds nothing yet.
+   * An empty window.
    *
    * @param file the file; it is not closed with the window
    */
@@ -32,7 +32,7 @@ public final class FileWindow implements ByteSource {
   }
 
   /**
-   * A window that holds nothing yet.
+   * An empty window.
    *
    * @param file the file; it is not closed with the window
    * @param usualBytes least number of bytes per read, at least 1
@@ -43,10 +43,10 @@ public final class FileWindow implements ByteSource {
   }
 
   /**
-   * Makes some bytes of the file available in {@link #bytes()}.
+   * Makes a range of the file available in {@link #bytes()}.
    *
-   * @param offset where they start in the file
-   * @param count how many, at most {@link #MAX_BYTES}
+   * @param offset byte offset in the file
+   * @param count number of bytes, at most {@link #MAX_BYTES}
    * @return index of the first, or -1 if the file ends before the last
    * @throws IOException if the file cannot be read
    */
@@ -76,7 +76,7 @@ public final class FileWindow implements ByteSource {
   /**
    * The bytes.
    *
-   * @return borrowed array, another one after each {@link #require}
+   * @return borrowed array, replaced by each {@link #require}
    */
   @Override
   public byte[] bytes() {
@@ -84,7 +84,7 @@ public final class FileWindow implements ByteSource {
   }
 
   /**
-   * Where the bytes end that are there.
+   * End of the available bytes.
    *
    * @return index in {@link #bytes()}
    */

@@ -4,9 +4,9 @@ import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 
-/** Little-endian numbers in a byte array, at any place, in one access each. */
+/** Little-endian numbers in a byte array, at any index, in one access each. */
 public final class LittleEndian {
-  /** Eight bytes; loops that must be fast take it directly. */
+  /** Eight bytes; fast loops use it directly. */
   public static final VarHandle LONG =
       MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
 
@@ -23,7 +23,7 @@ public final class LittleEndian {
   /**
    * Reads eight bytes.
    *
-   * @param bytes where
+   * @param bytes the array
    * @param at index of the first of them
    * @return the number
    */
@@ -34,7 +34,7 @@ public final class LittleEndian {
   /**
    * Reads four bytes.
    *
-   * @param bytes where
+   * @param bytes the array
    * @param at index of the first of them
    * @return the number
    */
@@ -45,7 +45,7 @@ public final class LittleEndian {
   /**
    * Reads two bytes.
    *
-   * @param bytes where
+   * @param bytes the array
    * @param at index of the first of them
    * @return 0 to 65,535
    */
@@ -56,9 +56,9 @@ public final class LittleEndian {
   /**
    * Writes eight bytes.
    *
-   * @param bytes where
+   * @param bytes the array
    * @param at index of the first of them
-   * @param value what
+   * @param value the number
    */
   public static void putLong(byte[] bytes, int at, long value) {
     LONG.set(bytes, at, value);
@@ -67,9 +67,9 @@ public final class LittleEndian {
   /**
    * Writes four bytes.
    *
-   * @param bytes where
+   * @param bytes the array
    * @param at index of the first of them
-   * @param value what
+   * @param value the number
    */
   public static void putInt(byte[] bytes, int at, int value) {
     INT.set(bytes, at, value);
@@ -78,9 +78,9 @@ public final class LittleEndian {
   /**
    * Writes the lower two bytes of a number.
    *
-   * @param bytes where
+   * @param bytes the array
    * @param at index of the first of them
-   * @param value what
+   * @param value the number
    */
   public static void putShort(byte[] bytes, int at, int value) {
     SHORT.set(bytes, at, (short) value);

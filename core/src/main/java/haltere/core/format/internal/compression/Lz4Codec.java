@@ -6,7 +6,7 @@ import net.jpountz.lz4.LZ4Factory;
 import net.jpountz.xxhash.XXHashFactory;
 
 /**
- * LZ4 blocks and the checksum of LZ4 frames by lz4-java: natively where it has native code for the
+ * LZ4 blocks and the checksum of LZ4 frames by lz4-java: native if the library supports the
  * machine, else in Java without {@code Unsafe}.
  *
  * <p>Thread rule: any thread.
@@ -30,16 +30,16 @@ public final class Lz4Codec {
   }
 
   /**
-   * Decompresses a block that refers to nothing outside of it.
+   * Decompresses an independent block.
    *
    * @param in holds the block
    * @param from its start
    * @param to its end
    * @param out receives the bytes
-   * @param outFrom where
-   * @param outTo where they must end at the latest
+   * @param outFrom index of the first
+   * @param outTo end of the available space
    * @return end of the bytes
-   * @throws DamagedPacketException if the block is none, or larger than the room for it
+   * @throws DamagedPacketException if the block is invalid or exceeds the space
    */
   public static int decompress(byte[] in, int from, int to, byte[] out, int outFrom, int outTo)
       throws DamagedPacketException {
@@ -80,9 +80,9 @@ public final class Lz4Codec {
   /**
    * The 32-bit checksum of LZ4 frames (xxHash, seed 0).
    *
-   * @param bytes where
+   * @param bytes the array
    * @param from index of the first
-   * @param to index behind the last
+   * @param to index after the last
    * @return the checksum
    */
   public static int checksum(byte[] bytes, int from, int to) {

@@ -14,7 +14,7 @@ public final class Lz4Payload extends Payload {
   private static final int STORED = 0x8000_0000;
   private static final int LONG_LITERALS = 15;
 
-  /** How far back a reference may go. */
+  /** Maximum distance of a reference. */
   private static final int MAX_OFFSET = 65_535;
 
   private static final int ROOM = 256 * 1024;
@@ -29,7 +29,7 @@ public final class Lz4Payload extends Payload {
   private byte[] sequence = new byte[0];
 
   /**
-   * A payload that is not opened yet.
+   * A payload, not yet opened.
    *
    * @param window over the file
    */
@@ -111,8 +111,8 @@ public final class Lz4Payload extends Payload {
   }
 
   /**
-   * Decompresses a block that may refer to the bytes before it, which the library has no method
-   * for. The first sequence of a block starts with literals: those bytes go in front of them.
+   * Decompresses a dependent block, which the library does not support. The first sequence of a
+   * block starts with literals: the history is prepended to them.
    */
   private int linked(byte[] in, int from, int end, int history) throws DamagedPacketException {
     int at = from + 1;
@@ -147,7 +147,7 @@ public final class Lz4Payload extends Payload {
     return Lz4Codec.decompress(sequence, 0, done, data, to - history, to + blockBytes);
   }
 
-  /** Keeps the bytes that are not yet used, and those that later blocks may refer to. */
+  /** Keeps the unused bytes and the history that later blocks may refer to. */
   private void makeRoom() {
     if (data.length - to >= blockBytes) {
       return;

@@ -4,9 +4,8 @@ import java.io.Closeable;
 import java.io.IOException;
 
 /**
- * A stretch of a file that may be compressed, decompressed piece by piece, so that memory is
- * bounded whatever its size. The bytes that are there and not yet used lie in {@link #data} from
- * {@link #from} to {@link #to}.
+ * A range of a file that may be compressed, decompressed piece by piece, so that memory is bounded
+ * for any size. The available unused bytes are in {@link #data} from {@link #from} to {@link #to}.
  *
  * <p>Thread rule: one thread.
  */
@@ -14,27 +13,27 @@ public abstract class Payload implements Closeable {
   /** The bytes; another array after each call of {@link #more}. */
   protected byte[] data = new byte[0];
 
-  /** Index of the first byte that is not yet used. */
+  /** Index of the first unused byte. */
   protected int from;
 
-  /** Index behind the last byte that is there. */
+  /** Index after the last available byte. */
   protected int to;
 
-  /** For the ways of compression. */
+  /** For subclasses. */
   protected Payload() {}
 
   /**
-   * Starts with another stretch.
+   * Opens another range.
    *
-   * @param offset where it starts in the file
-   * @param size bytes that it takes there
+   * @param offset byte offset in the file
+   * @param size its bytes there
    * @throws IOException if the file cannot be read
-   * @throws DamagedPacketException if it is not compressed as it should be
+   * @throws DamagedPacketException if its compression is invalid
    */
   public abstract void open(long offset, long size) throws IOException, DamagedPacketException;
 
   /**
-   * Puts more bytes behind those that are not yet used; all of them may move.
+   * Appends more bytes to the unused ones; all of them may move.
    *
    * @return false at the end
    * @throws IOException if the file cannot be read
@@ -45,14 +44,14 @@ public abstract class Payload implements Closeable {
   /**
    * The bytes.
    *
-   * @return borrowed array, another one after each call of {@link #more}
+   * @return borrowed array, replaced by each call of {@link #more}
    */
   public final byte[] data() {
     return data;
   }
 
   /**
-   * Where the bytes start that are not yet used.
+   * Start of the unused bytes.
    *
    * @return index in {@link #data()}
    */
@@ -61,7 +60,7 @@ public abstract class Payload implements Closeable {
   }
 
   /**
-   * Where the bytes end that are there.
+   * End of the available bytes.
    *
    * @return index in {@link #data()}
    */
@@ -70,7 +69,7 @@ public abstract class Payload implements Closeable {
   }
 
   /**
-   * Passes over bytes that are there.
+   * Skips available bytes.
    *
    * @param bytes at most those between {@link #from()} and {@link #to()}
    */
@@ -79,10 +78,10 @@ public abstract class Payload implements Closeable {
   }
 
   /**
-   * Gets at least so many bytes together, or all that there are.
+   * Makes a number of bytes available, or all that remain.
    *
-   * @param bytes how many, few enough for memory
-   * @return true if there are as many
+   * @param bytes their number, few enough for memory
+   * @return true if the number is available
    * @throws IOException as {@link #more}
    * @throws DamagedPacketException as {@link #more}
    */
@@ -94,9 +93,9 @@ public abstract class Payload implements Closeable {
   }
 
   /**
-   * Passes over bytes whether they are there already or not.
+   * Skips bytes, available or not.
    *
-   * @param count how many
+   * @param count their number
    * @throws IOException as {@link #more}
    * @throws DamagedPacketException as {@link #more}, and if there are fewer
    */
@@ -112,7 +111,7 @@ public abstract class Payload implements Closeable {
     }
   }
 
-  /** Releases memory outside of the heap. */
+  /** Releases memory outside the heap. */
   @Override
   public void close() {}
 }

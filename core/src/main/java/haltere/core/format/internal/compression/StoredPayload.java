@@ -2,14 +2,14 @@ package haltere.core.format.internal.compression;
 
 import java.io.IOException;
 
-/** A payload that is not compressed: it is used where the file's window holds it. */
+/** An uncompressed payload, used in the file's window without copying. */
 public final class StoredPayload extends Payload {
   private final FileWindow window;
   private long next;
   private long end;
 
   /**
-   * A payload that is not opened yet.
+   * A payload, not yet opened.
    *
    * @param window over the file
    */

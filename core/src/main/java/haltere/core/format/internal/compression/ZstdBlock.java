@@ -12,7 +12,7 @@ import java.io.Closeable;
 public final class ZstdBlock implements Closeable {
   private final ZstdDecompressCtx context = new ZstdDecompressCtx();
 
-  /** Takes some memory outside of the heap until it is closed. */
+  /** Allocates memory outside the heap until it is closed. */
   public ZstdBlock() {}
 
   /**
@@ -22,10 +22,10 @@ public final class ZstdBlock implements Closeable {
    * @param from its start
    * @param to its end
    * @param out receives the bytes
-   * @param outFrom where
-   * @param outTo where they must end at the latest
+   * @param outFrom index of the first
+   * @param outTo end of the available space
    * @return end of the bytes
-   * @throws DamagedPacketException if it is none, or larger than the room for it
+   * @throws DamagedPacketException if it is invalid or exceeds the space
    */
   public int unpack(byte[] in, int from, int to, byte[] out, int outFrom, int outTo)
       throws DamagedPacketException {

@@ -22,10 +22,10 @@ public final class ZstdPacker implements Closeable {
   }
 
   /**
-   * Bytes that compressed bytes need at the worst.
+   * Upper bound of the compressed size.
    *
-   * @param bytes how many are compressed
-   * @return bytes
+   * @param bytes number of uncompressed bytes
+   * @return number of bytes
    */
   public static int bound(int bytes) {
     return (int) Zstd.compressBound(bytes);
@@ -34,10 +34,10 @@ public final class ZstdPacker implements Closeable {
   /**
    * Compresses bytes.
    *
-   * @param bytes what to pack, from index 0
-   * @param count how many
+   * @param bytes the data, from index 0
+   * @param count number of bytes
    * @param target receives the frame, with room for {@link #bound}
-   * @param at where
+   * @param at index of its start
    * @return bytes of the frame
    */
   public int pack(byte[] bytes, int count, byte[] target, int at) {

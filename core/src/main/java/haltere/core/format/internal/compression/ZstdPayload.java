@@ -29,7 +29,7 @@ public final class ZstdPayload extends Payload {
   private long claimed;
 
   /**
-   * A payload that is not opened yet.
+   * A payload, not yet opened.
    *
    * @param source holds the compressed bytes; it is not closed with the payload
    */

@@ -11,18 +11,18 @@ import haltere.core.format.internal.decoding.StreamDecoder;
 import java.nio.ByteBuffer;
 
 /**
- * Turns rows of numbers into packets. Numbers are taken exactly as they are written; a time between
- * two microseconds goes to the nearer one. The geometry defines the origin of rows.
+ * Decodes rows of numbers. Numbers are read exactly; times are rounded to the nearest microsecond.
+ * The geometry defines the origin of rows.
  *
  * <p>Thread rule: one thread.
  */
 final class CsvDecoder implements StreamDecoder {
-  /** Longer rows are none. */
+  /** Maximum length of a row. */
   private static final int MAX_ROW = 4096;
 
   private static final int PIECE = 16 * 1024;
 
-  /** Bytes that may be read behind the piece. */
+  /** Bytes that may be read after the piece. */
   private static final int PADDING = 16;
 
   private final ViolationCounts violations;
@@ -60,7 +60,7 @@ final class CsvDecoder implements StreamDecoder {
     return times.restarted();
   }
 
-  /** A row without an end in sight is passed over up to its end. */
+  /** Skips a row that is too long. */
   private int skipLongRow(int length, long offset) {
     if (!inLongRow) {
       inLongRow = true;
@@ -69,7 +69,7 @@ final class CsvDecoder implements StreamDecoder {
     return length;
   }
 
-  /** Decodes whole rows; returns the bytes of them. */
+  /** Decodes complete rows; returns their number of bytes. */
   private int decodePiece(int length, long offset, EventPacket out, int maxEvents) {
     int last = length - 1;
     while (last >= 0 && piece[last] != '\n') {
@@ -101,7 +101,7 @@ final class CsvDecoder implements StreamDecoder {
     return row;
   }
 
-  /** Decodes the row that starts somewhere and ends in a line feed; false if time goes back. */
+  /** Decodes the row at an index, which ends in a line feed; false if time goes back. */
   private boolean decodeRow(int row, long offset, EventPacket out) {
     if (!exactRow.parse(piece, row)) {
       if (!exactRow.isRemark()) {
@@ -122,7 +122,7 @@ final class CsvDecoder implements StreamDecoder {
     return true;
   }
 
-  /** A last row without a line feed is one if it has all columns and time does not go back. */
+  /** A last row without a line feed is valid if it has all columns and time does not go back. */
   @Override
   public boolean decodeLast(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
     int length = in.remaining();

@@ -28,13 +28,13 @@ import java.util.Set;
 
 /**
  * Events as text. Written: a header row {@code t_us,x,y,on}, then a row per event, with the origin
- * of rows of the source, or of the user's options. Read: any columns in any order, see {@link
+ * of rows of the source or the user's options. Read: any columns in any order, see {@link
  * CsvLayout}; rows count from the top by default.
  */
 public final class CsvFormat implements StreamedFormat {
   private static final int MAX_SIDE = 1 << 15;
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public CsvFormat() {}
 
   @Override

@@ -8,14 +8,14 @@ import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
- * Roles of the columns of a text: by a row of names, else by the numbers.
+ * Columns of a text table: by a row of names, else by the numbers.
  *
  * @param roles of the columns, in order
  * @param timeScale power of ten of the times' unit in microseconds: 0 for microseconds, 6 for
  *     seconds, -3 for nanoseconds
- * @param dataOffset where the rows of events start
+ * @param dataOffset offset of the first row of events
  * @param named whether there are names
- * @param marked whether commas or semicolons stand between the columns, not only spaces
+ * @param marked whether commas or semicolons separate the columns, not only spaces
  * @param width columns of the sensor from a first row of two numbers, else 0
  * @param height rows of the sensor likewise
  */
@@ -36,7 +36,7 @@ record CsvLayout(
     roles = List.copyOf(roles);
   }
 
-  /** Looks at the start of a text; empty if it is none of events. */
+  /** Examines the start of a text; empty if it is not a table of events. */
   static Optional<CsvLayout> of(byte[] head) {
     String text = new String(head, StandardCharsets.ISO_8859_1);
     if (text.startsWith("\u00ef\u00bb\u00bf")) {
@@ -67,7 +67,7 @@ record CsvLayout(
     return start.names == null ? bySight(start) : Optional.of(byNames(start));
   }
 
-  /** What the first lines of a text hold. */
+  /** The contents of the first lines of a text. */
   private static final class Start {
     final List<String[]> rows = new ArrayList<>();
     String[] names;
@@ -77,11 +77,11 @@ record CsvLayout(
     boolean marked;
 
     /**
-     * Takes a line.
+     * Adds a line.
      *
-     * @param at where it begins in the file
-     * @param whole false for the last one if it has no end
-     * @return false if this is no text of events
+     * @param at byte offset in the file
+     * @param whole false for an unterminated last line
+     * @return false if this is not a text of events
      */
     boolean take(String line, int at, boolean whole) {
       boolean comment = line.startsWith("#") || line.startsWith("%");
@@ -161,7 +161,7 @@ record CsvLayout(
     }
   }
 
-  /** By names; empty unless time, column and row are among them. */
+  /** Columns by name; empty unless time, column and row are among them. */
   private static Optional<List<EventColumn>> roles(String[] names) {
     if (names.length > MAX_COLUMNS) {
       return Optional.empty();
@@ -206,7 +206,10 @@ record CsvLayout(
     return fraction ? 6 : largest >= SMALLEST_NS ? -3 : 0;
   }
 
-  /** By the numbers: the polarity has two values, the time never falls, column comes before row. */
+  /**
+   * Columns by their numbers: the polarity has two values, the time never falls, column comes
+   * before row.
+   */
   private static Optional<CsvLayout> bySight(Start start) {
     List<String[]> rows = start.rows;
     if (rows.isEmpty() || rows.get(0).length != 4) {

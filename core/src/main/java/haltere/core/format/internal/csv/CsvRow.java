@@ -10,8 +10,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 
 /**
- * A row of text, read exactly whatever its numbers look like: signs, decimals, exponents, words for
- * polarities, more columns than are asked for.
+ * A row of text, read exactly with all forms of numbers: signs, decimals, exponents, words for
+ * polarities, additional columns.
  *
  * <p>Thread rule: one thread.
  */
@@ -28,10 +28,10 @@ final class CsvRow {
   private final boolean fromTop;
   private byte[] piece;
 
-  /** Whether the number that was read last is none. */
+  /** Whether the number read last is invalid. */
   private boolean invalid;
 
-  /** Where in the piece the parser is. */
+  /** Position of the parser in the piece. */
   private int cursor;
 
   private int address;
@@ -49,7 +49,7 @@ final class CsvRow {
     fromTop = geometry.origin() == Origin.TOP;
   }
 
-  /** Reads the row that starts somewhere and ends in a line feed; false if it is none of events. */
+  /** Reads the row at an index, which ends in a line feed; false if it is not an event. */
   boolean parse(byte[] bytes, int row) {
     piece = bytes;
     cursor = row;
@@ -68,12 +68,12 @@ final class CsvRow {
     return false;
   }
 
-  /** Whether a row that is none of events is empty or a remark. */
+  /** Whether a row without an event is empty or a comment. */
   boolean isRemark() {
     return remark;
   }
 
-  /** Index behind the row. */
+  /** Index after the row. */
   int end() {
     return cursor;
   }
@@ -83,12 +83,12 @@ final class CsvRow {
     return timeUs;
   }
 
-  /** Address of the row's event; negative if it is not on the sensor. */
+  /** Address of the row's event; negative if it is outside the sensor. */
   int address() {
     return address;
   }
 
-  /** Reads the columns of a row and goes behind its end; false if they are invalid. */
+  /** Reads the columns of a row and advances past its end; false if they are invalid. */
   private boolean parseColumns() {
     long x = 0;
     long y = 0;
@@ -110,7 +110,7 @@ final class CsvRow {
         case Y -> y = value;
         case POLARITY -> on = value > 0 ? EventAddress.ON_BIT : 0;
         default -> {
-          // Not of interest.
+          // ignored column
         }
       }
     }
@@ -150,7 +150,7 @@ final class CsvRow {
   }
 
   /**
-   * The number at the cursor times a power of ten, rounded to a whole one; {@link Long#MIN_VALUE}
+   * The number at the cursor times a power of ten, rounded to an integer; {@link Long#MIN_VALUE}
    * and {@link #invalid} if there is none.
    */
   private long number(int scale) {
@@ -210,7 +210,7 @@ final class CsvRow {
     return rareNumber(start, scale);
   }
 
-  /** Exponents, words for polarities, numbers with more digits than a long has. */
+  /** Reads exponents, words for polarities, and numbers with more digits than a long. */
   private long rareNumber(int start, int scale) {
     int end = start;
     while (piece[end] > ' ' && piece[end] != ',' && piece[end] != ';') {
@@ -231,7 +231,7 @@ final class CsvRow {
         return exact.scaleByPowerOfTen(scale).setScale(0, RoundingMode.HALF_UP).longValueExact();
       }
     } catch (ArithmeticException | NumberFormatException ignored) {
-      // Told below.
+      // reported below
     }
     invalid = true;
     return Long.MIN_VALUE;

@@ -25,7 +25,7 @@ public final class CsvTable implements RecordingTables.Row {
    * Reads the first line.
    *
    * @param in the table; stays open
-   * @param names columns that are wanted
+   * @param names requested columns
    * @throws IOException if it cannot be read
    */
   public CsvTable(BufferedReader in, List<String> names) throws IOException {
@@ -49,7 +49,7 @@ public final class CsvTable implements RecordingTables.Row {
   }
 
   /**
-   * Goes on to the next row.
+   * Advances to the next row.
    *
    * @return false at the end
    * @throws IOException if it cannot be read
@@ -65,7 +65,7 @@ public final class CsvTable implements RecordingTables.Row {
   }
 
   /**
-   * The line that was read last.
+   * Number of the line read last.
    *
    * @return from 1; 0 for an empty file
    */
@@ -94,9 +94,9 @@ public final class CsvTable implements RecordingTables.Row {
   }
 
   /**
-   * {@inheritDoc} As Java reads it, with the forms of not-a-number of other programs.
+   * {@inheritDoc} Parsed as by Java, with the forms of not-a-number of other programs.
    *
-   * @throws NumberFormatException if it is none
+   * @throws NumberFormatException if it is not a number
    */
   @Override
   public double number(int column) {
@@ -107,7 +107,7 @@ public final class CsvTable implements RecordingTables.Row {
       case "-inf", "-infinity" -> Double.NEGATIVE_INFINITY;
       default -> {
         if (Character.isLetter(text.charAt(text.length() - 1))) {
-          throw new NumberFormatException(text); // Java would take 1d and 1f
+          throw new NumberFormatException(text); // Java would accept 1d and 1f
         }
         yield Double.parseDouble(text);
       }

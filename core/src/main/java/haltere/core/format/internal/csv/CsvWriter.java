@@ -12,7 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 
-/** Writes rows of text without making an object per event. */
+/** Writes rows of text without an allocation per event. */
 final class CsvWriter implements RecordingWriter {
   private static final int BUFFER_BYTES = 64 * 1024;
   private static final int MAX_ROW = 64;

@@ -11,10 +11,10 @@ final class Digits {
   private static final long ZEROES = 0x3030303030303030L;
   private static final long HIGH_BITS = 0x8080808080808080L;
 
-  /** What brings all above a 9 to the high bit. */
+  /** Addend that sets the high bit of bytes above 9. */
   private static final long ABOVE_NINE = 0x7676767676767676L;
 
-  /** Most digits of numbers that are read without help. */
+  /** Maximum number of digits that fit a long. */
   static final int MAX_DIGITS = 18;
 
   private static final long[] POWERS = new long[MAX_DIGITS + 1];
@@ -28,17 +28,17 @@ final class Digits {
 
   private Digits() {}
 
-  /** Eight characters, less the character 0, the first of them in the lowest byte. */
+  /** Eight characters minus the character 0, the first of them in the lowest byte. */
   static long digits(byte[] bytes, int at) {
     return (long) EIGHT_BYTES.get(bytes, at) ^ ZEROES;
   }
 
-  /** How many of them are digits, from the first on. */
+  /** Number of leading digits. */
   static int count(long digits) {
     return Long.numberOfTrailingZeros((digits + ABOVE_NINE | digits) & HIGH_BITS) >>> 3;
   }
 
-  /** The number that the first of eight digits make, at least one. */
+  /** The value of the first digits of eight, at least one. */
   static long value(long digits, int count) {
     long eight = digits << (8 - count << 3);
     long pairs = eight * 10 + (eight >>> 8);

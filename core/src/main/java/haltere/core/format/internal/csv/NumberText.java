@@ -6,8 +6,8 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Writes whole numbers as text, each with a comma behind it: coordinates from a table, times by
- * what most of them share with the time before and four digits from another.
+ * Writes integers as text, each followed by a comma: coordinates from a table, times as the leading
+ * digits shared with the previous time and four digits from another table.
  *
  * <p>Thread rule: one thread.
  */
@@ -18,7 +18,7 @@ final class NumberText {
   private static final VarHandle FOUR_BYTES =
       MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.LITTLE_ENDIAN);
 
-  /** A number without leading zeroes and a comma; how many characters that are in the top byte. */
+  /** A number without leading zeros and a comma; the number of characters is in the top byte. */
   private static final long[] SHORT = new long[TABLE];
 
   /** Four digits. */
@@ -39,13 +39,13 @@ final class NumberText {
     }
   }
 
-  /** Times from here on, less than 10,000 of them, begin with the same characters. */
+  /** Start of the 10,000 us in which times have the same leading digits. */
   private long sharedFromUs;
 
   private final byte[] shared = new byte[24];
   private int sharedLength;
 
-  /** Writes a coordinate; returns the index behind it. At least 8 bytes must be free. */
+  /** Writes a coordinate; returns the index after it. At least 8 bytes must be free. */
   int coordinate(byte[] bytes, int at, int value) {
     if (value >= TABLE) {
       return number(bytes, at, value);
@@ -55,7 +55,7 @@ final class NumberText {
     return at + (int) (packed >>> 56);
   }
 
-  /** Writes a time; returns the index behind it. At least 32 bytes must be free. */
+  /** Writes a time; returns the index after it. At least 32 bytes must be free. */
   int time(byte[] bytes, int at, long timeUs) {
     long rest = timeUs - sharedFromUs;
     if (timeUs < sharedFromUs || rest >= TABLE || sharedLength == 0) {

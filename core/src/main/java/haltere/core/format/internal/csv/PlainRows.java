@@ -8,8 +8,8 @@ import haltere.core.format.internal.decoding.EventColumn;
 import java.util.List;
 
 /**
- * Decodes rows of digits, as nearly all are, fast: times in microseconds, or in seconds with up to
- * six decimals.
+ * Fast decoder for rows of plain digits, the usual case: times in microseconds, or in seconds with
+ * up to six decimals.
  *
  * <p>Thread rule: one thread.
  */
@@ -24,10 +24,10 @@ final class PlainRows {
   private final int onColumn;
   private final boolean seconds;
 
-  /** Of a row's columns. */
+  /** Values of a row's columns. */
   private final long[] values;
 
-  /** Whether the unit of the times is one of the two. */
+  /** Whether the unit of the times is supported. */
   private final boolean usable;
 
   private final boolean marked;
@@ -41,7 +41,7 @@ final class PlainRows {
     timeColumn = roles.indexOf(EventColumn.TIME);
     xColumn = roles.indexOf(EventColumn.X);
     yColumn = roles.indexOf(EventColumn.Y);
-    // without this column, the position behind the others is used, which is on
+    // without this column, the index after the others is used, whose value is ON
     onColumn = roles.contains(EventColumn.POLARITY) ? roles.indexOf(EventColumn.POLARITY) : columns;
     values = new long[columns + 1];
     values[columns] = 1;
@@ -54,8 +54,8 @@ final class PlainRows {
   }
 
   /**
-   * Decodes rows that are nothing but digits with one mark between them, as nearly all are; returns
-   * where there is another. Eight digits are read at once, without asking how many there are.
+   * Decodes rows of digits and single separators; returns the index of the first other row. Eight
+   * digits are read at once.
    */
   int decode(byte[] bytes, int from, int last, EventPacket out, int maxEvents, long lastUs) {
     long[] times = out.timesUs();
@@ -142,8 +142,8 @@ final class PlainRows {
   }
 
   /**
-   * Where a number ends. The processor guesses which case it is and reads on, while a sum would
-   * have to wait for the count.
+   * End of a number. With branches, the processor predicts the case and reads ahead, while an
+   * addition would wait for the count.
    */
   private static int behind(int at, int count) {
     return switch (count) {

@@ -14,8 +14,8 @@ import java.nio.ByteBuffer;
 import java.nio.LongBuffer;
 
 /**
- * Turns the records of a DAT file into packets: little-endian, 32 bits of time, 32 bits of column,
- * row and polarity.
+ * Decodes the records of a DAT file: little-endian, 32 bits of time, 32 bits of column, row and
+ * polarity.
  *
  * <p>Thread rule: one thread.
  */
@@ -26,11 +26,11 @@ final class DatDecoder implements StreamDecoder {
   private static final int RUN = 1024;
   private static final long UNSIGNED = 0xffffffffL;
 
-  // Of all that must not be negative, or as long as half a turn of the clock.
+  // sign bit of values that must not be negative, nor as long as half a wrap period
   private static final long BELOW_ZERO = 1L << 63;
   private static final long HALF_A_TURN = 1L << 31;
 
-  // Constants, since the loop over records of version 2 has no register for them.
+  // constants, since the loop over records of version 2 has no free registers
   private static final int X_BITS = 14;
   private static final int Y_BITS = 14;
   private static final int ROW_SHIFT = EventAddress.Y_SHIFT - X_BITS;
@@ -38,16 +38,16 @@ final class DatDecoder implements StreamDecoder {
   private static final int ROW = (1 << Y_BITS) - 1 << EventAddress.Y_SHIFT;
 
   /**
-   * Where a record's second half has what.
+   * Bit layout of a record's second half.
    *
    * @param xBits bits of the column, from bit 0
-   * @param yBits bits of the row, behind those of the column; the polarity follows
+   * @param yBits bits of the row, after those of the column; the polarity follows
    */
   public record Layout(int xBits, int yBits) {
-    /** Of version 2 and later. */
+    /** Layout of version 2 and later. */
     public static final Layout VERSION_2 = new Layout(X_BITS, Y_BITS);
 
-    /** Of the files of the first sensors, of 304x240 pixels. */
+    /** Layout of the files of the first sensors, of 304x240 pixels. */
     public static final Layout VERSION_1 = new Layout(9, 8);
   }
 
@@ -60,7 +60,7 @@ final class DatDecoder implements StreamDecoder {
   private final WrappingClock clock;
   private final WrappingTimes times;
 
-  /** Records on their way; an array is read faster than a buffer. */
+  /** Copied records; an array is read faster than a buffer. */
   private final long[] stage = new long[RUN];
 
   private final long[] wideAddresses = new long[RUN];
@@ -68,7 +68,7 @@ final class DatDecoder implements StreamDecoder {
   /**
    * A decoder before the first record.
    *
-   * @param geometry the sensor; events outside are left out
+   * @param geometry the sensor; events outside are skipped
    * @param layout of the records
    * @param firstTurnUs offset of the file's times before the first wrap
    * @param violations counts violations
@@ -105,9 +105,7 @@ final class DatDecoder implements StreamDecoder {
     return times.restarted();
   }
 
-  /**
-   * Decodes staged records of version 2 as long as nothing is odd about any of them; if so, none.
-   */
+  /** Decodes staged records of version 2 if all are regular; otherwise none. */
   private boolean decodeRun(int count, EventPacket out) {
     if (!clock.started() || !usual) {
       return false;
@@ -122,7 +120,7 @@ final class DatDecoder implements StreamDecoder {
     return true;
   }
 
-  /** Numbers of one width and no branch: the compiler does several records at once. */
+  /** One integer width and no branch, so that the compiler vectorises the loop. */
   private void prepare(int count, long turnUs, long[] timesUs, int size) {
     long[] records = stage;
     long[] wide = wideAddresses;
@@ -140,7 +138,7 @@ final class DatDecoder implements StreamDecoder {
     }
   }
 
-  /** Puts the addresses into the packet; false if there is anything odd. */
+  /** Stores the addresses in the packet; false if a record is irregular. */
   private boolean finish(int count, long beforeUs, EventPacket out) {
     long[] wide = wideAddresses;
     long[] timesUs = out.timesUs();
@@ -159,7 +157,7 @@ final class DatDecoder implements StreamDecoder {
     return (odd & (BELOW_ZERO | HALF_A_TURN)) == 0;
   }
 
-  /** Record by record; returns how many were dealt with before the clock went back. */
+  /** Decodes single records; returns their number before the clock went back. */
   private int decodeSingly(ByteBuffer in, int position, int records, long offset, EventPacket out) {
     for (int i = 0; i < records; i++) {
       int from = position + i * RECORD_BYTES;

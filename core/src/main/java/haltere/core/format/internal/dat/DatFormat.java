@@ -30,25 +30,25 @@ import java.util.Set;
 
 /** Prophesee DAT, decoded events of the kinds 2D and CD: read and written. */
 public final class DatFormat implements StreamedFormat {
-  /** Most columns and rows that a record can address. */
+  /** Maximum columns and rows of a record. */
   static final int MAX_SIDE = 1 << 14;
 
   static final int CD = 0x0c;
   private static final int EVENT_2D = 0x00;
 
-  /** Key of our own header line: time at which the first turn of the clock begins. */
+  /** Key of Haltere's header line: start time of the first clock period. */
   static final String TIME_BASE = "haltere_time_base_us";
 
   static final long MAX_BASE_US = 1L << 61;
 
-  /** Sizes of sensors; files without a size come from the first ones. */
+  /** Sizes of sensors; files without a size are from the first sensors. */
   private static final List<SensorGeometry> SIZES =
       List.of(
           new SensorGeometry(304, 240, Origin.TOP),
           new SensorGeometry(640, 480, Origin.TOP),
           new SensorGeometry(1280, 720, Origin.TOP));
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public DatFormat() {}
 
   @Override
@@ -152,7 +152,7 @@ public final class DatFormat implements StreamedFormat {
         return baseUs;
       }
     } catch (NumberFormatException ignored) {
-      // Told below.
+      // reported below
     }
     remarks.add("the header line " + TIME_BASE + " is impossible and is ignored");
     return 0;

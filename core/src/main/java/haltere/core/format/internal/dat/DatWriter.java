@@ -20,9 +20,9 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Writes DAT of version 2 with CD events. The times of the records have 32 bits. Longer ones are
- * restored here, since the reader counts the turns of this clock and a header line of our own has
- * the start of the first turn; other programs read the low 32 bits, which {@link #losses} reports.
+ * Writes DAT of version 2 with CD events. The times of the records have 32 bits. Haltere's reader
+ * restores longer ones from the wraps and a header line with the start of the first period; other
+ * programs read the low 32 bits, which {@link #losses} reports.
  */
 final class DatWriter implements RecordingWriter {
   private static final Set<String> OWN_KEYS =
@@ -104,7 +104,7 @@ final class DatWriter implements RecordingWriter {
     return (long) word << 32 | timeUs & 0xffffffffL;
   }
 
-  /** The first event, one outside, or one to which the clock does not simply go on. */
+  /** Writes the first event, one outside the sensor, or one after a jump of the clock. */
   private void writeWithCare(long timeUs, int address) {
     int x = EventAddress.x(address);
     int y = top - EventAddress.y(address);
@@ -117,7 +117,7 @@ final class DatWriter implements RecordingWriter {
   }
 
   private void start(long firstTurnUs) throws IOException {
-    // A start too far from 0 for the header line counts as a leap.
+    // a start too far from 0 for the header line is a jump
     boolean tooFar = firstTurnUs > DatFormat.MAX_BASE_US || firstTurnUs < -DatFormat.MAX_BASE_US;
     long turnUs = tooFar ? 0 : firstTurnUs;
     clock = new WrittenClock(turnUs);

@@ -3,24 +3,24 @@ package haltere.core.format.internal.decoding;
 import java.util.Locale;
 import java.util.OptionalInt;
 
-/** What a column of plain events holds, by the names that the programs of the field give it. */
+/** Columns of plain events, by the names in usual programs. */
 public enum EventColumn {
-  /** When. */
+  /** Time of the event. */
   TIME,
   /** Column of the pixel. */
   X,
   /** Row of the pixel. */
   Y,
-  /** Whether the light rose or fell. */
+  /** Polarity of the event. */
   POLARITY,
-  /** Something else. */
+  /** Any other column. */
   OTHER;
 
   /**
-   * The column that a name stands for.
+   * The column of a name.
    *
-   * @param name as a header gives it, with or without a unit
-   * @return {@link #OTHER} if it is none of ours
+   * @param name as in a header, with or without a unit
+   * @return {@link #OTHER} for an unknown name
    */
   public static EventColumn named(String name) {
     String plain = words(name).replaceAll("^_|_$", "");
@@ -34,11 +34,11 @@ public enum EventColumn {
   }
 
   /**
-   * The unit that a name states for times, as the power of ten that makes microseconds of it: 0 for
-   * microseconds, 6 for seconds.
+   * The time unit in a name, as its power of ten in microseconds: 0 for microseconds, 6 for
+   * seconds.
    *
-   * @param name as a header gives it
-   * @return the power, or empty if the name states no unit
+   * @param name as in a header
+   * @return the power, or empty if the name has no unit
    */
   public static OptionalInt timeScale(String name) {
     String unit = words(name) + "_";

@@ -13,27 +13,27 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A place in a recording from which events are decoded, one after the other, and that can be noted
- * and found again. {@link DecodingReader} makes a whole {@link RecordingReader} of it: a format
- * whose events lie in one run of bytes has only to write a {@link StreamDecoder}, see {@link
- * FileCursor}; others write a cursor.
+ * Decodes the events of a recording in order; its state can be saved and restored. {@link
+ * DecodingReader} makes a {@link RecordingReader} of it. A format whose events are contiguous only
+ * implements a {@link StreamDecoder}, see {@link FileCursor}; others implement a cursor.
  *
  * <p>Thread rule: one thread.
  */
 public interface EventCursor extends Closeable {
-  /** Why {@link #read} came back. */
+  /** Reason for the return of {@link #read}. */
   enum Stop {
-    /** The packet is full, or a piece of the file is done: ask again. */
+    /** The packet is full, or a piece of the file is decoded: call again. */
     MORE,
     /**
-     * The clock goes back with the next event; it comes after {@link EventTimes#acceptRestart()}.
+     * The clock goes back with the next event; it is decoded after {@link
+     * EventTimes#acceptRestart()}.
      */
     CLOCK_WENT_BACK,
-    /** There is nothing more. */
+    /** The end of the events. */
     END
   }
 
-  /** Makes cursors that do not share their places. */
+  /** Creates independent cursors. */
   @FunctionalInterface
   interface Factory {
     /**
@@ -50,13 +50,13 @@ public interface EventCursor extends Closeable {
   @FunctionalInterface
   interface PieceVisitor {
     /**
-     * Takes a piece with events.
+     * Receives a piece with events.
      *
-     * @param state what {@link EventCursor#save} would give before it; copied
-     * @param offset where it is in the file
+     * @param state as saved by {@link EventCursor#save} before it; copied
+     * @param offset byte offset in the file
      * @param firstUs time of its first event, microseconds
-     * @param lastUs time of its last event; if the first of the next piece is below, the clock went
-     *     back between them
+     * @param lastUs time of its last event; if the first of the next piece is earlier, the clock
+     *     went back between them
      * @throws IOException if there are too many segments
      */
     void piece(long[] state, long offset, long firstUs, long lastUs) throws IOException;
@@ -67,7 +67,7 @@ public interface EventCursor extends Closeable {
    * For a cursor at the start that is not used afterwards.
    *
    * @param visitor receives the pieces; complete only if true is returned
-   * @return false if all must be decoded to know
+   * @return false if the events must be decoded for it
    * @throws IOException if the file cannot be read
    */
   default boolean visitPieces(PieceVisitor visitor) throws IOException {
@@ -78,7 +78,7 @@ public interface EventCursor extends Closeable {
    * Number and times of the events as stated by the file, if valid without decoding. For a cursor
    * at the start that is not used afterwards.
    *
-   * @return empty if all must be decoded to know
+   * @return empty if the events must be decoded for it
    * @throws IOException if the file cannot be read
    */
   default Optional<RecordingOutline> outline() throws IOException {
@@ -86,9 +86,9 @@ public interface EventCursor extends Closeable {
   }
 
   /**
-   * What the times count from.
+   * Origin and wrap period of the times.
    *
-   * @return facts of the format
+   * @return the clock of the format
    */
   RecordingClock clock();
 
@@ -102,7 +102,7 @@ public interface EventCursor extends Closeable {
   }
 
   /**
-   * How the events are compressed.
+   * Compression of the events.
    *
    * @return as {@link RecordingReader#compression()}
    */
@@ -121,47 +121,43 @@ public interface EventCursor extends Closeable {
   Stop read(EventPacket out, int maxEvents) throws IOException;
 
   /**
-   * Where it is in time, and how to go on where the clock goes back.
+   * The current time, and the handling of a clock that goes back.
    *
    * @return always the same object, which changes
    */
   EventTimes times();
 
-  /**
-   * How far it is.
-   *
-   * @return byte offset in the file
-   */
+  /** Current position. @return byte offset in the file */
   long positionBytes();
 
   /**
-   * Which of several streams of events in the recording it reads.
+   * Number of the stream of events that it reads.
    *
-   * @return a number that no other stream of the recording has; 0 where there is one only
+   * @return unique in the recording; 0 if there is only one
    */
   default long streamNumber() {
     return 0;
   }
 
   /**
-   * How many numbers {@link #save} needs.
+   * Number of values that {@link #save} writes.
    *
    * @return at least 1
    */
   int stateLongs();
 
   /**
-   * Notes the place and all that is needed to go on there.
+   * Saves the state.
    *
-   * @param state receives {@link #stateLongs()} numbers
+   * @param state receives {@link #stateLongs()} values
    * @param at index of the first of them
    */
   void save(long[] state, int at);
 
   /**
-   * Goes to a place that was noted, as if all before had just been read.
+   * Restores a saved state, as if all before it had just been read.
    *
-   * @param state has the numbers
+   * @param state the values
    * @param at index of the first of them
    * @throws IOException if the file can no longer be read
    */

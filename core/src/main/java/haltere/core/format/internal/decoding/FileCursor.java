@@ -11,12 +11,12 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * Reads the events of a file in which they lie in one run of bytes.
+ * Reads the events of a file with contiguous events.
  *
  * <p>Thread rule: one thread.
  */
 public final class FileCursor implements EventCursor {
-  /** Small enough to stay in the cache between reading and decoding. */
+  /** Size that stays in the cache between reading and decoding. */
   private static final int BUFFER_BYTES = 64 * 1024;
 
   private final RecordingFile file;
@@ -30,10 +30,10 @@ public final class FileCursor implements EventCursor {
    * A cursor at the first event.
    *
    * @param file the file; it is not closed with the cursor
-   * @param dataOffset where the run of bytes starts
+   * @param dataOffset start of the events
    * @param order byte order of the format
-   * @param decoder decodes them
-   * @param violations where the decoder counts too
+   * @param decoder decodes the events
+   * @param violations the counts of the decoder
    */
   public FileCursor(
       RecordingFile file,
@@ -72,7 +72,7 @@ public final class FileCursor implements EventCursor {
     return Stop.MORE;
   }
 
-  /** Even a buffer that was read just now gives nothing more. */
+  /** Handles the last bytes of the file. */
   private Stop end(EventPacket out, int maxEvents) {
     if (buffer.hasRemaining()
         && offset + buffer.remaining() == file.size()

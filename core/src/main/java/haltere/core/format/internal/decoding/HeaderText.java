@@ -17,8 +17,8 @@ public final class HeaderText {
   /**
    * A header without lines.
    *
-   * @param lineStart what each line begins with
-   * @param lineEnd what each line ends in
+   * @param lineStart prefix of each line
+   * @param lineEnd terminator of each line
    */
   public HeaderText(String lineStart, String lineEnd) {
     this.lineStart = lineStart;

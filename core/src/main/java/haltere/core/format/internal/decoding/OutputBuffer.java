@@ -7,7 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * Gathers the words of a writer and puts them into its file, many at a time.
+ * Buffers the words of a writer.
  *
  * <p>Thread rule: one thread.
  */
@@ -20,7 +20,7 @@ public final class OutputBuffer implements Closeable {
   /**
    * An empty buffer.
    *
-   * @param file where the words go; closed with the buffer
+   * @param file the output; closed with the buffer
    * @param order of the bytes of numbers
    */
   public OutputBuffer(AtomicFile file, ByteOrder order) {
@@ -29,7 +29,7 @@ public final class OutputBuffer implements Closeable {
   }
 
   /**
-   * Where words are put.
+   * The buffered bytes.
    *
    * @return always the same buffer
    */
@@ -61,7 +61,7 @@ public final class OutputBuffer implements Closeable {
   }
 
   /**
-   * Writes what is gathered.
+   * Writes the buffered bytes.
    *
    * @throws IOException if the file cannot be written
    */
@@ -72,7 +72,7 @@ public final class OutputBuffer implements Closeable {
   }
 
   /**
-   * Writes the buffer and moves the file to its place.
+   * Writes the buffer and commits the file.
    *
    * @throws IOException if that fails
    */

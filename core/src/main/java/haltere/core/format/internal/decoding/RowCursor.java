@@ -40,7 +40,7 @@ public abstract class RowCursor implements EventCursor {
     return times;
   }
 
-  /** {@inheritDoc} A share of the file, as of the rows. */
+  /** {@inheritDoc} Proportional to the rows read. */
   @Override
   public long positionBytes() {
     long rows = rows();

@@ -7,31 +7,31 @@ import java.io.Closeable;
 import java.io.IOException;
 
 /**
- * A place in a recording from which frames, inertial samples and triggers are read. It goes through
- * the file by itself, beside the {@link EventCursor} of the same recording, so that reading events
- * alone costs nothing; {@link DecodingReader} puts both in order.
+ * Reads the frames, inertial samples and triggers of a recording. It is independent of the {@link
+ * EventCursor} of the same recording, so that reading only events has no overhead; {@link
+ * DecodingReader} merges both in order of time.
  *
  * <p>Thread rule: one thread.
  */
 public interface SampleCursor extends Closeable {
-  /** Makes cursors that do not share their places. */
+  /** Creates independent cursors. */
   @FunctionalInterface
   interface Factory {
     /**
-     * Opens the recording once more.
+     * Opens the recording again.
      *
-     * @param violations where the cursor counts samples that are not whole
+     * @param violations counts incomplete samples
      * @return a cursor at the start
      * @throws IOException if the file cannot be read
      */
     SampleCursor open(ViolationCounts violations) throws IOException;
   }
 
-  /** What {@link #next} came to. */
+  /** Result of {@link #next}. */
   enum Step {
     /** A sample. */
     SAMPLE,
-    /** The place up to which it should look, or some way behind. */
+    /** No sample up to the requested offset, or somewhat after it. */
     NOTHING_YET,
     /** The end of the file. */
     END
@@ -48,24 +48,20 @@ public interface SampleCursor extends Closeable {
   Step next(long untilOffset) throws IOException;
 
   /**
-   * The sample to which {@link #next} went.
+   * The sample found by {@link #next}.
    *
    * @return a sample
    */
   SensorSample sample();
 
-  /**
-   * Where that sample ends.
-   *
-   * @return byte offset in the file, or of the packet that holds it
-   */
+  /** End of that sample. @return byte offset in the file, or of the packet that holds it */
   long offset();
 
   /**
-   * Goes to a place that the {@link EventCursor} of the same recording noted. A sample that is only
-   * half before the place is left out.
+   * Goes to a position saved by the {@link EventCursor} of the same recording. A sample that is
+   * partly before the position is skipped.
    *
-   * @param state has the numbers that it noted
+   * @param state the values that it noted
    * @param at index of the first of them
    * @throws IOException if the file can no longer be read
    */

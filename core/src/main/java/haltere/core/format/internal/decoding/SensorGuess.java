@@ -8,14 +8,11 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 
-/**
- * Size of the sensor of a recording that does not state it. All events are read, so that none is
- * lost by the guess.
- */
+/** Estimates an unstated sensor size from all events, so that none is lost. */
 public final class SensorGuess {
   private static final int PACKET_EVENTS = 8192;
 
-  /** Sizes that sensors of the field have, the smallest first. Rows count from the top. */
+  /** Usual sensor sizes, the smallest first. Rows count from the top. */
   public static final List<SensorGeometry> USUAL_SIZES =
       List.of(
           top(128, 128),
@@ -26,12 +23,12 @@ public final class SensorGuess {
           top(640, 480),
           top(1280, 720));
 
-  /** Advice for streams that do not state the size of the sensor. */
+  /** Advice for streams without a sensor size. */
   public static final String ADVICE = "state the sensor's size with --sensor WxH";
 
   private SensorGuess() {}
 
-  /** The pixels that the events need: right - 1 is the rightmost column, and so on. */
+  /** Extent of the events: right - 1 is the rightmost column. */
   private record Extent(int right, int lowest, int highest) {}
 
   private static Extent extent(EventCursor cursor) throws IOException {
@@ -58,9 +55,9 @@ public final class SensorGuess {
   /**
    * Reads all events.
    *
-   * @param cursor at the start of the recording, with rows as the file counts them
-   * @param origin where the file counts rows from
-   * @return the smallest sensor that has all of their pixels
+   * @param cursor at the start of the recording, with the row numbers of the file
+   * @param origin origin of rows in the file
+   * @return the smallest sensor with all of their pixels
    * @throws IOException if the file cannot be read
    */
   public static SensorGeometry of(EventCursor cursor, Origin origin) throws IOException {
@@ -73,7 +70,7 @@ public final class SensorGuess {
    * top.
    *
    * @param stated origin in the file
-   * @param options of the user
+   * @param options the user's options
    * @param remarks receives a note if it is not stated
    * @return one of the two
    */
@@ -91,9 +88,8 @@ public final class SensorGuess {
    * @param cursor at the first event, opened for {@link #square} of the same side; closed
    *     afterwards
    * @param side of that square
-   * @param sizes to choose from, the smallest first
-   * @return the first that holds the events, or just their extent if none does; empty without
-   *     events
+   * @param sizes candidates, the smallest first
+   * @return the first that holds the events, or their extent if none does; empty without events
    * @throws IOException if the file cannot be read
    */
   public static Optional<SensorGeometry> smallest(
@@ -131,8 +127,8 @@ public final class SensorGuess {
    * Chooses the smallest usual sensor for the events, with a remark.
    *
    * @param events of the recording
-   * @param side the most columns and rows of the format
-   * @param remarks gets a line about the choice
+   * @param side maximum columns and rows of the format
+   * @param remarks receives a remark on the choice
    * @return a sensor whose rows count from the top; a single pixel without events
    * @throws IOException if the file cannot be read
    */
@@ -144,9 +140,9 @@ public final class SensorGuess {
   }
 
   /**
-   * The largest sensor of a format, to look for events of any smaller one.
+   * The largest sensor of a format, for finding the extent of the events.
    *
-   * @param side columns and rows, at most what an address holds
+   * @param side columns and rows, within the range of an address
    * @return a sensor whose rows count from the top
    */
   public static SensorGeometry square(int side) {

@@ -6,17 +6,16 @@ import haltere.core.format.internal.clock.EventTimes;
 import java.nio.ByteBuffer;
 
 /**
- * Turns bytes of a format into packets, whatever the pieces in which the bytes come: from a file,
- * from the messages of a bag, from a camera. Pure: all state is in the object and can be noted and
- * put back.
+ * Decodes bytes of a format, in pieces of any size, from a file, the messages of a bag, or a
+ * camera. All state is in the object and can be saved and restored.
  *
  * <p>Thread rule: one thread.
  */
 public interface StreamDecoder {
   /**
-   * What the times count from.
+   * Origin and wrap period of the times.
    *
-   * @return facts of the format
+   * @return the clock of the format
    */
   RecordingClock clock();
 
@@ -24,7 +23,7 @@ public interface StreamDecoder {
    * Decodes until the input has no complete unit, the packet is full, or the clock goes back.
    * Violations are counted, not thrown.
    *
-   * @param in bytes in the format's order; its position is moved behind what was decoded
+   * @param in bytes in the format's order; its position is advanced past the decoded bytes
    * @param offset of that position in the file, for the counts
    * @param out events are appended; its capacity may grow beyond {@code maxEvents}
    * @param maxEvents events that the packet may hold
@@ -34,38 +33,38 @@ public interface StreamDecoder {
   boolean decode(ByteBuffer in, long offset, EventPacket out, int maxEvents);
 
   /**
-   * Decodes what {@link #decode} left of the last bytes of a file, for formats whose last unit has
-   * no mark of its end.
+   * Decodes the bytes that {@link #decode} left at the end of a file, for formats whose last unit
+   * may be unterminated.
    *
    * @param in the last bytes
    * @param offset of its position in the file
    * @param out an event may be appended
    * @param maxEvents events that the packet may hold, more than it holds
-   * @return true if these bytes are a whole unit (decoded, unless the clock went back: then it is
-   *     decoded at the next call); false if the file is cut off in the middle of it
+   * @return true if these bytes are a complete unit (decoded or, if the clock went back, decoded at
+   *     the next call); false if the file is truncated within it
    */
   default boolean decodeLast(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
     return false;
   }
 
   /**
-   * Whether the bytes that were decoded last belong to a unit that continues.
+   * Whether the bytes decoded last belong to an incomplete unit.
    *
-   * @return true if a file that ends here is cut off
+   * @return true if a file that ends here is truncated
    */
   default boolean unfinished() {
     return false;
   }
 
   /**
-   * Where it is in time, and how to go on where the clock goes back.
+   * The current time, and the handling of a clock that goes back.
    *
    * @return always the same object, which changes
    */
   EventTimes times();
 
   /**
-   * How many numbers {@link #save} needs. By default, the state of a decoder is its time.
+   * Number of values that {@link #save} writes. By default, the state of a decoder is its time.
    *
    * @return at least 1
    */
@@ -74,9 +73,9 @@ public interface StreamDecoder {
   }
 
   /**
-   * Notes the state between two calls of {@link #decode}.
+   * Saves the state between two calls of {@link #decode}.
    *
-   * @param state receives {@link #stateLongs()} numbers
+   * @param state receives {@link #stateLongs()} values
    * @param at index of the first of them
    */
   default void save(long[] state, int at) {
@@ -84,9 +83,9 @@ public interface StreamDecoder {
   }
 
   /**
-   * Puts a state back.
+   * Restores a state.
    *
-   * @param state has the numbers
+   * @param state the values
    * @param at index of the first of them
    */
   default void restore(long[] state, int at) {

@@ -3,15 +3,15 @@ package haltere.core.format.internal.decoding;
 import haltere.core.event.SensorGeometry;
 import java.util.List;
 
-/** Lines about what a writer left out, in the words that all formats share. */
+/** Messages about events that a writer skipped, shared by all formats. */
 public final class WriterLosses {
   private WriterLosses() {}
 
   /**
-   * Reports events whose pixel is not on the sensor.
+   * Reports events outside the sensor.
    *
-   * @param events how many were left out, 0 or more
-   * @param sensor the sensor that was written
+   * @param events number of skipped events
+   * @param sensor the written sensor
    * @return a line, or none without such events
    */
   public static List<String> outside(long events, SensorGeometry sensor) {

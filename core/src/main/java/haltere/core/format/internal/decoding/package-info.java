@@ -1,5 +1,5 @@
 /**
- * Shared by all decoders: cursors over the events of a file, decoders of a stream, the guess of a
- * sensor.
+ * Shared by all decoders: cursors over the events of a file, decoders of a stream, the estimate of
+ * a sensor size.
  */
 package haltere.core.format.internal.decoding;

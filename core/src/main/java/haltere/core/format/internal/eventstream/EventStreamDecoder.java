@@ -12,13 +12,13 @@ import haltere.core.format.internal.decoding.StreamDecoder;
 import java.nio.ByteBuffer;
 
 /**
- * Turns the bytes of an Event Stream into packets: a byte gives the advance of time, and what
- * follows. The clock of the format cannot go back.
+ * Decodes an Event Stream: a byte states the time step and the data that follow. The clock of the
+ * format cannot go back.
  *
  * <p>Thread rule: one thread.
  */
 final class EventStreamDecoder implements StreamDecoder {
-  /** What the events are. */
+  /** Kind of the events. */
   public enum Kind {
     /** Messages of any bytes. */
     GENERIC,
@@ -51,17 +51,17 @@ final class EventStreamDecoder implements StreamDecoder {
   private long skip;
 
   /**
-   * A decoder before the first byte behind the header.
+   * A decoder before the first byte after the header.
    *
    * @param kind of the events
-   * @param geometry the sensor; events outside are left out
+   * @param geometry the sensor; events outside are skipped
    * @param violations counts violations
    */
   public EventStreamDecoder(Kind kind, SensorGeometry geometry, ViolationCounts violations) {
     this(kind, geometry, false, violations);
   }
 
-  /** With {@code exposures}, those come as pixel events too. */
+  /** With {@code exposures}, exposure measurements are decoded as pixel events too. */
   EventStreamDecoder(
       Kind kind, SensorGeometry geometry, boolean exposures, ViolationCounts violations) {
     this.kind = kind;
@@ -192,7 +192,7 @@ final class EventStreamDecoder implements StreamDecoder {
         position++;
         continue;
       }
-      // the length has pieces of 7 bits, the lowest first; bit 0 marks further ones
+      // the length has groups of 7 bits, the lowest first; bit 0 marks further ones
       long length = 0;
       int bytes = 0;
       boolean more = true;

@@ -29,7 +29,7 @@ import java.util.Set;
  * are read as streams without pixel events.
  */
 public final class EventStreamFormat implements StreamedFormat {
-  /** For the service loader. */
+  /** Called by the service loader. */
   public EventStreamFormat() {}
 
   @Override

@@ -11,7 +11,7 @@ import java.util.Optional;
  * @param kind of the events
  * @param width columns, 0 for generic events
  * @param height rows, 0 for generic events
- * @param dataOffset where the events start
+ * @param dataOffset offset of the first event
  */
 record EventStreamHeader(int version, int kind, int width, int height, int dataOffset) {
   static final byte[] MAGIC = "Event Stream".getBytes(StandardCharsets.US_ASCII);
@@ -21,7 +21,7 @@ record EventStreamHeader(int version, int kind, int width, int height, int dataO
   static final int COLOUR = 4;
   static final int LONGEST = 20;
 
-  /** Reads a header; empty if the bytes are none, or not a whole one. */
+  /** Reads a header; empty if it is invalid or incomplete. */
   static Optional<EventStreamHeader> parse(byte[] bytes) {
     int magic = MAGIC.length;
     if (bytes.length < magic + 4 || !Arrays.equals(bytes, 0, magic, MAGIC, 0, magic)) {

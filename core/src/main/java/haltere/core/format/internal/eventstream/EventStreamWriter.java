@@ -15,10 +15,10 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Writes Event Stream 2 of the kind DVS. A silence costs a byte for each 127 us, and so does the
- * time before the first event; a start more than a day from 0, or before it, is moved to 0, a leap
- * of more than a day is shortened to one, and a clock that goes back stands still there. {@link
- * #losses} reports each, since the format cannot store it.
+ * Writes Event Stream 2 of the kind DVS. A gap needs a byte for each 127 us, and so does the time
+ * before the first event. A start more than a day from 0, or before it, is moved to 0; a jump of
+ * more than a day is shortened to one; a clock that goes back is stopped. {@link #losses} reports
+ * each.
  */
 final class EventStreamWriter implements RecordingWriter {
   private static final int EVENT_BYTES = 5;
@@ -30,7 +30,7 @@ final class EventStreamWriter implements RecordingWriter {
   private final SensorGeometry geometry;
   private final ByteBuffer buffer;
 
-  /** What is taken from times; changes where the format cannot hold them. */
+  /** Offset subtracted from times; changes if the format cannot store them. */
   private long baseUs;
 
   private long writtenUs;
@@ -89,7 +89,7 @@ final class EventStreamWriter implements RecordingWriter {
     }
   }
 
-  /** Writes time until less than what a byte can hold is missing. */
+  /** Writes time bytes until the rest fits in one byte. */
   private void goOnTo(long timeUs) throws IOException {
     long lastUs = writtenUs + baseUs;
     boolean back = timeUs < lastUs;

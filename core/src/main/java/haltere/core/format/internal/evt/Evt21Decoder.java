@@ -10,7 +10,7 @@ import java.nio.LongBuffer;
 
 /**
  * EVT2.1: little-endian words of 64 bits, each with a row of up to 32 neighbouring pixels that
- * fired at the same time. In the layout that is called legacy the halves of the words are swapped.
+ * fired at the same time. In the legacy layout the halves of the words are swapped.
  */
 final class Evt21Decoder extends EvtDecoder {
   static final int WORD_BYTES = 8;
@@ -25,10 +25,10 @@ final class Evt21Decoder extends EvtDecoder {
   /** Words that are processed together. */
   private static final int STAGE_WORDS = 512;
 
-  /** Words on their way; an array is read faster than a buffer. */
+  /** Copied words; an array is read faster than a buffer. */
   private final long[] stage = new long[STAGE_WORDS];
 
-  /** Addresses of the first pixels of the staged words; negative where a word needs care. */
+  /** Addresses of the first pixels of the staged words; negative for irregular words. */
   private final long[] firstPixels = new long[STAGE_WORDS];
 
   private final boolean legacy;
@@ -36,8 +36,8 @@ final class Evt21Decoder extends EvtDecoder {
   /**
    * A decoder before the first word.
    *
-   * @param geometry the sensor; events outside are left out
-   * @param firstTurnUs time at which the first turn of the clock begins, 0 for cameras
+   * @param geometry the sensor; events outside are skipped
+   * @param firstTurnUs start time of the first clock period, 0 for cameras
    * @param legacy whether the halves of the words are swapped
    * @param violations counts violations
    */
@@ -47,7 +47,7 @@ final class Evt21Decoder extends EvtDecoder {
     this.legacy = legacy;
   }
 
-  /** How many of the words make sense, to find out in which of the layouts they are. */
+  /** Number of plausible words in a layout, for its detection. */
   static int plausibleWords(byte[] bytes, int from, boolean legacy) {
     ByteBuffer words = ByteBuffer.wrap(bytes).order(java.nio.ByteOrder.LITTLE_ENDIAN);
     int plausible = 0;
@@ -82,14 +82,14 @@ final class Evt21Decoder extends EvtDecoder {
     return times.restarted();
   }
 
-  /** Puts the halves of staged words in their places. */
+  /** Swaps the halves of staged words. */
   private void turn(int count) {
     for (int i = 0; i < count; i++) {
       stage[i] = Long.rotateLeft(stage[i], 32);
     }
   }
 
-  /** Numbers of one width and no branch: the compiler does several words at once. */
+  /** One integer width and no branch, so that the compiler vectorises the loop. */
   private void prepare(int count) {
     long[] words = stage;
     long[] first = firstPixels;
@@ -105,7 +105,7 @@ final class Evt21Decoder extends EvtDecoder {
     }
   }
 
-  /** Decodes words of the stage until the packet is full; returns how many. */
+  /** Decodes words of the stage until the packet is full; returns their number. */
   private int decodeStage(int count, long offset, EventPacket out, int maxEvents) {
     int at = 0;
     while (at < count && out.size() < maxEvents && !times.restarted()) {
@@ -119,7 +119,7 @@ final class Evt21Decoder extends EvtDecoder {
     return at;
   }
 
-  /** Decodes until a word needs care or the packet is nearly full; returns where that is. */
+  /** Decodes up to an irregular word or a nearly full packet; returns its index. */
   private int decodeRun(int from, int end, EventPacket out, int maxEvents) {
     int at = from;
     while (at < end && clock.high() >= 0) {
@@ -140,9 +140,8 @@ final class Evt21Decoder extends EvtDecoder {
   }
 
   /**
-   * Decodes events until there is another word, or one that needs care, or more events than a
-   * limit; returns where that is. The loop keeps nothing that it does not need for each word: it
-   * lives from its registers.
+   * Decodes events up to another or irregular word, or a limit of events; returns its index. The
+   * loop has few variables, so that all stay in registers.
    */
   private int decodeEvents(int from, int end, EventPacket out, int limit) {
     long[] words = stage;
@@ -159,7 +158,7 @@ final class Evt21Decoder extends EvtDecoder {
       int mask = (int) word;
       long address = first[at];
       long timeUs = startUs + (word >>> 54 & 0x3f);
-      // Negative if it is no event, the time goes back or the row is outside.
+      // negative if it is not an event, time goes back or the row is outside
       if ((address | timeUs - beforeUs) < 0 || mask == 0) {
         break;
       }
@@ -190,7 +189,7 @@ final class Evt21Decoder extends EvtDecoder {
     return at;
   }
 
-  /** Decodes one word, whatever it is; false if it is not done with. */
+  /** Decodes any word; false if it is not completed. */
   private boolean decodeWord(long word, long offset, EventPacket out, int maxEvents) {
     switch ((int) (word >>> 60)) {
       case 0, 1 -> {

@@ -13,16 +13,13 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 
-/**
- * Prophesee RAW in the encoding EVT2.1: read in both layouts, written in the one that is not
- * legacy.
- */
+/** Prophesee RAW in the encoding EVT2.1: read in both layouts, written in the current one. */
 public final class Evt21Format extends EvtFormat {
   private static final int LOOK_BYTES = 64 * 1024;
 
   private final boolean legacy;
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public Evt21Format() {
     this(false);
   }
@@ -61,7 +58,7 @@ public final class Evt21Format extends EvtFormat {
     return new Evt21Decoder(geometry, firstTurnUs, legacy, violations);
   }
 
-  /** Finds out the layout: the header's word, else the words themselves. */
+  /** Detects the layout: by the header, else by the words. */
   @Override
   EvtFormat fitted(RecordingFile file, PropheseeHeader header, List<String> remarks)
       throws IOException {

@@ -17,10 +17,10 @@ final class Evt21Writer extends EvtWriter {
   private static final long TIME_HIGH = 8L << 60;
   private static final long EXT_TRIGGER = 0xaL << 60;
 
-  /** What events of a word have in common: all of the address but the place in the block. */
+  /** Bits that are equal in all events of a word: the address without the position in the block. */
   private static final int BLOCK = ~(31 << EventAddress.X_SHIFT);
 
-  /** Time over 64 of the high part that was written last. */
+  /** The high part of the time written last, in units of 64 us. */
   private long high = Long.MIN_VALUE;
 
   Evt21Writer(Path path, WriteOptions options) throws IOException {

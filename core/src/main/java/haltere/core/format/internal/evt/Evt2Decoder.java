@@ -20,14 +20,14 @@ final class Evt2Decoder extends EvtDecoder {
   /** Words that are processed together. */
   private static final int STAGE_WORDS = 1024;
 
-  /** Words on their way; an array is read faster than a buffer. */
+  /** Copied words; an array is read faster than a buffer. */
   private final int[] stage = new int[STAGE_WORDS];
 
   /**
    * A decoder before the first word.
    *
-   * @param geometry the sensor; events outside are left out
-   * @param firstTurnUs time at which the first turn of the clock begins, 0 for cameras
+   * @param geometry the sensor; events outside are skipped
+   * @param firstTurnUs start time of the first clock period, 0 for cameras
    * @param violations counts violations
    */
   public Evt2Decoder(SensorGeometry geometry, long firstTurnUs, ViolationCounts violations) {
@@ -49,7 +49,7 @@ final class Evt2Decoder extends EvtDecoder {
     return times.restarted();
   }
 
-  /** Decodes words of the stage until the packet is full; returns how many. */
+  /** Decodes words of the stage until the packet is full; returns their number. */
   private int decodeStage(int count, long offset, EventPacket out, int maxEvents) {
     int at = 0;
     while (at < count && out.size() < maxEvents && !times.restarted()) {
@@ -61,7 +61,7 @@ final class Evt2Decoder extends EvtDecoder {
     return at;
   }
 
-  /** Decodes until a word needs care or the packet is full; returns where that is. */
+  /** Decodes up to an irregular word or a full packet; returns its index. */
   private int decodeRun(int from, int end, EventPacket out, int maxEvents) {
     int at = from;
     while (at < end && out.size() < maxEvents && clock.high() >= 0) {
@@ -82,8 +82,8 @@ final class Evt2Decoder extends EvtDecoder {
   }
 
   /**
-   * Decodes events until there is another word, or an event that needs care; returns how many. The
-   * loop keeps nothing that it does not need for each event: it lives from its registers.
+   * Decodes events up to another word or an irregular event; returns their number. The loop has few
+   * variables, so that all stay in registers.
    */
   private int decodeEvents(int from, int most, EventPacket out) {
     int[] words = stage;
@@ -100,7 +100,7 @@ final class Evt2Decoder extends EvtDecoder {
       int newLow = word >>> 22;
       int column = word >>> 10 & 0xffe;
       int address = topRow - (word << EventAddress.Y_SHIFT & 0x7ff0000) + column + (word >>> 28);
-      // Negative if it is no event, the time goes back or the pixel is outside.
+      // negative if it is not an event, time goes back or the pixel is outside
       if ((-(word >>> 29) | (newLow & 0x3f) - low | address | right - column) < 0) {
         break;
       }
@@ -116,7 +116,7 @@ final class Evt2Decoder extends EvtDecoder {
     return count;
   }
 
-  /** Decodes one word, whatever it is; false if the clock goes back there. */
+  /** Decodes any word; false if the clock goes back there. */
   private boolean decodeWord(int word, long offset, EventPacket out) {
     switch (word >>> 28) {
       case 0, 1 -> {

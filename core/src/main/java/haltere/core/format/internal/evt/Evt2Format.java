@@ -13,7 +13,7 @@ import java.util.Set;
 
 /** Prophesee RAW in the encoding EVT2: read and written. */
 public final class Evt2Format extends EvtFormat {
-  /** For the service loader. */
+  /** Called by the service loader. */
   public Evt2Format() {}
 
   @Override

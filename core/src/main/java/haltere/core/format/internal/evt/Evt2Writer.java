@@ -14,7 +14,7 @@ final class Evt2Writer extends EvtWriter {
   private static final int TIME_HIGH = 8 << 28;
   private static final int EXT_TRIGGER = 0xa << 28;
 
-  /** Time over 64 of the high part that was written last. */
+  /** The high part of the time written last, in units of 64 us. */
   private long high = Long.MIN_VALUE;
 
   Evt2Writer(Path path, WriteOptions options) throws IOException {

@@ -9,7 +9,7 @@ import java.nio.ByteBuffer;
 
 /**
  * EVT3: little-endian words of 16 bits, each of which changes a part of the state (row, time, start
- * of a run of pixels) or makes events of it. Any word may be the first of a buffer.
+ * of a run of pixels) or contains events. Any word may be the first of a buffer.
  */
 public final class Evt3Decoder extends EvtDecoder {
   private static final int WORD_BYTES = 2;
@@ -27,7 +27,7 @@ public final class Evt3Decoder extends EvtDecoder {
   private static final int OTHERS = 0xe;
   private static final int CONTINUED_12 = 0xf;
 
-  /** Events of the longest vector word. */
+  /** Maximum events of a vector word. */
   private static final int VECTOR = 12;
 
   /** Pixels of a group of vector words as cameras send it. */
@@ -35,7 +35,7 @@ public final class Evt3Decoder extends EvtDecoder {
 
   private static final int GROUP_BYTES = 8;
 
-  /** Pixels that are written without asking for each. */
+  /** Pixels that are written at once. */
   private static final int AT_ONCE = 4;
 
   /** Events of a group, and space for surplus ones. */
@@ -65,20 +65,20 @@ public final class Evt3Decoder extends EvtDecoder {
   /** Coordinates of a row word and of the column word after it. */
   private static final long ROW_AND_COLUMN = 0x000007ff07ff0000L;
 
-  /** Bits that are left above both differences where a row and a column are on the sensor. */
+  /** Bits that remain set above both differences if row and column are on the sensor. */
   private static final long FITS = 0x0000080008000000L;
 
-  /** Four words of a camera's counts, as it sends them. */
+  /** Types of the four words of a camera's event counts. */
   private static final long COUNTS = 0x7000f000f000e000L;
 
-  /** Row of {@link #row} before the first row word and for data that are no pixel events. */
+  /** Row of {@link #row} before the first row word and for data other than pixel events. */
   private static final int NO_ROW = 1 << 31;
 
   private static final int NO_ROW_OTHER = NO_ROW | 1;
 
   private final byte[] stage = new byte[STAGE_BYTES + GROUP_BYTES];
 
-  /** Row of an address, counted from the bottom, in its place; negative if there is none. */
+  /** Row, counted from the bottom, at its position in an address; negative if there is none. */
   private int row = NO_ROW;
 
   /** Time of the words. */
@@ -96,8 +96,8 @@ public final class Evt3Decoder extends EvtDecoder {
   /**
    * A decoder before the first word.
    *
-   * @param geometry the sensor; events outside are left out
-   * @param firstTurnUs time at which the first turn of the clock begins, 0 for cameras
+   * @param geometry the sensor; events outside are skipped
+   * @param firstTurnUs start time of the first clock period, 0 for cameras
    * @param violations counts violations
    */
   public Evt3Decoder(SensorGeometry geometry, long firstTurnUs, ViolationCounts violations) {
@@ -119,7 +119,7 @@ public final class Evt3Decoder extends EvtDecoder {
     return times.restarted();
   }
 
-  /** Decodes words of the stage until the packet is full; returns the bytes of them. */
+  /** Decodes words of the stage until the packet is full; returns their number of bytes. */
   private int decodeStage(int bytes, boolean last, long offset, EventPacket out, int maxEvents) {
     int at = 0;
     while (at < bytes && out.size() < maxEvents && !times.restarted()) {
@@ -138,11 +138,10 @@ public final class Evt3Decoder extends EvtDecoder {
   }
 
   /**
-   * Decodes until a word needs care, the packet could be full or fewer than four words are left;
-   * returns where that is. Four words are looked at together, since what follows a word can be
-   * foretold only for the usual sequences; high parts that say nothing new are passed over without
-   * asking how many there are. Room is asked for by words, which leaves the compiler one value less
-   * to keep in the loop.
+   * Decodes up to an irregular word, a possibly full packet or the last three words; returns its
+   * index. Four words are examined together, since branches are predictable only for the usual
+   * sequences; repeated high parts are skipped without a branch on their number. Space is checked
+   * in words, which saves a register in the loop.
    */
   private int decodeRun(int from, int end, long offset, EventPacket out, int maxEvents) {
     byte[] words = stage;
@@ -230,7 +229,7 @@ public final class Evt3Decoder extends EvtDecoder {
         at += GROUP_BYTES;
         stop = lastWithRoom(at, end, maxEvents - size);
       } else if (type == VECT_BASE_X && passed > 0) {
-        continue; // its group is whole when it is read from here
+        continue; // its group is complete when it is read from here
       } else if (!careForOthers && (ahead & GROUP_TYPES) == COUNTS) {
         others += GROUP_BYTES / WORD_BYTES;
         at += GROUP_BYTES;
@@ -265,16 +264,15 @@ public final class Evt3Decoder extends EvtDecoder {
   }
 
   /**
-   * Where the last four words begin that may be looked at if each word but those of a group made an
-   * event.
+   * Start of the last four words for which there is space if each word outside a group is an event.
    */
   private static int lastWithRoom(int from, int end, int events) {
     return Math.min(end - GROUP_BYTES, from + (events - 1) * WORD_BYTES);
   }
 
   /**
-   * Appends the events of vector words, four at a time without asking whether there are as many:
-   * what is too much is overwritten by the next events. Returns the new size.
+   * Appends the events of vector words, four at a time; the next events overwrite any surplus.
+   * Returns the new size.
    */
   private static int appendPixels(
       long[] times, int[] addresses, int size, long timeUs, int address, int pixels) {
@@ -299,7 +297,7 @@ public final class Evt3Decoder extends EvtDecoder {
     return next;
   }
 
-  /** Decodes one word, whatever it is; false if it is not done with. */
+  /** Decodes any word; false if it is not completed. */
   private boolean decodeWord(int word, long offset, EventPacket out, int maxEvents) {
     switch (word >>> 12) {
       case ADDR_Y -> row = top - (word & 0x7ff) << EventAddress.Y_SHIFT;

@@ -11,9 +11,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** Prophesee RAW in the encoding EVT3, what is written to files that end in {@code .raw}. */
+/** Prophesee RAW in the encoding EVT3, which is written to {@code .raw} files. */
 public final class Evt3Format extends EvtFormat {
-  /** For the service loader. */
+  /** Called by the service loader. */
   public Evt3Format() {}
 
   @Override

@@ -10,7 +10,7 @@ import java.util.List;
 /**
  * Writes EVT3: a word for each change of row and of time and one for each event; five or more
  * events that follow each other at the same time, in ascending columns of 32 pixels of a row,
- * become a run of vector words as cameras send them (12, 12 and 8 pixels).
+ * become a run of vector words as in cameras (12, 12 and 8 pixels).
  */
 final class Evt3Writer extends EvtWriter {
   /** Longest group of words that an event needs, without high parts of the time. */
@@ -27,7 +27,7 @@ final class Evt3Writer extends EvtWriter {
   private static final int VECTOR = 32;
   private static final int SHORTEST_VECTOR = 5;
 
-  /** What events of a run have in common: all of the address but the column. */
+  /** Bits that are equal in all events of a run: the address without the column. */
   private static final int ROW = ~(EventAddress.MAX_COORDINATE << EventAddress.X_SHIFT);
 
   private long lastUs;
@@ -110,8 +110,8 @@ final class Evt3Writer extends EvtWriter {
   }
 
   /**
-   * Writes, in one go, what an event needs: the low part of the time and the row where they have
-   * changed, then a word if there is one. Eight bytes of room are overwritten by what follows.
+   * Writes the words of an event at once: the low part of the time and the row if they changed,
+   * then a word if there is one. Up to eight bytes are overwritten by later words.
    */
   private void putPlace(long timeUs, int y, int word, int words) {
     long group = word;

@@ -1,7 +1,7 @@
 package haltere.core.format.internal.evt;
 
 /**
- * The high part of the time of EVT words, continued over the turns of the camera's clock.
+ * The high part of the time of EVT words, extended over wraps of the camera's clock.
  *
  * <p>Thread rule: one thread.
  */
@@ -15,10 +15,10 @@ final class EvtClock {
   /**
    * A clock before its first value.
    *
-   * @param shift place of the high part within the time
+   * @param shift bit position of the high part in the time
    * @param bits bits of the high part
-   * @param wrapFall a fall of the high part by as much, or more, is a new turn of the clock
-   * @param firstTurnUs time at which the first turn begins
+   * @param wrapFall minimum decrease of the high part that is a wrap
+   * @param firstTurnUs start time of the first period
    */
   EvtClock(int shift, int bits, int wrapFall, long firstTurnUs) {
     this.shift = shift;
@@ -27,22 +27,22 @@ final class EvtClock {
     turnUs = firstTurnUs;
   }
 
-  /** EVT2 and EVT2.1: a turn is 2^34 us; from its last second to its first is a new turn. */
+  /** EVT2 and EVT2.1: a period is 2^34 us; a jump from its last second to its first is a wrap. */
   static EvtClock wide(long firstTurnUs) {
     return new EvtClock(6, 28, (1 << 28) - (1_000_000 >> 6), firstTurnUs);
   }
 
-  /** EVT3: a turn is 2^24 us; a fall by half of it is a new turn. */
+  /** EVT3: a period is 2^24 us; a decrease by half of it is a wrap. */
   static EvtClock narrow(long firstTurnUs) {
     return new EvtClock(12, 12, 2048, firstTurnUs);
   }
 
-  /** Length of a turn. */
+  /** Wrap period. */
   long turnLengthUs() {
     return 1L << (shift + bits);
   }
 
-  /** Takes a high part; returns the time at which it begins. */
+  /** Processes a high part; returns its start time. */
   long take(int value) {
     if (wraps(value)) {
       turnUs += turnLengthUs();
@@ -51,12 +51,12 @@ final class EvtClock {
     return startUs();
   }
 
-  /** Whether a high part would be taken for a new turn. */
+  /** Whether a high part would be a wrap. */
   boolean wraps(int value) {
     return high - value >= wrapFall;
   }
 
-  /** The longest fall that is not taken for a new turn. */
+  /** The largest decrease that is not a wrap. */
   int longestFall() {
     return wrapFall - 1;
   }
@@ -76,17 +76,17 @@ final class EvtClock {
     return high;
   }
 
-  /** Time at which the last high part begins. */
+  /** Start time of the last high part. */
   long startUs() {
     return turnUs + ((long) high << shift);
   }
 
-  /** Time at which the current turn begins. */
+  /** Start time of the current period. */
   long turnUs() {
     return turnUs;
   }
 
-  /** As after a high part in a turn. */
+  /** Restores the state after a high part in a period. */
   void restore(long turn, int value) {
     turnUs = turn;
     high = value;

@@ -9,15 +9,15 @@ import haltere.core.format.internal.clock.EventTimes;
 import haltere.core.format.internal.decoding.StreamDecoder;
 
 /**
- * What the decoders of EVT words have in common. Rows count from the top in the words and from the
- * bottom in the packets. Words that are no pixel events (triggers, inertial samples, monitoring)
- * are counted as {@link Violation#OTHER_DATA}.
+ * Common part of the decoders of EVT words. Rows count from the top in the words and from the
+ * bottom in the packets. Words other than pixel events (triggers, inertial samples, monitoring) are
+ * counted as {@link Violation#OTHER_DATA}.
  *
  * <p>Thread rule: one thread.
  */
 abstract sealed class EvtDecoder implements StreamDecoder
     permits Evt2Decoder, Evt21Decoder, Evt3Decoder {
-  /** Most columns and rows that EVT words can address. */
+  /** Maximum columns and rows that EVT words can address. */
   public static final int MAX_SIDE = 2048;
 
   final int width;
@@ -25,10 +25,10 @@ abstract sealed class EvtDecoder implements StreamDecoder
   final ViolationCounts violations;
   final EvtClock clock;
 
-  /** Of the events. */
+  /** Times of the events. */
   final AscendingTimes times = new AscendingTimes();
 
-  /** Events of the word at the input's position that have been handed over already. */
+  /** Events of the word at the input's position that have already been appended. */
   int handedOver;
 
   EvtDecoder(SensorGeometry geometry, EvtClock clock, ViolationCounts violations) {
@@ -38,9 +38,7 @@ abstract sealed class EvtDecoder implements StreamDecoder
     this.violations = violations;
   }
 
-  /**
-   * How far the last event is behind a high part's start, in its 64 us; 64 if it is beyond them.
-   */
+  /** Time of the last event since a high part's start, within its 64 us; 64 if it is later. */
   final int lowNow(long startUs) {
     long lastUs = times.lastUs();
     return lastUs <= startUs ? 0 : (int) Math.min(64, lastUs - startUs);
@@ -70,7 +68,7 @@ abstract sealed class EvtDecoder implements StreamDecoder
     return 3;
   }
 
-  /** {@link EvtSampleCursor} goes by these numbers too. */
+  /** {@link EvtSampleCursor} uses these values too. */
   @Override
   public void save(long[] state, int at) {
     times.save(state, at);

@@ -24,15 +24,15 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 
-/** What the three encodings of Prophesee's RAW files have in common. */
+/** Common part of the three encodings of Prophesee RAW files. */
 abstract sealed class EvtFormat implements StreamedFormat
     permits Evt2Format, Evt21Format, Evt3Format {
-  /** Key of our own header line: time at which the first turn of the clock begins. */
+  /** Key of Haltere's header line: start time of the first clock period. */
   static final String TIME_BASE = "haltere_time_base_us";
 
   static final long MAX_BASE_US = 1L << 61;
 
-  /** The encoding as the header line {@code format} names it. */
+  /** The encoding's name in the header line {@code format}. */
   abstract String encoding();
 
   /** A decoder before the first word. */
@@ -42,13 +42,13 @@ abstract sealed class EvtFormat implements StreamedFormat
   /** The words of the encoding. */
   abstract EvtSampleCursor.Words words();
 
-  /** Lets an encoding look for what it needs to know; gives what it decides with. */
+  /** Detects the variant of the encoding; returns the format of the variant. */
   EvtFormat fitted(RecordingFile file, PropheseeHeader header, List<String> remarks)
       throws IOException {
     return this;
   }
 
-  /** The encoding that a header states. */
+  /** The encoding stated in a header. */
   static Optional<String> stated(PropheseeHeader header) {
     Optional<String> format = header.value("format");
     if (format.isPresent()) {
@@ -60,7 +60,7 @@ abstract sealed class EvtFormat implements StreamedFormat
         .map(version -> "EVT" + version.replace(".0", "").replace(".", "").strip());
   }
 
-  /** Edges on inputs; the words have no room for other triggers. */
+  /** Edges on inputs; the words cannot represent other triggers. */
   @Override
   public Set<SampleKind> writableSamples() {
     return Set.of(SampleKind.TRIGGER);
@@ -141,7 +141,7 @@ abstract sealed class EvtFormat implements StreamedFormat
         return baseUs;
       }
     } catch (NumberFormatException ignored) {
-      // Told below.
+      // reported below
     }
     remarks.add("the header line " + TIME_BASE + " is impossible and is ignored");
     return 0;

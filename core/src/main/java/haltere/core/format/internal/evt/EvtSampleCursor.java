@@ -9,8 +9,8 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * Goes through EVT words for those of time and of external triggers. Inertial samples, which few
- * cameras write, are left out: no word says what their numbers mean.
+ * Finds time words and external triggers among EVT words. Inertial samples, which few cameras
+ * write, are skipped: their units are not stated.
  *
  * <p>Thread rule: one thread.
  */
@@ -82,7 +82,7 @@ final class EvtSampleCursor implements SampleCursor {
         case TIME_HIGH -> clock.take(word & 0xfffffff);
         case EXT_TRIGGER -> take(word >>> 22 & 0x3f, word >>> 8 & 0x1f, word & 1);
         default -> {
-          // An event, or what is not read.
+          // an event, or data that is not read
         }
       }
     }
@@ -100,7 +100,7 @@ final class EvtSampleCursor implements SampleCursor {
         case EXT_TRIGGER ->
             take((int) (word >>> 54) & 0x3f, (int) (word >>> 40) & 0x1f, (int) (word >>> 32) & 1);
         default -> {
-          // An event, or what is not read.
+          // an event, or data that is not read
         }
       }
     }
@@ -136,7 +136,7 @@ final class EvtSampleCursor implements SampleCursor {
           }
         }
         default -> {
-          // An event, or what is not read.
+          // an event, or data that is not read
         }
       }
     }
@@ -158,7 +158,7 @@ final class EvtSampleCursor implements SampleCursor {
     return offset;
   }
 
-  /** The numbers are the offset and those of {@link EvtDecoder#save}. */
+  /** The values are the offset and those of {@link EvtDecoder#save}. */
   @Override
   public void restore(long[] state, int at) {
     offset = state[at];

@@ -19,19 +19,19 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * What the writers of EVT words have in common: the header, the clock's high part, the buffer.
+ * Common part of the writers of EVT words: the header, the clock's high part, the buffer.
  *
- * <p>The first turn of the clock begins at 0 or, where that is too far away, where a header line of
- * our own says, so that times before 0 and times since 1970 come back. Other programs pass over
- * that line and see the times less the base, which {@link #losses} tells. Every turn of a longer
- * silence is written, since the words have no other way to say it. A clock that goes back is
- * written as it is, as long as it stays within its turn.
+ * <p>The first clock period begins at 0 or, if that is too far away, at a base in a header line of
+ * Haltere, so that times before 0 and times since 1970 are restored. Other programs ignore that
+ * line and read the times minus the base, which {@link #losses} reports. Every wrap within a longer
+ * gap is written, since readers count wraps. A clock that goes back is written unchanged within its
+ * period.
  */
 abstract sealed class EvtWriter implements RecordingWriter
     permits Evt2Writer, Evt21Writer, Evt3Writer {
   private static final long MAX_TURNS = 1 << 22;
 
-  /** Turns at the start that are written out, a few bytes each, so that all programs see them. */
+  /** Maximum wraps written at the start, a few bytes each, so that all programs see them. */
   private static final long MAX_START_TURNS = 1 << 14;
 
   private static final Set<String> OWN_KEYS =
@@ -41,7 +41,7 @@ abstract sealed class EvtWriter implements RecordingWriter
   final int width;
   final int top;
 
-  /** What a reader makes of the high parts that have been written. */
+  /** The clock of a reader after the written high parts. */
   final EvtClock reader;
 
   private final OutputBuffer output;
@@ -72,7 +72,7 @@ abstract sealed class EvtWriter implements RecordingWriter
     buffer = output.bytes();
   }
 
-  /** The header lines that tell the encoding. */
+  /** The header lines for the encoding. */
   abstract List<String> encodingLines();
 
   /** Appends events that are on the sensor. */
@@ -81,7 +81,7 @@ abstract sealed class EvtWriter implements RecordingWriter
   /** Writes an edge on an input. */
   abstract void putTrigger(long timeUs, int channel, int value) throws IOException;
 
-  /** Number of the last input that the words can tell. */
+  /** Number of the last input that the words can represent. */
   abstract int lastChannel();
 
   /** Writes a high part. */
@@ -102,7 +102,7 @@ abstract sealed class EvtWriter implements RecordingWriter
     }
   }
 
-  /** Writes an edge on one of the camera's inputs; words for anything else there are none. */
+  /** Writes an edge on one of the camera's inputs; other samples cannot be represented. */
   @Override
   public final boolean write(SensorSample sample) throws IOException {
     if (!(sample instanceof Trigger trigger)
@@ -130,8 +130,8 @@ abstract sealed class EvtWriter implements RecordingWriter
   }
 
   /**
-   * Writes high parts until the reader's clock is at a time. What the words cannot say shifts all
-   * times from there on by whole turns.
+   * Writes high parts until the reader's clock is at a time. If this is impossible, all times from
+   * there on are shifted by whole periods.
    */
   final void moveTo(long timeUs) throws IOException {
     long turns =

@@ -16,16 +16,16 @@ import java.util.regex.Pattern;
 /**
  * The text header of Prophesee's RAW and DAT files: lines {@code % key value} up to the line {@code
  * % end} or the first that does not begin with a percent sign. A line is text that ends in a line
- * feed, so that data which happen to begin with a percent sign are not taken for one.
+ * feed, which distinguishes it from data that begin with a percent sign.
  *
  * @param keys values by key in lower case; the first of several lines of a key
- * @param dataOffset where the data start
- * @param cutOff whether the file ends in the middle of a line
+ * @param dataOffset start of the data
+ * @param cutOff whether the file ends within a line
  */
 public record PropheseeHeader(Map<String, String> keys, int dataOffset, boolean cutOff) {
   private static final int USUAL_HEADER = 64 * 1024;
 
-  /** Longer headers are none. */
+  /** Maximum length of a header. */
   private static final int MAX_HEADER = 1024 * 1024;
 
   private static final int MAX_LINE = 4096;
@@ -33,7 +33,7 @@ public record PropheseeHeader(Map<String, String> keys, int dataOffset, boolean 
   private static final Pattern OPTION = Pattern.compile("(\\w+)\\s*=\\s*(\\w+)");
 
   /**
-   * A size that a header states.
+   * A size stated in a header.
    *
    * @param width columns
    * @param height rows
@@ -55,11 +55,11 @@ public record PropheseeHeader(Map<String, String> keys, int dataOffset, boolean 
   }
 
   /**
-   * Adds what is known of a recording to a header, in the order of its keys.
+   * Adds metadata of a recording to a header, in the order of the keys.
    *
    * @param text the header
-   * @param metadata by key; what is no word becomes one
-   * @param ownKeys those that the format writes by itself, which are left out
+   * @param metadata by key; spaces in keys become underscores
+   * @param ownKeys keys that the format writes itself, which are skipped
    */
   public static void addMetadata(
       HeaderText text, Map<String, String> metadata, Set<String> ownKeys) {
@@ -77,8 +77,8 @@ public record PropheseeHeader(Map<String, String> keys, int dataOffset, boolean 
    * Reads a header.
    *
    * @param bytes the start of a file
-   * @param whole whether that is all of the file
-   * @return what it says; without any line if there is no header
+   * @param whole whether that is the whole file
+   * @return the header; without lines if there is none
    */
   public static PropheseeHeader parse(byte[] bytes, boolean whole) {
     Map<String, String> keys = new TreeMap<>();
@@ -115,7 +115,7 @@ public record PropheseeHeader(Map<String, String> keys, int dataOffset, boolean 
    * Reads the header of a file.
    *
    * @param file any file
-   * @return what it says; without any line if there is no header
+   * @return the header; without lines if there is none
    * @throws RecordingProblem if it has no end
    * @throws IOException if the file cannot be read
    */
@@ -160,9 +160,9 @@ public record PropheseeHeader(Map<String, String> keys, int dataOffset, boolean 
 
   /**
    * The size of the sensor: options of the line {@code format}, else {@code geometry}, else the
-   * lines {@code width} and {@code height}. It may be a lie.
+   * lines {@code width} and {@code height}. It may be wrong.
    *
-   * @return what the header states, or empty if it states none
+   * @return the stated size, or empty if there is none
    */
   public Optional<Size> size() {
     Optional<Size> fromOptions = size(formatOption("width"), formatOption("height"));

@@ -9,12 +9,12 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Which size the sensor of a Prophesee file has: the header's word first, then the user's, then
- * what the header says about the camera, then the smallest sensor that was ever built and holds the
- * events. Rows count from the top.
+ * Determines the sensor size of a Prophesee file: from the header's size, else the user's options,
+ * else the camera in the header, else the smallest existing sensor that holds the events. Rows
+ * count from the top.
  *
  * @param geometry the sensor
- * @param remark how the size was found if the file does not state it; empty if it does
+ * @param remark origin of the size if the file does not state it; empty if it does
  */
 public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) {
   private static final SensorGeometry GEN3 = SensorGuess.top(640, 480);
@@ -25,13 +25,13 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
       List.of(SensorGuess.top(320, 320), SensorGuess.top(480, 360), GEN3, GEN4);
 
   /**
-   * Decides.
+   * Determines the sensor.
    *
    * @param header of the file
-   * @param options what the user says
-   * @param maxSide most columns and rows that the format can address
-   * @param sizes sensors that there are, from the smallest to the usual one
-   * @param events the events, to look at some of them if nothing else helps
+   * @param options the user's options
+   * @param maxSide maximum columns and rows that the format can address
+   * @param sizes existing sensors, from the smallest to the usual one
+   * @param events the events, some of which are read if the size is not known otherwise
    * @return the sensor
    * @throws IOException if the file cannot be read
    */
@@ -69,7 +69,7 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
     return lookAt(events, maxSide, sizes, lie);
   }
 
-  /** By what RAW headers say of the camera. */
+  /** The sensor of the camera named in a RAW header. */
   private static Optional<SensorGeometry> named(PropheseeHeader header) {
     String plugin = header.value("plugin_name").orElse("").toLowerCase(Locale.ROOT);
     String generation = header.value("sensor_generation").orElse("");

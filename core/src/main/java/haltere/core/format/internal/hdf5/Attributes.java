@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
 
-/** The attributes of a group or dataset that are one number or a text. */
+/** The attributes of a group or dataset that are a single number or a text. */
 final class Attributes {
   private static final int MAX_TEXT = 4096;
 

@@ -5,8 +5,8 @@ import haltere.core.format.internal.compression.LittleEndian;
 import haltere.core.format.internal.compression.Lz4Codec;
 
 /**
- * Decompresses what the Blosc filter (version 1) compressed: blocks whose bytes are sorted by their
- * place in the element and then compressed in one of several ways.
+ * Decompresses chunks of the Blosc filter (version 1): blocks with shuffled bytes, compressed with
+ * one of several methods.
  *
  * <p>Thread rule: one thread.
  */
@@ -18,7 +18,7 @@ final class BloscBlock {
   private final ChunkDecompressor decompressor;
   private byte[] sorted = {};
 
-  /** For a decompressor, of which it takes zlib and Zstandard. */
+  /** A decompressor that uses zlib and Zstandard of another one. */
   BloscBlock(ChunkDecompressor decompressor) {
     this.decompressor = decompressor;
   }

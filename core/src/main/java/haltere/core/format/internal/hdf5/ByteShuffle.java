@@ -3,8 +3,8 @@ package haltere.core.format.internal.hdf5;
 import haltere.core.format.internal.compression.LittleEndian;
 
 /**
- * Puts the bytes (or bits) of elements together again that were sorted by their place in the
- * element, eight elements at a time.
+ * Reverses the shuffle filter: bytes (or bits) that are grouped by their position in the element,
+ * eight elements at a time.
  */
 final class ByteShuffle {
   private static final long BYTES = 0x00ff00ff00ff00ffL;
@@ -13,7 +13,7 @@ final class ByteShuffle {
 
   private ByteShuffle() {}
 
-  /** Sorts bytes back to elements; an incomplete element at the end is copied. */
+  /** Unshuffles bytes; an incomplete element at the end is copied. */
   static void undo(byte[] in, int from, byte[] out, int outFrom, int length, int size) {
     int elements = size < 1 ? 0 : length / size;
     switch (size) {
@@ -105,7 +105,7 @@ final class ByteShuffle {
     undoAny(in, from, out, outFrom, whole, elements, elements, 8);
   }
 
-  /** Sorts bits back to elements; nothing was sorted unless their number is a multiple of eight. */
+  /** Unshuffles bits; they are shuffled only if the number of elements is a multiple of eight. */
   static void undoBits(byte[] in, int from, byte[] out, int outFrom, int length, int size) {
     int groups = size < 1 || length / size % 8 != 0 ? 0 : length / size / 8;
     for (int k = 0; k < size && groups > 0; k++) {
@@ -124,7 +124,7 @@ final class ByteShuffle {
     System.arraycopy(in, from + done, out, outFrom + done, length - done);
   }
 
-  /** Eight rows of eight bits, the first row and bit lowest, as columns. */
+  /** Transposes eight rows of eight bits, the first row and bit lowest. */
   private static long transposed(long rows) {
     long x = rows;
     long swap = (x ^ x >>> 7) & 0x00AA00AA00AA00AAL;
@@ -135,7 +135,7 @@ final class ByteShuffle {
     return x ^ swap ^ swap << 28;
   }
 
-  /** Sorts the bytes of elements by their place in the element. */
+  /** Shuffles bytes: groups them by their position in the element. */
   static void apply(byte[] in, byte[] out, int length, int size) {
     int elements = length / size;
     int whole = size == 2 ? elements & ~3 : 0;

@@ -20,7 +20,7 @@ final class ChunkDecompressor implements Closeable {
 
   private final BloscBlock blosc = new BloscBlock(this);
 
-  /** Made when they are needed. */
+  /** created on demand */
   private Inflater inflater;
 
   private ZstdBlock zstd;
@@ -31,11 +31,11 @@ final class ChunkDecompressor implements Closeable {
    * Undoes the filters of a chunk.
    *
    * @param steps in the order in which they were applied
-   * @param skipped a bit for each that was not
+   * @param skipped bit mask of those not applied
    * @param in the compressed chunk at its start
    * @param length compressed bytes
    * @param out receives the chunk at its start
-   * @param wanted bytes that it must have
+   * @param wanted expected number of bytes
    * @throws DamagedPacketException if it contradicts its compression
    */
   void unpack(List<FilterStep> steps, long skipped, byte[] in, int length, byte[] out, int wanted)

@@ -3,18 +3,18 @@ package haltere.core.format.internal.hdf5;
 import java.io.IOException;
 
 /**
- * Positions of the chunks of a dataset, with only those of the next chunks in memory.
+ * Positions of the chunks of a dataset, with only the next ones in memory.
  *
  * <p>Thread rule: one thread.
  */
 abstract class ChunkIndex {
-  /** Where the chunk that was found starts in the file. */
+  /** File offset of the chunk found last. */
   protected long offset;
 
-  /** Bytes that it takes there. */
+  /** Its size in the file in bytes. */
   protected long bytes;
 
-  /** A bit for each filter that was not applied to it. */
+  /** Bit mask of filters not applied to it. */
   protected long skippedFilters;
 
   static ChunkIndex of(ContainerFile file, Dataset dataset) {

@@ -10,7 +10,7 @@ final class ChunkTree extends ChunkIndex {
   private final Dataset dataset;
   private final int otherDimensions;
 
-  /** What the leaf lists that was read last: rows, places, sizes, filters, in order. */
+  /** Entries of the leaf read last: row, position, size, filters of each chunk. */
   private long[] leaf = {};
 
   private int leafChunks;

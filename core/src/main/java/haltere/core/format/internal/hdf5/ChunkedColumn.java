@@ -14,10 +14,10 @@ import java.util.zip.Deflater;
  * <p>Thread rule: one thread.
  */
 final class ChunkedColumn {
-  /** Rows of a chunk, unless there are fewer in all. */
+  /** Rows of a chunk, unless the column has fewer. */
   static final int CHUNK_ROWS = 1 << 16;
 
-  /** Half of the entries that a node of the tree has room for, as every reader expects it. */
+  /** Half of the capacity of a tree node, as all readers expect. */
   private static final int HALF_NODE = 32;
 
   private static final int NODE_ENTRIES = 2 * HALF_NODE;
@@ -37,9 +37,7 @@ final class ChunkedColumn {
   private int compressedBytes;
   private final byte[] evenRow;
 
-  /**
-   * Bytes of the last chunk before it was compressed if all its rows were {@link #evenRow}, else 0.
-   */
+  /** Uncompressed bytes of the last chunk if all its rows were {@link #evenRow}, else 0. */
   private int evenBytes;
 
   private final ByteBuffer chunkBuffer;
@@ -47,7 +45,7 @@ final class ChunkedColumn {
   private int filled;
   private long rows;
 
-  /** Place and compressed bytes of each chunk, in pairs. */
+  /** Position and compressed bytes of each chunk, in pairs. */
   private long[] chunks = new long[16];
 
   private int chunkCount;
@@ -57,7 +55,7 @@ final class ChunkedColumn {
    *
    * @param name of it in its group
    * @param type of its elements
-   * @param level of deflate, 0 for chunks that are not compressed
+   * @param level of deflate, 0 for uncompressed chunks
    */
   ChunkedColumn(String name, ElementType type, int level) {
     this.name = name;
@@ -92,17 +90,17 @@ final class ChunkedColumn {
     return chunkRows;
   }
 
-  /** The rows that are not yet written. */
+  /** The rows not yet written. */
   byte[] chunk() {
     return chunk;
   }
 
-  /** How many of them there are. */
+  /** Number of rows not yet written. */
   int filled() {
     return filled;
   }
 
-  /** States how many rows there are now in {@link #chunk()}, and writes them if they fill it. */
+  /** Sets the number of rows in {@link #chunk()}, and writes a full chunk. */
   void setFilled(int count, AtomicFile file) throws IOException {
     rows += count - filled;
     filled = count;
@@ -143,7 +141,7 @@ final class ChunkedColumn {
   }
 
   private ByteBuffer pack(int bytes) {
-    // without events, successive chunks of an index have one row throughout
+    // without events, all rows of successive index chunks are equal
     boolean even = Arrays.equals(chunk, 0, bytes - size, chunk, size, bytes);
     if (even && bytes == evenBytes && Arrays.equals(chunk, 0, size, evenRow, 0, size)) {
       return ByteBuffer.wrap(compressed, 0, compressedBytes);
@@ -167,7 +165,7 @@ final class ChunkedColumn {
     return ByteBuffer.wrap(compressed, 0, length);
   }
 
-  /** Writes the tree of chunks; returns the place of its root, or none without chunks. */
+  /** Writes the tree of chunks; returns the position of its root, or none without chunks. */
   long writeTree(AtomicFile file) throws IOException {
     if (chunkCount == 0) {
       return ContainerFile.NOWHERE;

@@ -10,10 +10,10 @@ import java.io.IOException;
  * <p>Thread rule: one thread.
  */
 final class ContainerFile {
-  /** A place that is none. */
+  /** The undefined position. */
   static final long NOWHERE = -1;
 
-  /** No single piece of metadata is larger. */
+  /** Maximum size of a piece of metadata. */
   static final int MAX_PIECE_BYTES = 4 << 20;
 
   private static final byte[] SIGNATURE = {(byte) 0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
@@ -44,7 +44,7 @@ final class ContainerFile {
     return file;
   }
 
-  /** Where the signature is, behind whatever was put before it; −1 for a file without one. */
+  /** Offset of the signature, which may follow other data; −1 for a file without one. */
   static long signatureAt(RecordingFile bytes) throws IOException {
     for (long start = 0; start <= MAX_USER_BLOCK; start = start == 0 ? 512 : 2 * start) {
       if (isSignature(bytes.read(start, SIGNATURE.length), 0)) {
@@ -54,7 +54,7 @@ final class ContainerFile {
     return -1;
   }
 
-  /** Whether the signature of HDF5 stands at an index. */
+  /** Whether the signature of HDF5 is at an index. */
   static boolean isSignature(byte[] head, int at) {
     return head.length >= at + SIGNATURE.length
         && java.util.Arrays.equals(head, at, at + SIGNATURE.length, SIGNATURE, 0, SIGNATURE.length);
@@ -75,7 +75,7 @@ final class ContainerFile {
     } else {
       block.skip(1);
     }
-    // Places count from the signature, whatever was put before it.
+    // positions are relative to the signature, which may follow other data
     base = start;
     block.skip(offsetBytes);
     block.position();
@@ -107,7 +107,7 @@ final class ContainerFile {
     return lengthBytes;
   }
 
-  /** Place of the root group's header. */
+  /** Position of the root group's header. */
   long root() {
     return root;
   }
@@ -117,18 +117,18 @@ final class ContainerFile {
     return end > bytes.size();
   }
 
-  /** Places of which all bits are set are none. */
+  /** A position; undefined if all bits are set. */
   long position(long raw) {
     boolean none = offsetBytes == 8 ? raw == -1 : raw == (1L << 8 * offsetBytes) - 1;
     return none || raw < 0 ? NOWHERE : raw;
   }
 
-  /** Where in the file a place is. */
+  /** File offset of a position. */
   long offsetOf(long position) {
     return position > Long.MAX_VALUE - base ? Long.MAX_VALUE : position + base;
   }
 
-  /** Metadata of a known size; damage if the file ends before them. */
+  /** Metadata of a known size; throws if the file ends before. */
   Metadata at(long position, long size) throws IOException {
     long offset = offsetOf(position);
     if (position == NOWHERE || size > MAX_PIECE_BYTES || size > bytes.size() - offset) {
@@ -144,7 +144,7 @@ final class ContainerFile {
     return new Metadata(this, piece, 0, piece.length, offset);
   }
 
-  /** As much metadata as there is, up to a size. */
+  /** Metadata up to a size; fewer bytes at the end of the file. */
   Metadata upTo(long position, int size) throws IOException {
     long there = position == NOWHERE ? 0 : bytes.size() - offsetOf(position);
     return at(position, Math.max(1, Math.min(size, there)));

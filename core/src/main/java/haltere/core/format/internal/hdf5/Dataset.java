@@ -13,11 +13,11 @@ import java.util.Optional;
  * @param name its path in the file
  * @param type of an element
  * @param dimensions lengths as claimed; none for a single value
- * @param kind how the bytes lie
+ * @param kind layout of the bytes
  * @param position of the bytes, or of the index of the chunks
- * @param bytes in one run that were claimed
- * @param inHeader bytes that lie in the header itself
- * @param rowBytes size of a row of a chunk; that of an element, but for tables
+ * @param bytes claimed size of contiguous data
+ * @param inHeader bytes in the header itself
+ * @param rowBytes size of a row of a chunk; that of an element except for tables
  * @param chunkRows rows in a chunk
  * @param index parameters of the index of the chunks
  * @param filters steps of the compression of chunks
@@ -43,15 +43,15 @@ record Dataset(
 
   private static final int UNPACKING = 3;
 
-  /** How the bytes of a dataset lie in the file. */
+  /** Layout of the bytes of a dataset. */
   enum Kind {
     /** In its header. */
     IN_HEADER,
-    /** In one run. */
+    /** Contiguous. */
     RUN,
     /** In one chunk. */
     SINGLE_CHUNK,
-    /** In chunks that follow each other. */
+    /** In contiguous chunks. */
     IMPLICIT_CHUNKS,
     /** In chunks that are listed in an array. */
     ARRAY_OF_CHUNKS,
@@ -62,8 +62,7 @@ record Dataset(
   }
 
   /**
-   * Of a single chunk, its compressed size and the filters that it skips; else numbers of the
-   * index.
+   * Compressed size and skipped filters of a single chunk; else parameters of the index.
    *
    * @param size compressed bytes of a single chunk
    * @param skipped filters that a single chunk skips
@@ -123,7 +122,7 @@ record Dataset(
         filters);
   }
 
-  /** Bytes of a row, whether it is one element or a few. */
+  /** Bytes of a row of one or more elements. */
   private int elementsBytes() {
     return dimensions.length == 2 && dimensions[1] > 0 && dimensions[1] <= MAX_TABLE_COLUMNS
         ? (int) dimensions[1] * type.bytes()
@@ -216,7 +215,7 @@ record Dataset(
         filters);
   }
 
-  /** Rows that are claimed. */
+  /** Claimed number of rows. */
   long rows() {
     return dimensions.length == 0 ? 1 : dimensions[0];
   }
@@ -226,7 +225,7 @@ record Dataset(
     return dimensions.length == 1;
   }
 
-  /** Columns of a table; 0 if it is none. */
+  /** Columns of a table; 0 if it is not a table. */
   int columns() {
     return dimensions.length == 2 && dimensions[1] <= MAX_TABLE_COLUMNS ? (int) dimensions[1] : 0;
   }
@@ -240,7 +239,7 @@ record Dataset(
     return chunkRows * rowBytes;
   }
 
-  /** Refuses what cannot be read, or not within bounded memory. */
+  /** Rejects datasets that cannot be read, or not within bounded memory. */
   static void check(ContainerFile container, Collection<Dataset> datasets) throws RecordingProblem {
     long decompressed = 0;
     long largest = 0;

@@ -6,8 +6,8 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 
 /**
- * The rows of a dataset, a stretch of them in memory at a time: a chunk where chunks are
- * compressed, else a piece of the file.
+ * The rows of a dataset, a part of them in memory at a time: a chunk if chunks are compressed, else
+ * a piece of the file.
  *
  * <p>Thread rule: one thread.
  */
@@ -25,7 +25,7 @@ final class DatasetRows {
   private long start;
   private long end;
 
-  /** Where the chunk is that was found last, so that pieces of it need no second search. */
+  /** The chunk found last, so that pieces of it need no second search. */
   private long chunk = -1;
 
   private boolean chunkFound;
@@ -42,8 +42,7 @@ final class DatasetRows {
   /**
    * Loads a row, and the following ones of its chunk.
    *
-   * @param row which
-   * @return number of rows from that one on; 0 at the end of the file
+   * @param row the row @return number of rows from that one on; 0 at the end of the file
    * @throws DamagedPacketException if they exist, but cannot be decompressed
    * @throws IOException if the file can no longer be read, or the list of chunks is damaged
    */
@@ -107,7 +106,7 @@ final class DatasetRows {
     end = first + dataset.chunkRows();
   }
 
-  /** Takes rows as they lie in the file, up to so many. */
+  /** Reads uncompressed rows, up to a number. */
   private void piece(long row, long offset, long mostRows) throws IOException {
     if (offset < 0 || rowBytes < 1) {
       return;
@@ -126,24 +125,24 @@ final class DatasetRows {
     return buffer.limit();
   }
 
-  /** The rows that are there; another array after each {@link #load}. */
+  /** The loaded rows; replaced by each {@link #load}. */
   byte[] data() {
     return data;
   }
 
-  /** Index in {@link #data()} of a row that is there. */
+  /** Index in {@link #data()} of a loaded row. */
   int at(long row) {
     return (int) ((row - start) * rowBytes);
   }
 
-  /** The row behind the chunk of a row, for going on behind damage. */
+  /** The first row after the chunk of a row, to continue after damage. */
   long behindChunk(long row) {
     return dataset.isChunked()
         ? (row / dataset.chunkRows() + 1) * dataset.chunkRows()
         : dataset.rows();
   }
 
-  /** Where a row is in the file; where its chunk is, if that is compressed. */
+  /** File offset of a row, or of its chunk if that is compressed. */
   long offset(long row) {
     long offset =
         switch (dataset.kind()) {

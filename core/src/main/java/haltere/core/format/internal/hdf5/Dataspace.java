@@ -2,7 +2,7 @@ package haltere.core.format.internal.hdf5;
 
 import haltere.core.format.RecordingProblem;
 
-/** The lengths of a dataset's dimensions, as they are claimed; none for a single value. */
+/** The claimed lengths of a dataset's dimensions; none for a single value. */
 final class Dataspace {
   private static final int MAX_DIMENSIONS = 32;
 

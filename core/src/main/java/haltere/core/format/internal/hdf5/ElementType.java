@@ -5,14 +5,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What the elements of a dataset or an attribute are.
+ * Type of the elements of a dataset or an attribute.
  *
- * @param kind {@code i} whole, {@code u} whole without sign, {@code f} floating point, {@code s}
- *     text, {@code v} text in a global heap, {@code l} a list in a global heap, {@code c} several
- *     by name, {@code -} anything else
+ * @param kind {@code i} signed integer, {@code u} unsigned integer, {@code f} floating point,
+ *     {@code s} text, {@code v} text in a global heap, {@code l} a list in a global heap, {@code c}
+ *     compound, {@code -} anything else
  * @param bytes size of an element
  * @param bigEndian whether its first byte is the highest
- * @param members of several by name; of a list, its elements as the only member
+ * @param members of a compound; of a list, its elements as the only member
  */
 record ElementType(char kind, int bytes, boolean bigEndian, List<Member> members) {
   private static final int MAX_MEMBERS = 256;
@@ -20,20 +20,20 @@ record ElementType(char kind, int bytes, boolean bigEndian, List<Member> members
   private static final int MAX_BYTES = 1 << 16;
 
   /**
-   * One of several.
+   * A member of a compound.
    *
-   * @param name of it
+   * @param name its name
    * @param offset in the element
-   * @param type of it
+   * @param type its type
    */
   record Member(String name, int offset, ElementType type) {}
 
-  /** A whole number, the lowest byte first. */
+  /** A little-endian integer. */
   static ElementType whole(int bytes, boolean signed) {
     return number(signed ? 'i' : 'u', bytes, false);
   }
 
-  /** A floating-point number of 4 or 8 bytes, the lowest byte first. */
+  /** A little-endian floating-point number of 4 or 8 bytes. */
   static ElementType real(int bytes) {
     return number('f', bytes, false);
   }
@@ -128,7 +128,7 @@ record ElementType(char kind, int bytes, boolean bigEndian, List<Member> members
     return name;
   }
 
-  /** A truth value of NumPy is an enumeration of two names. */
+  /** A NumPy boolean is an enumeration of two names. */
   private static ElementType enumeration(Metadata body, int version, int count, int depth)
       throws RecordingProblem {
     ElementType base = read(body, depth - 1);
@@ -139,7 +139,7 @@ record ElementType(char kind, int bytes, boolean bigEndian, List<Member> members
     return base;
   }
 
-  /** Whether it is a number that can be read. */
+  /** Whether it is a supported number. */
   boolean isNumber() {
     return switch (kind) {
       case 'i', 'u' -> bytes == 1 || bytes == 2 || bytes == 4 || bytes == 8;

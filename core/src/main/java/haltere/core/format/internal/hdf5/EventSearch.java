@@ -16,8 +16,8 @@ import java.util.OptionalDouble;
 import java.util.OptionalLong;
 
 /**
- * Looks for the events of a file: datasets that are named as columns of events and lie in one
- * group, or a dataset whose elements have such names, or a table of four columns.
+ * Finds the events of a file: datasets in one group that are named as columns of events, or a
+ * dataset whose elements have such names, or a table of four columns.
  */
 final class EventSearch {
   private static final int LOOK_ROWS = 4096;
@@ -72,7 +72,7 @@ final class EventSearch {
         found.otherRows());
   }
 
-  /** Well-known places first. */
+  /** Rank of a dataset: well-known paths first. */
   private static int rank(Dataset dataset) {
     return dataset.name().startsWith("events/") ? 0 : dataset.name().startsWith("CD/") ? 1 : 2;
   }
@@ -166,7 +166,7 @@ final class EventSearch {
     return columns;
   }
 
-  /** What the first numbers of a column look like; a cut look has met the end of the file. */
+  /** Properties of the first numbers of a column; cut if the file ended within them. */
   private record Look(
       double largest, boolean hasFractions, boolean isAscending, boolean isCutOff) {}
 
@@ -208,7 +208,10 @@ final class EventSearch {
     }
   }
 
-  /** Said by eventcv, or by the column's name; else as for other files of plain numbers. */
+  /**
+   * Time unit: by eventcv's attribute or the column's name; else as for other files of plain
+   * numbers.
+   */
   private int timeScale(EventTable.Column time) throws IOException {
     for (Attributes some : contents.attributes()) {
       OptionalDouble milliseconds = some.real("timestamp_scale_ms");

@@ -20,7 +20,7 @@ import java.util.stream.Collectors;
  * @param columns by content; at least times, columns and rows
  * @param rows events that all columns claim
  * @param lying whether columns claim different numbers
- * @param timeScale power of ten that makes microseconds of the times
+ * @param timeScale power of ten of the times' unit in microseconds
  * @param timeOffsetUs offset of the times
  * @param sensor its size, if the file states it
  * @param origin origin of rows, if the file states it
@@ -36,7 +36,7 @@ record EventTable(
     Optional<SensorGeometry> sensor,
     Optional<Origin> origin,
     long otherRows) {
-  /** Names of attributes of our own files, and of others. */
+  /** Names of attributes of Haltere's files, and of others. */
   static final String WIDTH = "width";
 
   static final String HEIGHT = "height";
@@ -46,8 +46,8 @@ record EventTable(
   /**
    * A column.
    *
-   * @param dataset in whose rows it is
-   * @param offset of it in a row
+   * @param dataset its dataset
+   * @param offset in a row
    * @param type of its numbers
    */
   record Column(Dataset dataset, int offset, ElementType type) {
@@ -70,7 +70,7 @@ record EventTable(
     return datasets;
   }
 
-  /** How the columns are compressed: names of the methods, or "none". */
+  /** Compression of the columns: names of the methods, or "none". */
   String compression() {
     String methods =
         datasets().stream()
@@ -81,7 +81,7 @@ record EventTable(
     return methods.isEmpty() ? "none" : methods;
   }
 
-  /** Refuses what cannot be read, or not within bounded memory. */
+  /** Rejects columns that cannot be read, or not within bounded memory. */
   void check() throws RecordingProblem {
     Dataset.check(container, datasets());
   }

@@ -54,7 +54,7 @@ final class FileContents {
         try {
           collect(name, member.getValue(), depth - 1);
         } catch (RecordingProblem problem) {
-          // an unknown object may be another one than the one searched
+          // an unknown object may be irrelevant
           problems.put(name, problem);
         }
       }
@@ -71,10 +71,10 @@ final class FileContents {
   }
 
   /**
-   * Refuses a file that lists a dataset whose structure cannot be read, so that a damaged column is
-   * not treated as a missing one.
+   * Rejects a file with a needed dataset whose structure cannot be read, so that a damaged column
+   * is not treated as a missing one.
    *
-   * @param isNeeded whether the dataset of a name, with its groups, matters
+   * @param isNeeded whether the dataset of a path is needed
    */
   void check(Predicate<String> isNeeded) throws RecordingProblem {
     for (Map.Entry<String, RecordingProblem> problem : problems.entrySet()) {
@@ -84,7 +84,7 @@ final class FileContents {
     }
   }
 
-  /** Why something was not found: what could not be read, or else what the datasets are not. */
+  /** Reason why something was not found: unreadable objects, or else unsuitable datasets. */
   RecordingProblem lacks(String words) {
     return problems.isEmpty()
         ? new RecordingProblem(

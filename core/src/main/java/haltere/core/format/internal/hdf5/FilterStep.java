@@ -8,8 +8,8 @@ import java.util.Optional;
  * A step of the compression of chunks, by its registered number.
  *
  * @param number of the filter
- * @param name that the file gives it, may be empty
- * @param values that it was set up with
+ * @param name in the file, may be empty
+ * @param values its parameters
  */
 record FilterStep(int number, String name, int[] values) {
   static final int DEFLATE = 1;
@@ -55,7 +55,7 @@ record FilterStep(int number, String name, int[] values) {
     return steps;
   }
 
-  /** Name of the method of a step that compresses, such as "lzf"; empty for the other steps. */
+  /** Method of a compression step, such as "lzf"; empty for other steps. */
   Optional<String> compression() {
     return switch (number) {
       case DEFLATE -> Optional.of("deflate");

@@ -2,7 +2,7 @@ package haltere.core.format.internal.hdf5;
 
 import java.io.IOException;
 
-/** The index of datasets that cannot grow, in files of the newer kind: an array, with pages. */
+/** The index of datasets of fixed size in newer files: a paged array. */
 final class FixedChunkArray extends ChunkArray {
   private long elements;
 

@@ -5,8 +5,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Objects of variable length, which lie in heaps that a file's datasets and attributes share. The
- * heap that was used last is kept.
+ * Objects of variable length in heaps shared by a file's datasets and attributes. The heap used
+ * last is cached.
  *
  * <p>Thread rule: one thread.
  */
@@ -26,7 +26,7 @@ final class GlobalHeap {
     return object == null ? "" : object.text((int) Math.min(length, object.remaining()));
   }
 
-  /** Whole numbers by the reference of their list. */
+  /** Integers of a list by its reference. */
   long[] list(Metadata reference, ElementType type) throws IOException {
     long length = reference.u4();
     Metadata object = length == 0 ? null : object(reference);
@@ -43,7 +43,7 @@ final class GlobalHeap {
     return values;
   }
 
-  /** The bytes that a reference behind its length means; null if it means none. */
+  /** The bytes of a reference, read after its length; null for a null reference. */
   private Metadata object(Metadata reference) throws IOException {
     long position = reference.position();
     long index = reference.u4();

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** The members of a group by name: places of their headers. */
+/** The members of a group by name: positions of their headers. */
 final class Group {
   private static final int MAX_MEMBERS = 4096;
   private static final int MAX_DEPTH = 16;
@@ -51,7 +51,7 @@ final class Group {
     return members;
   }
 
-  /** Whether there are members in a kind of list that is not read here. */
+  /** Whether there are members in an unsupported kind of list. */
   boolean hasHidden() {
     return hidden;
   }

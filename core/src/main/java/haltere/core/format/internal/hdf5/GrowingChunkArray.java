@@ -3,9 +3,8 @@ package haltere.core.format.internal.hdf5;
 import java.io.IOException;
 
 /**
- * The index of datasets that can grow, in files of the newer kind: an array whose blocks double
- * their size, the first of which are listed in an index block and the others in blocks of their
- * own.
+ * The index of growing datasets in newer files: an array with blocks of doubling size, the first of
+ * which are listed in an index block and the others in blocks of their own.
  */
 final class GrowingChunkArray extends ChunkArray {
   private int offsetBytes;
@@ -43,9 +42,7 @@ final class GrowingChunkArray extends ChunkArray {
     return inBlocks(chunk - firstElements, prefix + (long) firstElements * elementBytes);
   }
 
-  /**
-   * Blocks come in groups; that of number g has 2^(g/2) blocks of 2^((g+1)/2) times the smallest.
-   */
+  /** Blocks form groups; group g has 2^(g/2) blocks of 2^((g+1)/2) times the smallest. */
   private boolean inBlocks(long element, long listed) throws IOException {
     int group = 63 - Long.numberOfLeadingZeros(element / smallestBlock + 1);
     long inGroup = element - ((1L << group) - 1) * smallestBlock;

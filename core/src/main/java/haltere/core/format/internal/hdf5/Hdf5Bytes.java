@@ -4,11 +4,11 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
-/** Bytes of a file's structure as they are written: little-endian, with places of eight bytes. */
+/** Composes the structure of a file: little-endian, with positions of eight bytes. */
 final class Hdf5Bytes {
   private final ByteBuffer bytes;
 
-  /** Zeros, of which those that nothing is put into stay zero. */
+  /** A buffer of zeros. */
   Hdf5Bytes(int size) {
     bytes = ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN);
   }
@@ -42,13 +42,13 @@ final class Hdf5Bytes {
     return this;
   }
 
-  /** A text with zeros behind it, a multiple of eight bytes. */
+  /** A zero-padded text, a multiple of eight bytes. */
   Hdf5Bytes padded(String text) {
     text(text);
     return skip(8 - text.length() % 8);
   }
 
-  /** Zeros up to a multiple of eight, so many at least. */
+  /** Zeros up to a multiple of eight, at least a number. */
   Hdf5Bytes pad(int atLeast) {
     bytes.position((bytes.position() + atLeast + 7) / 8 * 8);
     return this;

@@ -32,7 +32,7 @@ final class Hdf5Cursor extends RowCursor {
   private final boolean usual;
   private final boolean wideTimes;
 
-  /** Rows before this one were read before; their violations are not counted again. */
+  /** Rows before this one have been read; their violations are not counted again. */
   private long counted;
 
   Hdf5Cursor(EventTable table, SensorGeometry geometry, ViolationCounts violations) {
@@ -132,7 +132,7 @@ final class Hdf5Cursor extends RowCursor {
     return Stop.MORE;
   }
 
-  /** The types that most files have; returns the rows that were read before the clock goes back. */
+  /** Decodes the usual types; returns the number of rows before the clock goes back. */
   private int decodeUsual(EventPacket out, int rows) {
     byte[] timeData = time.data();
     byte[] columns = x.data();

@@ -23,11 +23,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** HDF5: events as DSEC, Prophesee and other programs lay them out; written as DSEC's. */
+/** HDF5: events in the layouts of DSEC, Prophesee and other programs; written in DSEC's. */
 public final class Hdf5Format implements RecordingFormat {
   private static final int MAX_SIDE = 1 << 15;
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public Hdf5Format() {}
 
   @Override

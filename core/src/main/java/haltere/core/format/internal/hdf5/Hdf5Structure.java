@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The structure of the files that we write, all of it but the trees of chunks: a superblock of
- * version 0 and groups as symbol tables, which every reader of HDF5 knows. It has a fixed size, so
- * that it stands at the start of the file although it is written last.
+ * The structure of written files except the trees of chunks: a superblock of version 0 and groups
+ * as symbol tables, which every HDF5 reader supports. It has a fixed size, so that it is at the
+ * start of the file although it is written last.
  */
 final class Hdf5Structure {
-  /** Bytes that it takes at the start of a file. */
+  /** Its size at the start of a file in bytes. */
   static final int BYTES = 4096;
 
   private static final int SYMBOLS_PER_NODE = 8;
@@ -27,7 +27,7 @@ final class Hdf5Structure {
    * Lays out a file.
    *
    * @param end bytes of the file
-   * @param attributes whole numbers that the root group has
+   * @param attributes integers of the root group
    * @param timeOffsetUs the dataset of one number
    * @param events columns of the group of events and the roots of their trees
    * @param index as events: datasets of the root group, may be empty
@@ -80,7 +80,7 @@ final class Hdf5Structure {
     return whole.clear();
   }
 
-  /** Where the list of a group's members is. */
+  /** Position of a group's list of members. */
   private record Group(long tree, long heap) {}
 
   /** A member of a group; its own list of members is null for a dataset. */

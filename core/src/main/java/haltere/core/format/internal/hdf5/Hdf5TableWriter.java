@@ -18,9 +18,9 @@ import java.util.List;
 public final class Hdf5TableWriter implements Closeable {
   /** Type of a column. */
   public enum Kind {
-    /** A whole number of four bytes without sign. */
+    /** An unsigned integer of four bytes. */
     U32(ElementType.whole(4, false)),
-    /** A whole number of eight bytes; as a double it is exact up to 2⁵³. */
+    /** A signed integer of eight bytes; exact up to 2⁵³, since values are doubles. */
     I64(ElementType.whole(8, true)),
     /** A floating-point number of four bytes. */
     F32(ElementType.real(4)),
@@ -62,14 +62,14 @@ public final class Hdf5TableWriter implements Closeable {
   }
 
   /**
-   * Starts a file beside its place, where it appears when it is {@link #finish finished}.
+   * Starts a file, which appears when it is {@link #finish finished}.
    *
-   * @param path where it will be
+   * @param path path of the file
    * @param name of the table, ASCII
    * @param columns at least one, at most thirty
-   * @param overwrite whether a file that is there may be replaced
+   * @param overwrite whether an existing file may be replaced
    * @return a table without rows
-   * @throws IOException if the file is there and may not be replaced, or cannot be written
+   * @throws IOException if the file exists and may not be replaced, or cannot be written
    */
   public static Hdf5TableWriter create(
       Path path, String name, List<Column> columns, boolean overwrite) throws IOException {
@@ -118,9 +118,9 @@ public final class Hdf5TableWriter implements Closeable {
   }
 
   /**
-   * Completes the file and puts it in its place.
+   * Completes the file and renames it to its target.
    *
-   * @throws IOException if that fails; the target is then as it was
+   * @throws IOException if that fails; the target is then unchanged
    */
   public void finish() throws IOException {
     table.end(file);

@@ -21,7 +21,7 @@ import java.util.Set;
  * <p>Thread rule: one thread. Memory is bounded by the chunks of one table.
  */
 public final class Hdf5Tables implements RecordingTables {
-  /** Longest text that is read, bytes. */
+  /** Maximum length of a text in bytes. */
   private static final int MAX_TEXT = 4096;
 
   private final RecordingFile file;
@@ -128,7 +128,7 @@ public final class Hdf5Tables implements RecordingTables {
     file.close();
   }
 
-  /** The row that is being read. */
+  /** The current row. */
   private final class Cells implements Row {
     private final String table;
     private final List<String> names;

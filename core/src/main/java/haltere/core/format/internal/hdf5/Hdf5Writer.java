@@ -26,7 +26,7 @@ import java.util.Map;
  * <p>Thread rule: one thread at a time.
  */
 public final class Hdf5Writer implements RecordingWriter {
-  /** How hard {@link Hdf5Format} packs. */
+  /** Compression level of {@link Hdf5Format}. */
   public static final int USUAL_LEVEL = 1;
 
   /** Longer recordings have no index of milliseconds: 18 hours. */
@@ -48,10 +48,10 @@ public final class Hdf5Writer implements RecordingWriter {
   private long offsetUs;
   private long lastUs;
 
-  /** Whether each millisecond can still be given its first event. */
+  /** Whether the index of milliseconds is still possible. */
   private boolean indexed = true;
 
-  /** Time since the offset of the next millisecond whose first event is not known yet. */
+  /** Time since the offset of the next millisecond without a known first event. */
   private long nextMillisecondUs;
 
   private long outside;
@@ -68,14 +68,14 @@ public final class Hdf5Writer implements RecordingWriter {
   }
 
   /**
-   * Starts to write.
+   * Starts a file.
    *
-   * @param path where the file will be
-   * @param options about the events
-   * @param level how hard events are compressed by deflate (which every program with HDF5 has): 0
-   *     not at all, 1 fast to 9 slow
+   * @param path path of the file
+   * @param options the writer's options
+   * @param level level of deflate (which every HDF5 program supports): 0 uncompressed, 1 fast to 9
+   *     slow
    * @return a writer without events
-   * @throws IOException if the file cannot be made
+   * @throws IOException if the file cannot be created
    */
   public static Hdf5Writer create(Path path, WriteOptions options, int level) throws IOException {
     if (level < 0 || level > MAX_LEVEL) {
@@ -146,7 +146,7 @@ public final class Hdf5Writer implements RecordingWriter {
     return at - filled;
   }
 
-  /** Milliseconds up to a time have their first event at a row. */
+  /** Sets the first event of the milliseconds up to a time to a row. */
   private void index(long sinceUs, long row) throws IOException {
     if (sinceUs / 1000 >= MAX_MILLISECONDS) {
       indexed = false;

@@ -2,7 +2,7 @@ package haltere.core.format.internal.hdf5;
 
 import haltere.core.format.internal.compression.DamagedPacketException;
 
-/** Decompresses what h5py's LZF filter compressed, and BloscLZ, which is of the same family. */
+/** Decompresses h5py's LZF filter, and BloscLZ, which is of the same family. */
 final class LzfBlock {
   private static final int BLOSC_NEAR = 8191;
 

@@ -4,8 +4,8 @@ import haltere.core.format.RecordingProblem;
 import java.nio.charset.StandardCharsets;
 
 /**
- * A range of the metadata of a file, read from front to back. Each number is checked to be inside,
- * so that damage is reported with its offset.
+ * A range of the metadata of a file, read sequentially. Each read is checked against its bounds, so
+ * that damage is reported with its offset.
  *
  * <p>Thread rule: one thread.
  */
@@ -17,13 +17,13 @@ final class Metadata {
   private int at;
 
   /**
-   * A stretch.
+   * A range.
    *
-   * @param file whose sizes of offsets and lengths hold
-   * @param bytes in which it lies
+   * @param file defines the sizes of offsets and lengths
+   * @param bytes contain it
    * @param from its start
-   * @param end of it
-   * @param address in the file of the first of the bytes
+   * @param end its end
+   * @param address file offset of the first of the bytes
    */
   Metadata(ContainerFile file, byte[] bytes, int from, int end, long address) {
     this.file = file;
@@ -55,7 +55,7 @@ final class Metadata {
     take(count);
   }
 
-  /** A number without sign of 1 to 8 bytes; of 8 bytes it is the plain 64 bits. */
+  /** An unsigned number of 1 to 8 bytes; of 8 bytes, the raw 64 bits. */
   long number(int size) throws RecordingProblem {
     int start = take(size);
     long value = 0;
@@ -77,7 +77,7 @@ final class Metadata {
     return number(4);
   }
 
-  /** A place in the file, or {@link ContainerFile#NOWHERE}. */
+  /** A position, or {@link ContainerFile#NOWHERE}. */
   long position() throws RecordingProblem {
     return file.position(number(file.offsetBytes()));
   }
@@ -91,7 +91,7 @@ final class Metadata {
     return value;
   }
 
-  /** Some characters, up to the first that is zero. */
+  /** Some characters, up to the first zero. */
   String text(int size) throws RecordingProblem {
     int start = take(size);
     int stop = start;
@@ -101,7 +101,7 @@ final class Metadata {
     return new String(bytes, start, stop - start, StandardCharsets.UTF_8);
   }
 
-  /** Characters up to and with a zero. */
+  /** Characters up to a zero, which is consumed. */
   String textToZero() throws RecordingProblem {
     int stop = at;
     while (stop < end && bytes[stop] != 0) {
@@ -117,7 +117,7 @@ final class Metadata {
     return java.util.Arrays.copyOfRange(bytes, start, start + size);
   }
 
-  /** The next bytes as a stretch of their own. */
+  /** The next bytes as a range of their own. */
   Metadata part(long size) throws RecordingProblem {
     int start = take(size);
     return new Metadata(file, bytes, start, start + (int) size, address);
@@ -134,7 +134,7 @@ final class Metadata {
         file.bytes().path(), offset(), "damaged: " + message + "; h5dump or a copy may help");
   }
 
-  /** Something that is allowed, but that this reader does not know. */
+  /** The problem of valid but unsupported data. */
   RecordingProblem unknown(String what) {
     return file.unknown(offset(), what);
   }

@@ -27,7 +27,7 @@ final class NumberColumn {
     type = column.type();
   }
 
-  /** Brings a row into memory, see {@link DatasetRows#load}. */
+  /** Loads a row, see {@link DatasetRows#load}. */
   long load(long row) throws IOException, DamagedPacketException {
     long count = rows.load(row);
     if (count > 0) {
@@ -45,7 +45,7 @@ final class NumberColumn {
     return data;
   }
 
-  /** Index in {@link #data()} of the row that was loaded. */
+  /** Index in {@link #data()} of the loaded row. */
   int at() {
     return at;
   }
@@ -55,7 +55,7 @@ final class NumberColumn {
     return rowBytes;
   }
 
-  /** Whether it is whole numbers of so many bytes, the lowest first. */
+  /** Whether its numbers are little-endian integers of a size. */
   boolean isWhole(int bytes) {
     return type.bytes() == bytes
         && (type.kind() == 'i' || type.kind() == 'u')
@@ -66,7 +66,7 @@ final class NumberColumn {
     return type.kind() == 'u';
   }
 
-  /** A value in units of which 10^scale make one of the file's. */
+  /** A value, multiplied by 10^scale. */
   long value(int fromLoaded, int scale) {
     if (buffer.array() != data) {
       buffer =
@@ -88,7 +88,7 @@ final class NumberColumn {
     };
   }
 
-  /** The value as it is, to look at. */
+  /** The unscaled value. */
   double real(int fromLoaded) {
     if (type.kind() != 'f') {
       return value(fromLoaded, 0);
@@ -98,7 +98,7 @@ final class NumberColumn {
     return type.bytes() == 8 ? buffer.getDouble(index) : buffer.getFloat(index);
   }
 
-  /** A whole number at an index; of 8 bytes without sign it is the plain 64 bits. */
+  /** An integer at an index; of 8 unsigned bytes, the raw 64 bits. */
   static long whole(ByteBuffer bytes, int index, ElementType type) {
     boolean signed = type.kind() == 'i';
     return switch (type.bytes()) {
@@ -109,7 +109,7 @@ final class NumberColumn {
     };
   }
 
-  /** A 64-bit number, where the column {@link #isWhole} of 8 bytes. */
+  /** A 64-bit number, if the column {@link #isWhole} of 8 bytes. */
   static long wide(byte[] data, int index) {
     return (long) LittleEndian.LONG.get(data, index);
   }

@@ -29,7 +29,7 @@ final class ObjectHeader {
    *
    * @param type of the message
    * @param shared whether its body is a reference
-   * @param body of it
+   * @param body its content
    */
   record Message(int type, boolean shared, Metadata body) {}
 
@@ -96,7 +96,7 @@ final class ObjectHeader {
     }
   }
 
-  /** Takes a message; the blocks that go on elsewhere have a frame of so many bytes around them. */
+  /** Adds a message; continuation blocks have a frame of a number of bytes. */
   private void add(int type, int flags, Metadata body, int frame) throws IOException {
     if (type == CONTINUATION) {
       long position = body.position();
@@ -137,7 +137,7 @@ final class ObjectHeader {
     return messages.stream().anyMatch(message -> message.type() == type);
   }
 
-  /** A shared message is, for instance, a type that has a name of its own. */
+  /** The content of a shared message, such as a named type. */
   private Metadata elsewhere(Message message) throws IOException {
     Metadata body = message.body();
     int version = body.u1();

@@ -20,14 +20,14 @@ import java.util.Optional;
 import java.util.zip.CRC32;
 
 /**
- * The index of a recording, kept in a file beside it: the content of {@link TimeIndex}, with the
+ * The index of a recording, stored in a file beside it: the content of {@link TimeIndex}, with the
  * properties of the recording for validation (size, time of change, digest of its start and end,
  * way of reading). It ends in a checksum, without which it is ignored.
  *
  * <p>Thread rule: all methods may be called from any thread.
  */
 final class IndexFile {
-  /** What the name of the recording is followed by. */
+  /** Suffix appended to the name of the recording. */
   static final String ENDING = ".haltere-index";
 
   /** Changes with the layout of the file and of the state of cursors. */
@@ -38,16 +38,16 @@ final class IndexFile {
 
   private IndexFile() {}
 
-  /** Where the index of a recording is kept. */
+  /** Path of the index of a recording. */
   static Path beside(Path recording) {
     return recording.resolveSibling(recording.getFileName() + ENDING);
   }
 
   /**
-   * How a recording is read, and which one it is.
+   * Identity of a recording and of the options of reading it.
    *
    * @param file the recording
-   * @param reading how it is read: format, sensor, stream; as a text
+   * @param reading format, sensor and stream as text
    */
   static byte[] identity(RecordingFile file, String reading) throws IOException {
     MessageDigest digest;
@@ -65,7 +65,7 @@ final class IndexFile {
   }
 
   /**
-   * Writes an index, in place of an older one.
+   * Writes an index and replaces an older one.
    *
    * @throws IOException if it cannot be written
    */
@@ -91,8 +91,8 @@ final class IndexFile {
   /**
    * Reads an index.
    *
-   * @param stateLongs numbers that a cursor of the recording notes
-   * @return empty if it is damaged, or of another recording or another reading of it
+   * @param stateLongs number of state values of a cursor of the recording
+   * @return empty if it is damaged, or of another recording or other options
    * @throws IOException if there is none, or it cannot be read
    */
   static Optional<TimeIndex> read(Path recording, byte[] identity, int stateLongs)

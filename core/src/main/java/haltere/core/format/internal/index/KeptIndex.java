@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Where the index of a recording comes from: from the file beside it if that is of this recording,
- * else from one pass over it, which is kept beside it if the user asked for that.
+ * Provides the index of a recording: from the file beside it if that is valid, else from one pass
+ * over it, which is stored beside it on request.
  */
 public final class KeptIndex {
   private final RecordingFile file;
@@ -20,11 +20,11 @@ public final class KeptIndex {
   private final EventCursor.Factory cursors;
 
   /**
-   * For a recording.
+   * The index of a recording.
    *
    * @param file the recording
-   * @param reading how it is read: what else makes an index useless if it changes
-   * @param keep whether an index that was built is kept beside the recording
+   * @param reading options of reading that an index depends on
+   * @param keep whether a new index is stored beside the recording
    * @param cursors decode the events in the pass
    */
   public KeptIndex(RecordingFile file, String reading, boolean keep, EventCursor.Factory cursors) {

@@ -18,14 +18,14 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Index of a recording by time: the stated pieces of the file, else waypoints from one pass over
- * its events, at least every {@value #SCAN_EVENTS} events and at the start of each segment. A few
- * dozen bytes for each.
+ * Index of a recording by time: the stated pieces of the file, else waypoints of a few dozen bytes
+ * from one pass over its events, at least every {@value #SCAN_EVENTS} events and at the start of
+ * each segment.
  *
  * <p>Thread rule: immutable once built.
  */
 public final class TimeIndex {
-  /** More restarts of the clock than this are no recording any more. */
+  /** Maximum number of segments of a valid recording. */
   static final int MAX_SEGMENTS = 1 << 20;
 
   private static final int SCAN_EVENTS = 32 * 1024;
@@ -43,7 +43,7 @@ public final class TimeIndex {
     states = new long[64 * stateLongs];
   }
 
-  /** Made with a cursor of its own, at its start. */
+  /** Scans with a separate cursor, at its start. */
   static TimeIndex scan(Path path, EventCursor cursor) throws IOException {
     TimeIndex index = new TimeIndex(cursor.stateLongs());
     if (index.fromPieces(path, cursor)) {
@@ -60,7 +60,7 @@ public final class TimeIndex {
         throw new InterruptedIOException("interrupted while indexing " + path);
       }
       if (eventsInARow >= SCAN_EVENTS) {
-        // beside a window that is to answer meanwhile
+        // keeps the user interface responsive
         Thread.yield();
         eventsInARow = 0;
       }
@@ -130,7 +130,7 @@ public final class TimeIndex {
       if (waypoints < segments || (waypoints > 0) != (segments > 0)) {
         return Optional.empty();
       }
-      // At least as many bytes are there, so a count that lies takes no memory.
+      // an invalid count allocates no memory, since the bytes exist
       if (in.available() != 8L * waypoints * (1 + stateLongs)) {
         return Optional.empty();
       }
@@ -159,7 +159,7 @@ public final class TimeIndex {
   }
 
   private boolean fromPieces(Path path, EventCursor cursor) throws IOException {
-    // First and last time of the segment that is open.
+    // first and last time of the current segment
     long[] open = {0, Long.MIN_VALUE};
     boolean told =
         cursor.visitPieces(
@@ -209,7 +209,7 @@ public final class TimeIndex {
   }
 
   /**
-   * The stretches of continuous time.
+   * The sections of continuous time.
    *
    * @return in file order
    */
@@ -230,7 +230,7 @@ public final class TimeIndex {
   }
 
   /**
-   * The state one waypoint earlier, for what stands somewhat before the events of its time.
+   * The state one waypoint earlier, for samples stored before the events of their time.
    *
    * @param segment index of one of {@link #segments()}
    * @param timeUs microseconds
@@ -245,7 +245,7 @@ public final class TimeIndex {
   }
 
   /**
-   * Where in the file a segment starts.
+   * File offset of a segment.
    *
    * @param segment index of one of {@link #segments()}
    * @return bytes from the start

@@ -1,2 +1,2 @@
-/** The time index of a recording, and where it is kept. */
+/** The time index of a recording, and its storage. */
 package haltere.core.format.internal.index;

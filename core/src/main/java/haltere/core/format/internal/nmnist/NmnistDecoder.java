@@ -13,8 +13,8 @@ import haltere.core.format.internal.decoding.StreamDecoder;
 import java.nio.ByteBuffer;
 
 /**
- * Turns the records of N-MNIST and N-Caltech101 into packets: big-endian, 8 bits of column, 8 of
- * row, a polarity and 23 bits of time. A row of 240 is no event: it advances the time of all later
+ * Decodes the records of N-MNIST and N-Caltech101: big-endian, 8 bits of column, 8 of row, a
+ * polarity and 23 bits of time. A row of 240 is not an event: it advances the time of all later
  * records by 8,192 us.
  *
  * <p>Thread rule: one thread.
@@ -38,7 +38,7 @@ final class NmnistDecoder implements StreamDecoder {
   /**
    * A decoder before the first record.
    *
-   * @param geometry the sensor; events outside are left out
+   * @param geometry the sensor; events outside are skipped
    * @param violations counts violations
    */
   public NmnistDecoder(SensorGeometry geometry, ViolationCounts violations) {
@@ -65,7 +65,7 @@ final class NmnistDecoder implements StreamDecoder {
     return times.restarted();
   }
 
-  /** Decodes until a record needs care; returns where that is. */
+  /** Decodes up to an irregular record; returns its position. */
   private int decodeRun(ByteBuffer in, int from, int end, EventPacket out, int maxEvents) {
     if (!clock.started()) {
       return from;
@@ -99,7 +99,7 @@ final class NmnistDecoder implements StreamDecoder {
     return position;
   }
 
-  /** Decodes one record, whatever it is; false if the clock goes back there. */
+  /** Decodes any record; false if the clock goes back there. */
   private boolean decodeRecord(ByteBuffer in, int position, long offset, EventPacket out) {
     int word = in.getInt(position);
     int x = word >>> 24;

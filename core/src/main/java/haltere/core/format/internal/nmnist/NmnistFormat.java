@@ -22,24 +22,24 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The files of N-MNIST and N-Caltech101: read only. They have no signature; a file is one if its
- * bytes, as records, have ascending times.
+ * The files of N-MNIST and N-Caltech101: read only. They have no signature; a file is detected by
+ * the ascending times of its records.
  */
 public final class NmnistFormat implements ReadOnlyFormat {
-  /** So many records make a clock, and one of them in a hundred may be out of order. */
+  /** Minimum number of records for detection, of which 1 % may be out of order. */
   private static final int FEWEST_RECORDS = 16;
 
   private static final int LOOK_RECORDS = 4096;
   private static final int MAX_SIDE = 256;
 
-  /** The two data sets' own sizes, and all that the records can address. */
+  /** The sizes of the two data sets, and the maximum that the records can address. */
   private static final List<SensorGeometry> SIZES =
       List.of(
           new SensorGeometry(34, 34, Origin.TOP),
           new SensorGeometry(240, 180, Origin.TOP),
           new SensorGeometry(256, 256, Origin.TOP));
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public NmnistFormat() {}
 
   @Override

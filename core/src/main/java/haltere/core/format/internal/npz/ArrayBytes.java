@@ -7,8 +7,8 @@ import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
 
 /**
- * The bytes of an array, wherever they lie: in a file as they are, so that any place can be gone
- * to, or compressed, so that going back means to restart.
+ * The bytes of an array: stored, with random access, or compressed, in which going back means to
+ * restart.
  *
  * <p>Thread rule: one thread.
  */
@@ -23,12 +23,12 @@ final class ArrayBytes {
   private long compressedAt;
   private long at;
 
-  /** Bytes as they are in a file. */
+  /** Uncompressed bytes in a file. */
   static ArrayBytes stored(RecordingFile file, long start, long bytes) {
     return new ArrayBytes(file, start, bytes, null);
   }
 
-  /** Bytes that are deflated. */
+  /** Deflated bytes in a file. */
   static ArrayBytes deflated(RecordingFile file, long start, long compressedBytes) {
     return new ArrayBytes(file, start, compressedBytes, new Inflater(true));
   }
@@ -44,7 +44,7 @@ final class ArrayBytes {
     return inflater != null;
   }
 
-  /** Reads from a place on; returns how many bytes there were. */
+  /** Reads from an offset on; returns the number of bytes. */
   int read(long offset, byte[] target, int length) throws IOException {
     if (inflater != null) {
       return inflate(offset, target, length);
@@ -80,7 +80,7 @@ final class ArrayBytes {
     return done;
   }
 
-  /** Decompresses some bytes; none at the end, or where the compression is damaged. */
+  /** Decompresses some bytes; none at the end or after damage. */
   private int inflate(byte[] target, int from, int length) throws IOException {
     try {
       while (true) {

@@ -8,15 +8,15 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The header of a NumPy array: what its elements are and how many there are.
+ * The header of a NumPy array: type and number of its elements.
  *
  * @param fields of an element; one without a name unless the array is structured
  * @param itemBytes size of an element
- * @param shape lengths of its dimensions; they may be a lie
+ * @param shape lengths of its dimensions; they may be wrong
  * @param dataOffset bytes of the header
  */
 record NpyHeader(List<Field> fields, int itemBytes, List<Long> shape, int dataOffset) {
-  /** No header is longer than that. */
+  /** Maximum length of a header. */
   static final int MAX_BYTES = 64 * 1024;
 
   private static final byte[] MAGIC = {(byte) 0x93, 'N', 'U', 'M', 'P', 'Y'};
@@ -32,14 +32,14 @@ record NpyHeader(List<Field> fields, int itemBytes, List<Long> shape, int dataOf
    * A number in an element.
    *
    * @param name empty unless the array is structured
-   * @param kind {@code i} whole, {@code u} without sign, {@code f} floating point, {@code b} truth,
-   *     anything else is not read
+   * @param kind {@code i} signed integer, {@code u} unsigned integer, {@code f} floating point,
+   *     {@code b} boolean, others are not read
    * @param bytes its size
    * @param offset of it in the element
    * @param bigEndian whether its first byte is the highest
    */
   record Field(String name, char kind, int bytes, int offset, boolean bigEndian) {
-    /** Whether it is a number that can be read. */
+    /** Whether it is a supported number. */
     boolean isNumber() {
       return switch (kind) {
         case 'i', 'u' -> bytes == 1 || bytes == 2 || bytes == 4 || bytes == 8;
@@ -50,7 +50,7 @@ record NpyHeader(List<Field> fields, int itemBytes, List<Long> shape, int dataOf
     }
   }
 
-  /** Reads a header from the start of an array; empty if there is none, or not a whole one. */
+  /** Reads a header from the start of an array; empty if it is missing or incomplete. */
   static Optional<NpyHeader> parse(byte[] bytes) {
     if (bytes.length < 10) {
       return Optional.empty();

@@ -21,7 +21,7 @@ final class NpzCursor extends RowCursor {
   private static final int PIECE_ROWS = 4096;
   private static final int MAX_PIECE_BYTES = 1 << 20;
 
-  /** A column, its bytes and the piece of them that is being worked on. */
+  /** A column, its bytes and the current piece of them. */
   private static final class Part {
     final NpyHeader.Field field;
     final int itemBytes;
@@ -41,7 +41,7 @@ final class NpzCursor extends RowCursor {
       numbers = new long[pieceRows];
     }
 
-    /** Reads rows as whole numbers; returns how many there were. */
+    /** Reads rows as integers; returns their number. */
     int read(long row, int rows, int scale) throws IOException {
       int length = bytes.read(dataOffset + row * itemBytes, piece, rows * itemBytes);
       int count = length / itemBytes;
@@ -139,7 +139,7 @@ final class NpzCursor extends RowCursor {
     if (rows == 0) {
       return Optional.of(RecordingOutline.NOTHING);
     }
-    // The end of a compressed column is reached only through all of it.
+    // the end of a compressed column is reached only by decompressing all of it
     if (layout.columns().values().stream().anyMatch(column -> column.array().method() != 0)
         || time.read(0, 1, layout.timeScale()) < 1) {
       return Optional.empty();
@@ -204,7 +204,7 @@ final class NpzCursor extends RowCursor {
     return Stop.END;
   }
 
-  /** Offset of the time of a row, as far as it is known. */
+  /** File offset of the time of a row; for compressed arrays, its offset in the array. */
   private long offset(long ofRow) {
     NpzLayout.Array array = layout.columns().get(EventColumn.TIME).array();
     long bytes = array.header().dataOffset() + ofRow * array.header().itemBytes();

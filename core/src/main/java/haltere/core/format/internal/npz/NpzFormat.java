@@ -31,7 +31,7 @@ import java.util.Set;
 public final class NpzFormat implements RecordingFormat {
   private static final int MAX_SIDE = 1 << 15;
 
-  /** For the service loader. */
+  /** Called by the service loader. */
   public NpzFormat() {}
 
   @Override

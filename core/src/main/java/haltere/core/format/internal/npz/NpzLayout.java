@@ -20,9 +20,9 @@ import java.util.stream.Stream;
  *
  * @param columns by content; at least times, columns and rows
  * @param rows events that all columns claim
- * @param lying whether columns claim different numbers, or more than their file can hold
+ * @param lying whether columns claim different numbers, or more than their file can contain
  * @param cutOff whether the file is truncated
- * @param timeScale power of ten that makes microseconds of the times
+ * @param timeScale power of ten of the times' unit in microseconds
  * @param sensor its size, if the file states it
  * @param origin origin of rows, if the file states it
  */
@@ -45,19 +45,19 @@ record NpzLayout(
   /**
    * A column.
    *
-   * @param array whose bytes it is in
-   * @param field its place in an element
+   * @param array its array
+   * @param field its field in an element
    */
   record Column(Array array, NpyHeader.Field field) {}
 
   /**
    * An array of a file.
    *
-   * @param name without its ending
-   * @param header of it
+   * @param name without its extension
+   * @param header its header
    * @param method 0 stored, 8 deflated
-   * @param offset where its bytes, header included, start in the file
-   * @param bytes of them in the file
+   * @param offset file offset of its bytes, including the header
+   * @param bytes their number in the file
    */
   record Array(String name, NpyHeader header, int method, long offset, long bytes) {
     ArrayBytes open(RecordingFile file) {
@@ -66,7 +66,7 @@ record NpzLayout(
           : ArrayBytes.deflated(file, offset, bytes);
     }
 
-    /** Elements that the file can hold. */
+    /** Maximum number of elements by the file's size. */
     long roomForRows() {
       return method == 0
           ? Math.max(0, bytes - header.dataOffset()) / header.itemBytes()
@@ -115,7 +115,7 @@ record NpzLayout(
       rows = Math.min(rows, promised);
       most = Math.max(most, promised);
     }
-    // Only our own files have this.
+    // only Haltere's files have this
     Optional<Long> rowsUp = single(file, arrays, ROWS_UP);
     return new NpzLayout(
         columns,
@@ -127,7 +127,7 @@ record NpzLayout(
         rowsUp.map(up -> up == 1 ? Origin.BOTTOM : Origin.TOP));
   }
 
-  /** Refuses polarities that are there but cannot be read: without them all events would be ON. */
+  /** Rejects unreadable polarities, without which all events would be ON. */
   private static void checkPolarities(
       RecordingFile file,
       List<ZipDirectory.Entry> entries,

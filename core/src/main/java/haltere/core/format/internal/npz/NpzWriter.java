@@ -25,16 +25,16 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 
 /**
- * Writes a {@code .npz} as {@code numpy.savez} does, not compressed: arrays {@code t}
- * (microseconds, 64 bits), {@code x}, {@code y} (16 bits) and {@code p} (1 for ON, 0 for OFF), and
- * the single values {@code width}, {@code height} and {@code rows_up}. A column is collected in a
- * temporary file, since an array starts with its length; memory is bounded.
+ * Writes a {@code .npz} as {@code numpy.savez} does, uncompressed: arrays {@code t} (microseconds,
+ * 64 bits), {@code x}, {@code y} (16 bits) and {@code p} (1 for ON, 0 for OFF), and the single
+ * values {@code width}, {@code height} and {@code rows_up}. A column is collected in a temporary
+ * file, since an array starts with its length; memory is bounded.
  */
 final class NpzWriter implements RecordingWriter {
   private static final int PIECE_EVENTS = 8192;
   private static final int COPY_BYTES = 256 * 1024;
 
-  /** The same at every writing, so that the same events give the same bytes. */
+  /** Constant, so that equal events result in equal bytes. */
   private static final LocalDateTime NO_DATE = LocalDateTime.of(1980, 1, 1, 0, 0);
 
   private final AtomicFile file;
@@ -48,7 +48,7 @@ final class NpzWriter implements RecordingWriter {
   private long rows;
   private long outside;
 
-  /** A column on its way to the file. */
+  /** A column during writing. */
   private static final class Column {
     final String name;
     final String type;

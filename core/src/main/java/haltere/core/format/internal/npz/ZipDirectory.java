@@ -10,9 +10,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a zip file holds and where: by its directory, or, where a file has lost its end, by the
- * headers of its entries. Several entries can then be read side by side, which {@code
- * java.util.zip}'s own readers of such files cannot.
+ * The entries of a zip file: from its directory or, in a truncated file, from the headers of the
+ * entries. Several entries can then be read in parallel, which {@code java.util.zip} does not
+ * support for such files.
  */
 final class ZipDirectory {
   private static final int LOCAL = 0x04034b50;
@@ -31,17 +31,17 @@ final class ZipDirectory {
   /**
    * An entry.
    *
-   * @param name of it
+   * @param name its name
    * @param method 0 stored, 8 deflated
-   * @param offset where its bytes start
-   * @param compressedBytes how many there are, as far as the file goes
+   * @param offset start of its bytes
+   * @param compressedBytes their number, within the file
    * @param whole whether the file has all of them
    */
   record Entry(String name, int method, long offset, long compressedBytes, boolean whole) {}
 
   private ZipDirectory() {}
 
-  /** The entries as the directory of a file has them; empty if there is no directory. */
+  /** The entries in the directory of a file; empty if there is no directory. */
   static Optional<List<Entry>> of(RecordingFile file) throws IOException {
     return listed(file);
   }
@@ -115,7 +115,7 @@ final class ZipDirectory {
     return Optional.of(entries);
   }
 
-  /** Sizes and places that do not fit 32 bits are in a further field, in this order. */
+  /** Reads sizes and offsets beyond 32 bits from an extra field, in this order. */
   private static void widen(ByteBuffer bytes, int from, int length, long[] sizes) {
     int at = from;
     while (at + 4 <= from + length) {

@@ -31,9 +31,9 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * The reader of every format whose events an {@link EventCursor} can decode: it makes the stream's
- * notifications, finds segments, and seeks. What is skipped or wrong is counted the first time that
- * it is read, however often the reader goes back.
+ * The reader of every format whose events an {@link EventCursor} can decode: it adds the stream's
+ * notifications, finds segments, and seeks. Violations are counted once, even if data are read
+ * again.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -61,10 +61,10 @@ public final class DecodingReader implements RecordingReader {
   private boolean sought;
   private TimeIndex index;
 
-  /** Stretch of the samples of a recording without events; null until it is asked for. */
+  /** Time segment of the samples of a recording without events; null until requested. */
   private List<TimeSegment> sampleSegments;
 
-  /** Null if only events are wanted. */
+  /** null if only events are requested */
   private SampleOrder order;
 
   /**
@@ -74,7 +74,7 @@ public final class DecodingReader implements RecordingReader {
    * @param file the file, closed with the reader
    * @param geometry sensor of the events
    * @param remarks remarks for users on how the file is read
-   * @param options how large packets are
+   * @param options size of packets
    * @param violations the violations found so far; receives all others
    * @param cursors decode the events
    * @throws IOException if the file cannot be read
@@ -307,7 +307,7 @@ public final class DecodingReader implements RecordingReader {
   @Override
   public void seek(int segment, long timeUs) throws IOException {
     List<TimeSegment> segments = index().segments();
-    // without segments of events the only one is that of the samples
+    // without segments of events, the only segment is that of the samples
     int wanted = segments.isEmpty() ? 0 : Objects.checkIndex(segment, segments.size());
     if (state == State.ENDED) {
       state = State.BEFORE_START;
@@ -337,7 +337,7 @@ public final class DecodingReader implements RecordingReader {
     buffer.fillFrom(fromUs);
   }
 
-  /** A recording without events may hold samples; behind the last event there is nothing. */
+  /** A recording without events may have samples; after the last event there are none. */
   private void seekSamplesOutsideOfEvents(boolean noEvents, long timeUs) throws IOException {
     if (order == null) {
       return;

@@ -5,8 +5,8 @@ import haltere.core.format.internal.decoding.EventCursor;
 import java.io.IOException;
 
 /**
- * The packet that is decoded and not yet handed over, as a whole or in pieces. It ends where it is
- * full, where the clock goes back, or where the file ends.
+ * The decoded packet that has not been fully passed on. It ends when it is full, when the clock
+ * goes back, or at the end of the file.
  *
  * <p>Thread rule: one thread.
  */
@@ -16,7 +16,7 @@ final class PacketBuffer {
   private final EventPacket packet = new EventPacket(0);
   private final EventPacket piece = new EventPacket(0);
 
-  /** Events that were decoded; a handler may change the packet that it is given. */
+  /** Number of decoded events; a handler may change the packet that it receives. */
   private int decoded;
 
   private int given;
@@ -29,12 +29,12 @@ final class PacketBuffer {
     this.packetEvents = packetEvents;
   }
 
-  /** Whether it holds events that are not handed over. */
+  /** Whether it has events that have not been passed on. */
   boolean hasEvents() {
     return given < decoded;
   }
 
-  /** Time of the first event that is not handed over. */
+  /** Time of the first event that has not been passed on. */
   long nextUs() {
     return packet.timeUs(given);
   }
@@ -44,7 +44,7 @@ final class PacketBuffer {
     return offset;
   }
 
-  /** Whether the clock goes back behind the events. */
+  /** Whether the clock goes back after the events. */
   boolean isBeforeRestart() {
     return restart;
   }
@@ -60,7 +60,7 @@ final class PacketBuffer {
         case CLOCK_WENT_BACK -> restart = true;
         case END -> atEnd = true;
         default -> {
-          // It has read a piece and continues.
+          // it has read a piece and continues
         }
       }
     }
@@ -84,9 +84,9 @@ final class PacketBuffer {
   }
 
   /**
-   * Marks the events before a time as handed over, at least one; {@link Long#MAX_VALUE} for all.
+   * Removes the events before a time, at least one; {@link Long#MAX_VALUE} for all.
    *
-   * @return them: the packet itself, or a copy where it holds others; valid until the next call
+   * @return these events: the packet itself, or a copy if it has others; valid until the next call
    */
   EventPacket take(long beforeUs) {
     int from = given;
@@ -99,13 +99,13 @@ final class PacketBuffer {
     return piece;
   }
 
-  /** Goes on behind the restart. */
+  /** Continues after the restart. */
   void acceptRestart() {
     restart = false;
     cursor.times().acceptRestart();
   }
 
-  /** Forgets the events: the cursor is somewhere else. */
+  /** Discards the events after a seek of the cursor. */
   void moved(boolean toEnd) {
     decoded = 0;
     given = 0;

@@ -10,10 +10,10 @@ import java.util.List;
 import java.util.PriorityQueue;
 
 /**
- * Puts the samples of a recording into the order of time among its events. In a file they may stand
- * some way off: a frame behind the events of its readout, samples of a packet behind or before
- * those of another. So it looks ahead, by time, and within bounded memory and a bounded part of the
- * file; a sample whose time falls far back belongs behind the next restart of the clock.
+ * Merges the samples of a recording with its events in order of time. In a file they may be
+ * displaced: a frame follows the events of its readout, samples of a packet may precede or follow
+ * those of another. So it looks ahead, within bounded memory and a bounded part of the file; a
+ * sample with a much earlier time belongs after the next restart of the clock.
  *
  * <p>Thread rule: one thread.
  */
@@ -50,7 +50,7 @@ final class SampleOrder implements Closeable {
     this.cursor = cursor;
   }
 
-  /** Whether a sample comes before an event that stands at or behind a place of the file. */
+  /** Whether a sample precedes an event at or after an offset of the file. */
   boolean isDueBefore(long eventUs, long offset) throws IOException {
     lookAhead(eventUs, Long.MAX_VALUE, offset + LOOK_AHEAD_BYTES);
     Waiting first = waiting.peek();
@@ -58,27 +58,27 @@ final class SampleOrder implements Closeable {
       return false;
     }
     if (first.era > era && first.offset <= offset) {
-      // The clock of the events has not gone back where that of the samples seemed to.
+      // the clock of the events did not go back where that of the samples seemed to
       era = first.era;
     }
     return first.era < era || first.era == era && first.sample.timeUs() <= eventUs || isFull();
   }
 
-  /** Whether a sample comes before the clock goes back at a place of the file. */
+  /** Whether a sample precedes a restart of the clock at an offset of the file. */
   boolean isDueBeforeRestart(long offset) throws IOException {
     lookAhead(ANY_TIME_US, offset, offset);
     Waiting first = waiting.peek();
     return first != null && first.era <= era && first.offset <= offset;
   }
 
-  /** Whether there is any left. */
+  /** Whether any sample remains. */
   boolean isDueBeforeEnd() throws IOException {
     era = newestEra;
     lookAhead(ANY_TIME_US, Long.MAX_VALUE, Long.MAX_VALUE);
     return !waiting.isEmpty();
   }
 
-  /** Time of the next sample, {@link Long#MAX_VALUE} if it is not of this side of a restart. */
+  /** Time of the next sample, {@link Long#MAX_VALUE} if it is after a restart. */
   long nextUs() {
     Waiting first = waiting.peek();
     return first == null || first.era > era ? Long.MAX_VALUE : first.sample.timeUs();
@@ -90,7 +90,7 @@ final class SampleOrder implements Closeable {
     return first.sample;
   }
 
-  /** The clock of the events went back, and all samples that are due before that are taken. */
+  /** Continues after a restart of the clock, when all earlier samples have been passed on. */
   void restarted() {
     era++;
     if (newestEra < era) {
@@ -106,11 +106,11 @@ final class SampleOrder implements Closeable {
   }
 
   /**
-   * Goes to another place.
+   * Goes to another position.
    *
-   * @param state place of the events' cursor at or before the wanted time
-   * @param from the first time that is wanted
-   * @param offset samples before it in the file are not wanted
+   * @param state of the events' cursor at or before the requested time
+   * @param from the first requested time
+   * @param offset samples before it in the file are skipped
    */
   void seek(long[] state, long from, long offset) throws IOException {
     cursor.restore(state, 0);
@@ -125,12 +125,12 @@ final class SampleOrder implements Closeable {
     fromOffset = offset;
   }
 
-  /** Samples before a time are not wanted. */
+  /** Skips samples before a time. */
   void dropBefore(long from) {
     fromUs = from;
   }
 
-  /** Nothing is wanted any more. */
+  /** Skips all remaining samples. */
   void seekEnd() {
     waiting.clear();
     waitingBytes = 0;

@@ -1,2 +1,2 @@
-/** The reader that makes a stream with notifications of what cursors decode. */
+/** The reader that makes a stream with notifications from the events of cursors. */
 package haltere.core.format.internal.reader;

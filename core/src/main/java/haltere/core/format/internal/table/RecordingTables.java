@@ -13,7 +13,7 @@ import java.util.Set;
  */
 public interface RecordingTables extends Closeable {
   /**
-   * Whether the file has a table, if only an empty one.
+   * Whether the file has a table, which may be empty.
    *
    * @param table its name; in HDF5 the path without a slash in front
    * @return true if it does
@@ -33,9 +33,9 @@ public interface RecordingTables extends Closeable {
    * Reads a table.
    *
    * @param table its name
-   * @param names columns that are wanted; those that the table lacks are NaN or empty in each row
-   * @param required how many of them, from the first on, must be there
-   * @param listener takes the rows in order
+   * @param names requested columns; missing ones are NaN or empty in each row
+   * @param required number of leading ones that must exist
+   * @param listener receives the rows in order
    * @throws RecordingProblem if the table or a required column is missing, or the file is damaged
    *     or cut off; the message names the file
    * @throws IOException if the file cannot be read, or from the listener
@@ -43,7 +43,7 @@ public interface RecordingTables extends Closeable {
   void read(String table, List<String> names, int required, RowListener listener)
       throws IOException;
 
-  /** Takes rows. */
+  /** Receives rows. */
   @FunctionalInterface
   interface RowListener {
     /**
@@ -67,16 +67,16 @@ public interface RecordingTables extends Closeable {
     /**
      * A number.
      *
-     * @param column index in the list of columns that were asked for
+     * @param column index in the list of requested columns
      * @return NaN if the table does not have the column
-     * @throws IOException if it is no number
+     * @throws IOException if it is not a number
      */
     double number(int column) throws IOException;
 
     /**
      * A text, or a number as text.
      *
-     * @param column index in the list of columns that were asked for
+     * @param column index in the list of requested columns
      * @return empty if the table does not have the column
      * @throws IOException if it is neither
      */
@@ -85,9 +85,9 @@ public interface RecordingTables extends Closeable {
     /**
      * A list of whole numbers, of any length.
      *
-     * @param column index in the list of columns that were asked for
+     * @param column index in the list of requested columns
      * @return empty if the table does not have the column
-     * @throws IOException if it is no such list
+     * @throws IOException if it is not such a list
      */
     long[] list(int column) throws IOException;
   }
