@@ -234,8 +234,11 @@ class CompareTest {
     viewer.openRecording(Recorded.file("dvs128-moving-dark-box.aedat"));
     viewer.run(() -> viewer.window.context().actions().run("compare"));
     viewer.run(() -> viewer.window.context().actions().run("show-plots"));
-    ChoiceBox<?> cameras = viewer.node("camera-choice", ChoiceBox.class);
-    viewer.waitFor("the banner of the whole file", () -> !cameras.getItems().isEmpty());
+    viewer.waitFor(
+        "the banner of the whole file",
+        () ->
+            viewer.isThere("camera-choice")
+                && !viewer.node("camera-choice", ChoiceBox.class).getItems().isEmpty());
     viewer.waitFor("a second picture", () -> viewer.isThere("second-event-view"));
     EventView first = viewer.node("event-view", EventView.class);
     EventView second = viewer.node("second-event-view", EventView.class);
