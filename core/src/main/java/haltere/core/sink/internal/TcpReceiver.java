@@ -13,12 +13,12 @@ import java.util.concurrent.BlockingQueue;
 import java.util.function.Consumer;
 
 /**
- * One who receives lines over TCP, with the lines that wait for it and the thread that writes them.
+ * A receiver of lines over TCP, with its queue and writing thread.
  *
  * <p>Thread rule: one thread offers lines; the rest may be called from any.
  */
 final class TcpReceiver {
-  /** Lines that wait for a receiver at the most: about 2 MB. */
+  /** Maximum number of queued lines: about 2 MB. */
   static final int ROOM_LINES = 8192;
 
   static final byte[] NOTIFICATION = "notification".getBytes(StandardCharsets.US_ASCII);
@@ -37,7 +37,7 @@ final class TcpReceiver {
   private long lost;
   private long untold;
 
-  /** Lines that were taken out of the queue and not yet by the system. */
+  /** Lines taken from the queue that the system has not yet accepted. */
   private volatile long underway;
 
   private volatile boolean ending;
@@ -53,25 +53,25 @@ final class TcpReceiver {
     thread = Daemon.thread(this::work, "haltere-publish-" + socket.getRemoteSocketAddress());
   }
 
-  /** Begins to write. */
+  /** Starts writing. */
   void start() {
     thread.start();
   }
 
-  /** Whether lines on a topic are for this one. */
+  /** Whether lines on a topic are for this receiver. */
   boolean wants(byte[] topic) {
     return peer.wants(topic);
   }
 
-  /** Whether any lines are for this one. */
+  /** Whether any lines are for this receiver. */
   boolean receives() {
     return peer.receives();
   }
 
-  /** Takes a line if there is room for it, and counts it if not. */
+  /** Queues a line, or counts it as lost if the queue is full. */
   void offer(OutgoingLine line) {
     synchronized (counts) {
-      // what is missing is told before anything newer
+      // losses are reported before newer lines
       if (untold > 0 && waiting.remainingCapacity() > 1) {
         waiting.add(new OutgoingLine(takeNotice(), false));
       }
@@ -94,7 +94,7 @@ final class TcpReceiver {
     }
   }
 
-  /** Lines for which there was no room. */
+  /** Lines lost because the queue was full. */
   long lost() {
     synchronized (counts) {
       return lost;
@@ -109,7 +109,7 @@ final class TcpReceiver {
       }
       write(socket.getOutputStream());
     } catch (IOException | InterruptedException ignored) {
-      // it does not want any more, or is not waited for
+      // the receiver has disconnected, or is not waited for
     } finally {
       left.accept(this);
     }

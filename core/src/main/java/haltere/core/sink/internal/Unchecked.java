@@ -50,7 +50,7 @@ public final class Unchecked {
   /**
    * The text of a resource in UTF-8.
    *
-   * @param resource closed behind its end
+   * @param resource closed at its end
    * @return the whole text
    */
   public static String text(InputStream resource) {
