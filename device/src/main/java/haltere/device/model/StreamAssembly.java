@@ -35,7 +35,7 @@ final class StreamAssembly {
   private final EventPacket packet = new EventPacket(PACKET_EVENTS);
   private final EventPacket nothing = new EventPacket(1);
 
-  /** What can be handed over: the packet, samples, notifications. */
+  /** Pending elements: the packet, samples, notifications. */
   private final ArrayDeque<Object> ready = new ArrayDeque<>();
 
   private Received current;
@@ -84,7 +84,7 @@ final class StreamAssembly {
     return !ready.isEmpty();
   }
 
-  /** Hands over the next packet, notification or sample; returns how many events it has. */
+  /** Passes on the next packet, notification or sample; returns its number of events. */
   int handOver(StreamHandler handler) {
     Object next = ready.remove();
     if (next == packet) {
@@ -110,7 +110,7 @@ final class StreamAssembly {
    * Decodes buffers until something can be passed on.
    *
    * @param nanos longest wait for a buffer
-   * @return false if no buffer came in time, or none will come
+   * @return false after a timeout or at the end
    */
   boolean advance(long nanos) throws InterruptedIOException {
     if (current == null) {
@@ -196,7 +196,7 @@ final class StreamAssembly {
     clock.restart();
   }
 
-  /** A buffer is decoded; it is released once its content has been passed on. */
+  /** Marks a buffer as decoded; it is released when its content has been passed on. */
   private void finish() {
     if (lastUs != StreamNotification.NO_TIME_US) {
       clock.note(lastUs, current.arrivedNanos());
@@ -215,7 +215,7 @@ final class StreamAssembly {
     }
   }
 
-  /** Gives back the buffer that is done with, if there is one. */
+  /** Releases the decoded buffer, if there is one. */
   void release() {
     if (finished) {
       finished = false;
