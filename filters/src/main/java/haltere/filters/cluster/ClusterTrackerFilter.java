@@ -90,9 +90,7 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
     tracker.restartIdentities();
   }
 
-  /**
-   * Time continues over a gap in the data, and clusters live on for as long as they live anyway.
-   */
+  /** Time continues over a gap in the data, with the usual life of clusters. */
   @Override
   public boolean bridgesGaps() {
     return true;
@@ -108,9 +106,9 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
     tracker.apply(settings);
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<ClusterTrackerSettings> {
-    /** Found by its name in the list of services. */
+    /** Called by the service loader. */
     public Provider() {
       super(
           "cluster-tracker",

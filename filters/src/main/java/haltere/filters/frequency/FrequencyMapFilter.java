@@ -110,9 +110,9 @@ final class FrequencyMapFilter extends PublishingFilter<FrequencyMapSettings> {
     map.apply(settings);
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<FrequencyMapSettings> {
-    /** Found by its name in the list of services. */
+    /** Called by the service loader. */
     public Provider() {
       super(
           "frequency-map",

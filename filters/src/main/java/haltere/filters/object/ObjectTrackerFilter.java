@@ -152,9 +152,9 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
     }
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<ObjectTrackerSettings> {
-    /** Found by its name in the list of services. */
+    /** Called by the service loader. */
     public Provider() {
       super(
           "object-tracker",

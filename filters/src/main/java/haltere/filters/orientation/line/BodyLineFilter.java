@@ -44,9 +44,9 @@ final class BodyLineFilter extends PublishingFilter<BodyLineSettings> {
     tracker.apply(settings);
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<BodyLineSettings> {
-    /** Found by its name in the list of services. */
+    /** Called by the service loader. */
     public Provider() {
       super(
           "body-line",

@@ -154,9 +154,9 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
     }
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<WingTrackerSettings> {
-    /** Found by its name in the list of services. */
+    /** Called by the service loader. */
     public Provider() {
       super(
           "wing-tracker",
