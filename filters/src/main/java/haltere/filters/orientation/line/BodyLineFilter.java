@@ -7,9 +7,9 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 
 /**
- * {@link BodyLineTracker} as a stage of a chain. Lets all events through; publishes a {@link
- * BodyLine} at each report, which {@link haltere.filters.orientation.BodyOrientationEstimator}
- * takes from two cameras and more.
+ * {@link BodyLineTracker} as a stage of a chain. Passes all events; publishes a {@link BodyLine} at
+ * each report, for {@link haltere.filters.orientation.BodyOrientationEstimator} with two or more
+ * cameras.
  */
 final class BodyLineFilter extends PublishingFilter<BodyLineSettings> {
   private final Outlet<BodyLine> lines =
