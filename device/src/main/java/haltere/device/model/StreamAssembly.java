@@ -101,8 +101,8 @@ final class StreamAssembly {
   }
 
   /** Passes on the pending notifications. */
-  void drainTo(Collection<StreamNotification> notices) {
-    ready.forEach(next -> notices.add((StreamNotification) next));
+  void drainTo(Collection<StreamNotification> notifications) {
+    ready.forEach(next -> notifications.add((StreamNotification) next));
     ready.clear();
   }
 
@@ -123,13 +123,13 @@ final class StreamAssembly {
     packet.clear();
     WireDecoder.Stop stop = decoder.decode(input, packet, PACKET_EVENTS);
     if (!packet.isEmpty()) {
-      tellLoss(packet.firstTimeUs());
+      reportLoss(packet.firstTimeUs());
       lastUs = packet.lastTimeUs();
       ready.add(packet);
     }
     switch (stop) {
       case SAMPLE -> {
-        tellLoss(decoder.sample().timeUs());
+        reportLoss(decoder.sample().timeUs());
         if (samples) {
           ready.add(decoder.sample());
         }
@@ -169,7 +169,7 @@ final class StreamAssembly {
   }
 
   /** Adds notifications of counted and uncounted losses before the next data. */
-  void tellLoss(long nextUs) {
+  void reportLoss(long nextUs) {
     if (losing) {
       String place = "buffers of " + camera + " were not consumed in time";
       ready.add(new DataLost(lostBytes, lostEvents, lastUs, nextUs, place));
@@ -190,7 +190,7 @@ final class StreamAssembly {
   }
 
   private void resetClock() {
-    tellLoss(StreamNotification.NO_TIME_US);
+    reportLoss(StreamNotification.NO_TIME_US);
     ready.add(new Reset(Reset.Cause.CLOCK_RESTARTED, lastUs, StreamNotification.NO_TIME_US));
     lastUs = StreamNotification.NO_TIME_US;
     clock.restart();

@@ -59,7 +59,7 @@ final class UsbCamera implements Camera {
   private volatile long events;
 
   // state of the consumer
-  private final ArrayDeque<StreamNotification> notices = new ArrayDeque<>();
+  private final ArrayDeque<StreamNotification> notifications = new ArrayDeque<>();
   private State state = State.READY;
   private StreamAssembly assembly;
   private ReceivedBuffers streaming;
@@ -105,8 +105,8 @@ final class UsbCamera implements Camera {
     while (!prepared) {
       prepared = prepare(Long.MAX_VALUE);
     }
-    if (!notices.isEmpty()) {
-      handler.notified(notices.remove());
+    if (!notifications.isEmpty()) {
+      handler.notified(notifications.remove());
       return true;
     }
     if (state == State.OVER) {
@@ -125,7 +125,7 @@ final class UsbCamera implements Camera {
   /** Decodes until a packet, notification or sample is pending; false after a timeout. */
   private boolean prepare(long nanos) throws CameraProblem, InterruptedIOException {
     long end = System.nanoTime() + Math.min(nanos, Long.MAX_VALUE / 4);
-    while (notices.isEmpty() && state != State.OVER) {
+    while (notifications.isEmpty() && state != State.OVER) {
       if (closing && state != State.STREAMING) {
         state = State.OVER;
       } else if (state == State.READY) {
@@ -138,7 +138,7 @@ final class UsbCamera implements Camera {
         return true;
       } else {
         assembly.release();
-        if (!assembly.advance(end - System.nanoTime()) && !noticeEnd()) {
+        if (!assembly.advance(end - System.nanoTime()) && !endStream()) {
           return false;
         }
       }
@@ -147,30 +147,30 @@ final class UsbCamera implements Camera {
   }
 
   /** Handles the end of a stream; false after a timeout. */
-  private boolean noticeEnd() {
+  private boolean endStream() {
     if (!streaming.isEnded() && !streaming.isAtEndOfDevice()) {
       return false;
     }
     if (!streaming.droppedLast().isEmpty()) {
       assembly.skip(streaming.droppedLast());
     }
-    assembly.tellLoss(StreamNotification.NO_TIME_US);
-    assembly.drainTo(notices);
+    assembly.reportLoss(StreamNotification.NO_TIME_US);
+    assembly.drainTo(notifications);
     if (streaming.isEnded()) {
-      notices.add(new EndOfStream(assembly.lastUs()));
+      notifications.add(new EndOfStream(assembly.lastUs()));
       state = State.OVER;
     } else {
-      noticeThatItIsGone();
+      endAfterLoss();
     }
     return true;
   }
 
-  private void noticeThatItIsGone() {
+  private void endAfterLoss() {
     CameraInfo info = info();
-    notices.add(
+    notifications.add(
         new DeviceLost(
             info.model() + " " + info.serial() + " (" + info.id() + ")", assembly.lastUs()));
-    notices.add(new EndOfStream(assembly.lastUs()));
+    notifications.add(new EndOfStream(assembly.lastUs()));
     closeLink();
     if (options.reconnect()) {
       state = State.AWAY;
@@ -201,7 +201,7 @@ final class UsbCamera implements Camera {
       streams++;
     }
     state = State.STREAMING;
-    notices.add(new StreamStarted(geometry(), info().model() + " " + info().serial()));
+    notifications.add(new StreamStarted(geometry(), info().model() + " " + info().serial()));
   }
 
   /** Searches the camera when an attempt is due; false after a timeout. */
