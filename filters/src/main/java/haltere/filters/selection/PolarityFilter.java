@@ -24,7 +24,7 @@ final class PolarityFilter implements ConfigurableFilter<PolaritySettings> {
 
   @Override
   public void reset() {
-    // Nothing is remembered.
+    // stateless
   }
 
   @Override

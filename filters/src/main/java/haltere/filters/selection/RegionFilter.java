@@ -24,7 +24,7 @@ final class RegionFilter implements ConfigurableFilter<RegionSettings> {
 
   @Override
   public void reset() {
-    // Nothing is remembered.
+    // stateless
   }
 
   @Override
