@@ -1,7 +1,7 @@
 package haltere.core.camera;
 
 /**
- * Four sliders, each of which changes several biases, for users who do not know biases. In the
+ * Four sliders, each of which changes several biases, for users unfamiliar with biases. In the
  * middle, the biases are those of the last applied set.
  *
  * <p>Thread rule: all methods may be called from any thread; a change is in effect when the method

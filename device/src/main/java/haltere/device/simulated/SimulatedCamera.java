@@ -211,7 +211,7 @@ final class SimulatedCamera implements Camera, TimestampReset, RegionOfInterest,
     }
   }
 
-  // ---- What it can be asked and told
+  // ---- State and settings
 
   @Override
   public CameraStatistics statistics() {

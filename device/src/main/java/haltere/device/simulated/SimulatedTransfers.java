@@ -232,7 +232,7 @@ final class SimulatedTransfers {
     return read(() -> streams.isEmpty() && isOver());
   }
 
-  // ---- What it can be asked and told
+  // ---- State and settings
 
   Counts counts() {
     return read(

@@ -16,7 +16,7 @@ import java.util.Map;
 /**
  * {@link ClusterTracker} as a stage of a chain. Publishes a {@link ClusterTrack} for each visible
  * cluster at each report, and all of them together as a {@link TrailSnapshot}, also once when there
- * are none left. Passes all events on unless its settings say otherwise.
+ * are none left. Passes all events unless set otherwise.
  */
 public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerSettings> {
   private final Outlet<ClusterTrack> clusters = outlet("clusters", ClusterTrack.class);

@@ -64,7 +64,7 @@ public final class GaussianState {
     return x;
   }
 
-  /** {@return the covariance itself, n × n, not a copy; who writes to it keeps it symmetric} */
+  /** {@return the covariance itself, n × n, not a copy; it must be kept symmetric} */
   public DMatrixRMaj covariance() {
     return p;
   }

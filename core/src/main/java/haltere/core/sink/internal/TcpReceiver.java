@@ -35,7 +35,7 @@ final class TcpReceiver {
   private final Thread thread;
   private final Object counts = new Object();
   private long lost;
-  private long untold;
+  private long unreported;
 
   /** Lines taken from the queue that the system has not yet accepted. */
   private volatile long underway;
@@ -72,25 +72,26 @@ final class TcpReceiver {
   void offer(OutgoingLine line) {
     synchronized (counts) {
       // losses are reported before newer lines
-      if (untold > 0 && waiting.remainingCapacity() > 1) {
-        waiting.add(new OutgoingLine(takeNotice(), false));
+      if (unreported > 0 && waiting.remainingCapacity() > 1) {
+        waiting.add(new OutgoingLine(takeLossMessage(), false));
       }
-      if (untold > 0 || !waiting.offer(line)) {
+      if (unreported > 0 || !waiting.offer(line)) {
         lost++;
-        untold++;
+        unreported++;
       }
     }
   }
 
-  private byte[] takeNotice() {
+  private byte[] takeLossMessage() {
     synchronized (counts) {
-      boolean told = untold > 0 && peer.wants(NOTIFICATION);
-      byte[] notice =
-          told
-              ? protocol.frame(NOTIFICATION, messages.lost(untold, "this receiver was too slow"))
+      boolean isReported = unreported > 0 && peer.wants(NOTIFICATION);
+      byte[] message =
+          isReported
+              ? protocol.frame(
+                  NOTIFICATION, messages.lost(unreported, "this receiver was too slow"))
               : END.bytes();
-      untold = 0;
-      return notice;
+      unreported = 0;
+      return message;
     }
   }
 
@@ -123,7 +124,7 @@ final class TcpReceiver {
       OutgoingLine line = batch.size() < BATCH_BYTES ? waiting.poll() : null;
       if (line == null && batch.size() == 0) {
         if (nothingFollows) {
-          out.write(takeNotice());
+          out.write(takeLossMessage());
           return;
         }
         line = waiting.take();

@@ -15,7 +15,7 @@ public final class Unchecked {
   /**
    * Reads something.
    *
-   * @param <T> what is read
+   * @param <T> type of the result
    */
   @FunctionalInterface
   public interface Reading<T> {
@@ -36,7 +36,7 @@ public final class Unchecked {
    * Reads something.
    *
    * @param reading reads it
-   * @param <T> what is read
+   * @param <T> type of the result
    * @return what was read
    */
   public static <T> T read(Reading<T> reading) {
