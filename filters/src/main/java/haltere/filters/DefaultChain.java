@@ -8,7 +8,7 @@ import haltere.filters.noise.BackgroundActivitySettings;
 import haltere.filters.wing.WingTrackerSettings;
 
 /**
- * The chains that a new user starts with.
+ * The default chains.
  *
  * @since 0.1
  */
@@ -24,7 +24,7 @@ public final class DefaultChain {
   /**
    * The object tracker with its default settings; noise is part of its model.
    *
-   * @param geometry the sensor whose events it will see
+   * @param geometry the sensor
    * @return a new chain
    */
   public static FilterChain create(SensorGeometry geometry) {
@@ -36,7 +36,7 @@ public final class DefaultChain {
   /**
    * For a tethered fly: noise filters first, then the wing tracker with {@value #ESTIMATES_RATE}.
    *
-   * @param geometry the sensor whose events it will see
+   * @param geometry the sensor
    * @return a new chain
    */
   public static FilterChain forFly(SensorGeometry geometry) {

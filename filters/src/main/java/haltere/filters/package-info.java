@@ -1,2 +1,2 @@
-/** Filters that come with Haltere, and the chain to start from. */
+/** Filters of Haltere, and its default chains. */
 package haltere.filters;

@@ -9,17 +9,16 @@ package haltere.core.camera;
  */
 public interface ArrayReset {
   /**
-   * Resets all pixels for a few microseconds: they take the light of now for the light to compare
-   * with.
+   * Resets all pixels for a few microseconds: the present light becomes their reference.
    *
    * @throws CameraProblem if the camera refuses or is gone
    */
   void resetPixels() throws CameraProblem;
 
   /**
-   * Holds all pixels in reset, so that there are no events, or lets them go.
+   * Holds all pixels in reset, so that there are no events, or releases them.
    *
-   * @param hold whether to hold them
+   * @param hold true to hold, false to release
    * @throws CameraProblem if the camera refuses or is gone
    */
   void holdPixels(boolean hold) throws CameraProblem;

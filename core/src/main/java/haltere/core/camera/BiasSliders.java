@@ -1,7 +1,7 @@
 package haltere.core.camera;
 
 /**
- * Four sliders, each of which changes several biases, for users who do not know biases. In the
+ * Four sliders, each of which changes several biases, for users unfamiliar with biases. In the
  * middle, the biases are those of the last applied set.
  *
  * <p>Thread rule: all methods may be called from any thread; a change is in effect when the method
@@ -10,15 +10,15 @@ package haltere.core.camera;
  * @since 0.1
  */
 public interface BiasSliders {
-  /** What can be slid. */
+  /** The sliders. */
   enum Slider {
-    /** How fast a pixel follows the light: right is faster and noisier. */
+    /** Bandwidth of a pixel: right is faster and noisier. */
     BANDWIDTH,
-    /** How much the light must change for an event: right is more. */
+    /** Change of light for an event: right is larger. */
     THRESHOLD,
-    /** How long a pixel rests after an event: right is longer. */
+    /** Dead time of a pixel after an event: right is longer. */
     REFRACTORY_PERIOD,
-    /** Which of the two polarities comes more easily: right is ON. */
+    /** Balance of the polarities: right favours ON. */
     BALANCE
   }
 
@@ -36,7 +36,7 @@ public interface BiasSliders {
    * @param slider which
    * @param value -1 to 1
    * @throws IllegalArgumentException if the value is not in this range
-   * @throws CameraProblem if the camera does not take the biases; the slider stays
+   * @throws CameraProblem if the camera rejects the biases; the slider stays
    */
   void set(Slider slider, double value) throws CameraProblem;
 }

@@ -13,9 +13,9 @@ import java.util.List;
  */
 public interface Biases {
   /**
-   * The biases that there are, with ranges, units and what each does.
+   * The available biases, with ranges, units and effects.
    *
-   * @return in the order in which a person wants them
+   * @return in the order for users
    */
   List<Parameter> parameters();
 
@@ -32,14 +32,14 @@ public interface Biases {
    * Sets a bias.
    *
    * @param name of one of {@link #parameters()}
-   * @param value in its unit; rounded to the nearest that the camera can set
+   * @param value in its unit; rounded to the nearest possible value
    * @throws IllegalArgumentException if there is none of that name, or the value is out of range
-   * @throws CameraProblem if the camera does not take it; the old value stays
+   * @throws CameraProblem if the camera rejects it; the old value stays
    */
   void set(String name, double value) throws CameraProblem;
 
   /**
-   * Sets of values that belong together.
+   * Names of the predefined sets of values.
    *
    * @return names such as {@code fast} and {@code slow}
    */
@@ -50,7 +50,7 @@ public interface Biases {
    *
    * @param name one of {@link #sets()}
    * @throws IllegalArgumentException if there is none of that name, listing those that there are
-   * @throws CameraProblem if the camera does not take them; the old values stay
+   * @throws CameraProblem if the camera rejects them; the old values stay
    */
   void apply(String name) throws CameraProblem;
 }

@@ -36,11 +36,11 @@ public interface Camera extends EventSource {
   }
 
   /**
-   * Hands over the next packet, notification or sample; waits for it, however long that takes.
-   * {@link #close} ends the waiting; the stream then still gets its end.
+   * Passes on the next packet, notification or sample; waits for it without a time limit. {@link
+   * #close} ends the wait; the stream is then still completed.
    *
    * @param handler receives it
-   * @return false, and nothing was handed over, after the {@link EndOfStream} that nothing follows
+   * @return false, without a call, after the last {@link EndOfStream}
    * @throws java.io.InterruptedIOException if the thread is interrupted while it waits
    * @throws IOException if the camera cannot be started
    */
@@ -51,20 +51,20 @@ public interface Camera extends EventSource {
    * Waits for the next packet, notification or sample without taking it.
    *
    * @param nanos longest wait, 0 for none
-   * @return true if {@link #next} would not wait now
+   * @return true if {@link #next} would return at once
    * @throws java.io.InterruptedIOException if the thread is interrupted while it waits
    * @throws IOException if the camera cannot be started
    */
   boolean await(long nanos) throws IOException;
 
   /**
-   * An ability that not all cameras have: {@link Biases}, {@link BiasSliders}, {@link
-   * TimestampReset}, {@link RegionOfInterest}, {@link Configuration}, {@link ArrayReset}, {@link
-   * Led}, {@link ClockSync}, {@link EarlyTransfer}.
+   * An optional function of cameras: {@link Biases}, {@link BiasSliders}, {@link TimestampReset},
+   * {@link RegionOfInterest}, {@link Configuration}, {@link ArrayReset}, {@link Led}, {@link
+   * ClockSync}, {@link EarlyTransfer}.
    *
    * @param facet its interface
    * @param <F> its type
-   * @return the ability, the same object at every call, or empty
+   * @return the facet, the same object at every call, or empty
    */
   <F> Optional<F> facet(Class<F> facet);
 
@@ -76,16 +76,16 @@ public interface Camera extends EventSource {
   CameraStatistics statistics();
 
   /**
-   * How the camera's clock relates to this computer's, by which cameras relate to each other.
+   * Relation of the camera's clock to this computer's, and so to those of other cameras.
    *
-   * @return empty before the first event and where it is not known
+   * @return empty before the first event, or if it is unknown
    */
   Optional<ClockRelation> clockRelation();
 
   /**
    * Stops the camera and frees its resources. Does not wait for the consumer, which may still read
-   * the data received before and {@link EndOfStream}. Returns within seconds whatever the camera
-   * does; a second call has no effect.
+   * the data received before and {@link EndOfStream}. Returns within seconds in any case; a second
+   * call has no effect.
    */
   @Override
   void close();

@@ -11,12 +11,12 @@ import java.util.Objects;
  * @param serial serial number, empty if there is none or it cannot be read
  * @param geometry of the sensor, as far as known before opening
  * @param canOpen whether it can be opened, as far as known
- * @param note why it cannot be opened and what to do, or a remark, or empty
+ * @param note why it cannot be opened with advice, or a remark, or empty
  * @since 0.1
  */
 public record CameraInfo(
     String id, String model, String serial, SensorGeometry geometry, boolean canOpen, String note) {
-  /** Checks that nothing is missing. */
+  /** Checks that nothing is null. */
   public CameraInfo {
     Objects.requireNonNull(id, "id");
     Objects.requireNonNull(model, "model");

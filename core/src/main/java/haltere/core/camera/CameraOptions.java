@@ -28,7 +28,7 @@ public record CameraOptions(
   /** The largest buffer. */
   public static final int MAX_BUFFER_BYTES = 1 << 20;
 
-  /** What everybody starts with. */
+  /** The default options. */
   public static final CameraOptions DEFAULT =
       new CameraOptions(0, 0, 0, WhenFull.DROP_NEWEST, false, false);
 
@@ -37,8 +37,8 @@ public record CameraOptions(
     /** The newest ones; the processed stream stays complete as long as possible. For recordings. */
     DROP_NEWEST,
     /**
-     * Those that have waited longest, and whatever a USB camera sent that has waited for half a
-     * second. For what must be up to date.
+     * The oldest ones, and data of a USB camera that have waited for half a second. For low
+     * latency.
      */
     DROP_OLDEST
   }
@@ -82,7 +82,7 @@ public record CameraOptions(
   }
 
   /**
-   * The same options but for samples.
+   * The same options with or without samples.
    *
    * @param newReadings whether frames, inertial samples and triggers are read as well
    * @return new options
@@ -93,7 +93,7 @@ public record CameraOptions(
   }
 
   /**
-   * The same options but for what happens after the camera was unplugged.
+   * The same options with or without reconnection.
    *
    * @param newReconnect whether it continues when it is plugged in again
    * @return new options

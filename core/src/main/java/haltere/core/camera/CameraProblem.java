@@ -11,7 +11,7 @@ import java.util.Objects;
 public final class CameraProblem extends IOException {
   private static final long serialVersionUID = 1L;
 
-  /** What is wrong, for a program. */
+  /** The kind of problem, for programs. */
   public enum Kind {
     /** There is no such camera. */
     NOT_FOUND,
@@ -25,7 +25,7 @@ public final class CameraProblem extends IOException {
     TIMED_OUT,
     /** It rejected the request. */
     REFUSED,
-    /** Its firmware, its logic or this computer is one that this program does not know. */
+    /** Its firmware, its logic or this computer is not supported. */
     UNSUPPORTED,
     /** Anything else between this computer and the camera. */
     BROKEN
@@ -36,8 +36,8 @@ public final class CameraProblem extends IOException {
   /**
    * A problem.
    *
-   * @param kind what is wrong, for a program
-   * @param message what is wrong and what to do, for users
+   * @param kind kind of problem, for programs
+   * @param message cause and advice, for users
    */
   public CameraProblem(Kind kind, String message) {
     super(message);
@@ -45,7 +45,7 @@ public final class CameraProblem extends IOException {
   }
 
   /**
-   * What is wrong.
+   * The kind of problem.
    *
    * @return a kind
    */

@@ -5,7 +5,7 @@ import java.util.Optional;
 
 /**
  * Lists and opens cameras: over USB, simulated, over a network. Found as a service, so that another
- * jar can add one: name the class in {@code META-INF/services/haltere.core.camera.CameraProvider}
+ * jar can add one: list the class in {@code META-INF/services/haltere.core.camera.CameraProvider}
  * and give it a constructor without parameters.
  *
  * <p>Thread rule: all methods may be called from any thread.
@@ -14,7 +14,7 @@ import java.util.Optional;
  */
 public interface CameraProvider {
   /**
-   * What a person calls this way.
+   * The provider's name.
    *
    * @return such as {@code usb}
    */
@@ -30,8 +30,8 @@ public interface CameraProvider {
   }
 
   /**
-   * All cameras that it sees now. One that cannot be opened is listed with the reason; if nothing
-   * at all can be seen, there is none.
+   * All cameras found now. One that cannot be opened is listed with the reason; empty if the
+   * provider is unavailable.
    *
    * @return ordered by id
    */
@@ -56,7 +56,7 @@ public interface CameraProvider {
   }
 
   /**
-   * What keeps this way from seeing any camera at all, such as a library that is missing.
+   * Reason why no camera can be found, such as a missing library.
    *
    * @return a line for users, or empty
    */
@@ -65,12 +65,12 @@ public interface CameraProvider {
   }
 
   /**
-   * Opens a camera and readies it; events flow from the first call of {@link Camera#next} on.
+   * Opens and prepares a camera; events flow from the first call of {@link Camera#next} on.
    *
    * @param info one of {@link #list()}
-   * @param options how its events come
+   * @param options options of its event stream
    * @return an open camera that the caller closes
-   * @throws CameraProblem if that is impossible, with the reason and what to do
+   * @throws CameraProblem if that is impossible, with the reason and advice
    */
   Camera open(CameraInfo info, CameraOptions options) throws CameraProblem;
 }

@@ -10,8 +10,8 @@ package haltere.core.camera;
  * @param lostEvents events in them
  * @param brokenTransfers transfers that ended with an error and unknown content
  * @param oddWords invalid words, incomplete words and impossible times
- * @param waiting filled buffers that wait for the consumer now
- * @param mostWaiting largest number that waited
+ * @param waiting filled buffers waiting for the consumer
+ * @param mostWaiting largest number of waiting buffers
  * @param streams started streams: more than one after reconnection
  * @param medianLatencyUs median time from arrival to the end of processing of the latest buffers,
  *     microseconds; 0 before the first
@@ -33,7 +33,7 @@ public record CameraStatistics(
     long medianLatencyUs,
     long latency999Us,
     long longestLatencyUs) {
-  /** Before anything came. */
+  /** Counts before the first data. */
   public static final CameraStatistics NONE =
       new CameraStatistics(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
 }

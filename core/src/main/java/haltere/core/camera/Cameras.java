@@ -34,7 +34,7 @@ public final class Cameras {
   }
 
   /**
-   * All cameras that are seen now, also those that cannot be opened.
+   * All cameras found now, including those that cannot be opened.
    *
    * @return physical cameras first
    */
@@ -56,9 +56,9 @@ public final class Cameras {
   }
 
   /**
-   * What keeps providers from seeing any camera at all.
+   * Reasons why providers cannot find any camera.
    *
-   * @return a line for users for each that cannot, beginning with its name
+   * @return a line for users for each of them, beginning with its name
    */
   public List<String> obstacles() {
     return providers.stream()
@@ -69,8 +69,8 @@ public final class Cameras {
   /**
    * Opens a camera.
    *
-   * @param id which, as listed; empty for the first physical one that can be opened
-   * @param options how its events come
+   * @param id id as listed; empty for the first physical one that can be opened
+   * @param options options of its event stream
    * @return an open camera that the caller closes
    * @throws CameraProblem if there is none of that id, listing those that there are, or if it
    *     cannot be opened

@@ -1,8 +1,8 @@
 package haltere.core.camera;
 
 /**
- * One moment on two clocks: the camera's and this computer's. Between them lies the shortest delay
- * with which events came lately, so two cameras on one computer relate to about a millisecond.
+ * One moment on two clocks, the camera's and this computer's. Its error is the shortest recent
+ * delay of events, so that two cameras on one computer agree to about a millisecond.
  *
  * @param cameraUs the moment on the camera's clock, microseconds
  * @param hostNanos the moment by {@link System#nanoTime}, or a little after it

@@ -17,9 +17,10 @@ public interface ClockSync {
   boolean isMaster() throws CameraProblem;
 
   /**
-   * Chooses whose clock it goes by.
+   * Selects its clock.
    *
-   * @param master true for its own, whose input then gives triggers; false for that of the input
+   * @param master true for its own clock, with triggers from the input; false for the clock at the
+   *     input
    * @throws CameraProblem if the camera refuses or is gone
    */
   void setMaster(boolean master) throws CameraProblem;

@@ -12,9 +12,9 @@ import java.util.List;
  */
 public interface Configuration {
   /**
-   * The settings that can be changed, beside the biases; names are {@code group.name}.
+   * The adjustable settings except the biases; names are {@code group.name}.
    *
-   * @return empty where there are none
+   * @return empty if there are none
    */
   List<Parameter> parameters();
 
@@ -33,12 +33,12 @@ public interface Configuration {
    * @param name of one of {@link #parameters()}
    * @param value of the parameter's type, or a text of it
    * @throws IllegalArgumentException if there is none of that name, or the value is out of range
-   * @throws CameraProblem if the camera does not take it; the old value stays
+   * @throws CameraProblem if the camera rejects it; the old value stays
    */
   void set(String name, Object value) throws CameraProblem;
 
   /**
-   * All settings and biases as a text that a recording keeps in its header.
+   * All settings and biases as text for the header of a recording.
    *
    * @return lines of {@code name = value unit}, the first of which names the camera
    */

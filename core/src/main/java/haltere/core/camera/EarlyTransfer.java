@@ -9,16 +9,16 @@ package haltere.core.camera;
  */
 public interface EarlyTransfer {
   /**
-   * How long it keeps an event at most.
+   * Maximum time for which it buffers an event.
    *
    * @return microseconds
    */
   int longestDelayUs();
 
   /**
-   * Chooses how long it keeps an event.
+   * Sets the maximum time for which it buffers an event.
    *
-   * @param delayUs microseconds; rounded to what the camera can do
+   * @param delayUs microseconds; rounded to a step of the camera
    * @throws IllegalArgumentException if it is out of the camera's range, which the message states
    * @throws CameraProblem if the camera refuses or is gone
    */

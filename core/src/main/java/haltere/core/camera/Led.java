@@ -8,13 +8,13 @@ package haltere.core.camera;
  * @since 0.1
  */
 public interface Led {
-  /** What the light does. */
+  /** State of the light. */
   enum State {
-    /** Dark. */
+    /** Off. */
     OFF,
-    /** Bright. */
+    /** On. */
     ON,
-    /** Both by turns. */
+    /** Blinking. */
     BLINKING
   }
 

@@ -19,7 +19,7 @@ public interface RegionOfInterest {
    * @param height rows, at least 1
    */
   record Region(int left, int bottom, int width, int height) {
-    /** Checks that there is a pixel in it. */
+    /** Checks that it has a pixel. */
     public Region {
       if (left < 0 || bottom < 0 || width < 1 || height < 1) {
         throw new IllegalArgumentException(
@@ -29,14 +29,14 @@ public interface RegionOfInterest {
   }
 
   /**
-   * The part whose events come.
+   * The region that is read out.
    *
    * @return empty for the whole sensor
    */
   Optional<Region> region();
 
   /**
-   * Chooses the part whose events come.
+   * Sets the region that is read out.
    *
    * @param region on the sensor, or empty for all of it
    * @throws IllegalArgumentException if it is not on the sensor

@@ -7,8 +7,8 @@ package haltere.core.camera;
  */
 public interface TimestampReset {
   /**
-   * Sets the clock to 0; in the stream a {@link haltere.core.stream.Reset} stands where it was.
-   * Callable from any thread.
+   * Sets the clock to 0; the stream has a {@link haltere.core.stream.Reset} there. Callable from
+   * any thread.
    *
    * @throws CameraProblem if the camera refuses or is gone
    */

@@ -16,28 +16,28 @@ interface CameraDriver {
   /** The camera. */
   CameraInfo info();
 
-  /** Where its data come from. */
+  /** Endpoint of its data. */
   DataEndpoint endpoint();
 
   /** A decoder for a new stream. */
   WireDecoder newDecoder(boolean samples);
 
-  /** Takes the way to the camera and sends it all settings. */
+  /** Connects to the camera and sends all settings. */
   void connect(UsbTransport transport) throws CameraProblem;
 
   /**
-   * Has the camera send events.
+   * Starts the events of the camera.
    *
-   * @param startTransfers to be run when the endpoint is ready
+   * @param startTransfers run when the endpoint is ready
    */
   void start(Runnable startTransfers) throws CameraProblem;
 
-  /** Has the camera send nothing any more. */
+  /** Stops the events of the camera. */
   void stop() throws CameraProblem;
 
-  /** Gives up the way to the camera. */
+  /** Disconnects from the camera. */
   void disconnect();
 
-  /** Its abilities, by their interfaces of {@code haltere.core.camera}. */
+  /** Its facets, by their interfaces of {@code haltere.core.camera}. */
   Map<Class<?>, Object> facets();
 }

@@ -8,9 +8,9 @@ import haltere.device.usb.TransferRing;
 import haltere.device.usb.UsbTransport;
 
 /**
- * A camera while it is plugged in: opened, claimed and set up, then streaming, then closed.
+ * A connection to a camera: opened, claimed and set up, then streaming, then closed.
  *
- * <p>Thread rule: one thread at a time; {@link #buffers} may be asked by any.
+ * <p>Thread rule: one thread at a time; {@link #buffers} may be called by any.
  */
 final class CameraLink {
   private static final long USUAL_MAX_WAITING_BYTES = 8 << 20;
@@ -29,7 +29,7 @@ final class CameraLink {
    *
    * @param driver of the camera
    * @param transport open and claimed; closed with this, and if this fails
-   * @param options how its events come
+   * @param options options of its event stream
    */
   CameraLink(CameraDriver driver, UsbTransport transport, CameraOptions options)
       throws CameraProblem {
@@ -74,7 +74,7 @@ final class CameraLink {
     ring.recover();
   }
 
-  /** Has the camera send events. */
+  /** Starts the events of the camera. */
   void start() throws CameraProblem {
     running = true;
     driver.start(ring::start);
@@ -94,7 +94,7 @@ final class CameraLink {
       try {
         driver.stop();
       } catch (CameraProblem ignored) {
-        // It is closed anyway, and configured again when it is opened.
+        // it is closed anyway, and reconfigured when it is opened
       }
     }
     driver.disconnect();

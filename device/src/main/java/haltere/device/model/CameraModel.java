@@ -6,18 +6,18 @@ import haltere.device.usb.UsbDevice;
 import haltere.device.usb.UsbTransport;
 
 /**
- * A kind of camera.
+ * A camera model.
  *
  * <p>Thread rule: immutable.
  */
 interface CameraModel {
-  /** What its ids begin with, such as {@code dvs128}. */
+  /** Prefix of its ids, such as {@code dvs128}. */
   String key();
 
-  /** What a person calls it. */
+  /** Name for users. */
   String name();
 
-  /** Whether a device is of this kind. */
+  /** Whether a device is of this model. */
   boolean matches(UsbDevice device);
 
   /**
@@ -31,10 +31,10 @@ interface CameraModel {
     return "";
   }
 
-  /** Its sensor, as far as it is known from the outside. */
+  /** Its sensor, as far as known before opening. */
   SensorGeometry usualGeometry();
 
-  /** Why it cannot be driven at all and what to do instead, or empty. */
+  /** Why it is not supported, and advice; or empty. */
   default String obstacle() {
     return "";
   }
@@ -49,7 +49,7 @@ interface CameraModel {
    * @param id of the camera
    * @param serial of the camera
    * @return a driver that is not connected yet
-   * @throws CameraProblem if this one cannot be driven
+   * @throws CameraProblem if this camera is not supported
    */
   CameraDriver driver(UsbTransport transport, String id, String serial) throws CameraProblem;
 }

@@ -5,10 +5,9 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Relates a camera's clock to the computer's: events come with a delay that varies, so the shortest
- * of the last seconds is taken.
+ * Relates a camera's clock to the computer's by the shortest delay of events in the last seconds.
  *
- * <p>Thread rule: one thread notes, any thread asks.
+ * <p>Thread rule: one thread calls {@link #note}, any thread reads.
  */
 final class ClockWatch {
   private static final long WINDOW_NANOS = TimeUnit.SECONDS.toNanos(2);
@@ -18,7 +17,7 @@ final class ClockWatch {
   private ClockRelation shortestLately;
   private long windowEndNanos;
 
-  /** Notes when the last event of a buffer came. */
+  /** Registers the arrival of the last event of a buffer. */
   void note(long cameraUs, long arrivedNanos) {
     ClockRelation best = relation;
     boolean turn = best == null || arrivedNanos - windowEndNanos > 0;

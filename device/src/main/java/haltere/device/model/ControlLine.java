@@ -4,7 +4,7 @@ import haltere.core.camera.CameraProblem;
 import haltere.device.usb.UsbTransport;
 
 /**
- * The way to a camera's settings, while it is plugged in.
+ * The transport for a camera's settings, while it is plugged in.
  *
  * <p>Thread rule: all methods may be called from any thread.
  */

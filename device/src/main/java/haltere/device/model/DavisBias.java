@@ -7,15 +7,15 @@ import java.util.List;
  * One bias of a DAVIS chip. A current has a coarse and a fine part: current = full scale of the
  * coarse part times fine / 255. A voltage and the level of a shifted source count in 64ths.
  *
- * @param name as the chip's makers call it
+ * @param name the manufacturer's name
  * @param parameter number in the module of biases
- * @param kind how its 16 bits are laid out
+ * @param kind layout of its 16 bits
  * @param first coarse part, or voltage, or reference level
  * @param second fine part, or current, or regulator level
  * @param flags the lowest four bits of a current: enabled, N type, normal, not low current
  */
 record DavisBias(String name, int parameter, Kind kind, int first, int second, int flags) {
-  /** How the 16 bits are laid out. */
+  /** Layout of the 16 bits. */
   enum Kind {
     /** Bits 14..12 coarse, 11..4 fine, 3..0 flags. */
     CURRENT,
@@ -104,7 +104,10 @@ record DavisBias(String name, int parameter, Kind kind, int first, int second, i
     };
   }
 
-  /** The usual value keeps its coarse part; else the smallest that reaches, which is the finest. */
+  /**
+   * Coarse part for a value: that of the usual value, else the smallest possible, which has the
+   * finest steps.
+   */
   private int coarse(double value) {
     if (value == usual()) {
       return first;

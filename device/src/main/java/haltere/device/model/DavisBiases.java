@@ -11,9 +11,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The biases of a DAVIS240 or DAVIS346 in physical units; values of the maker's defaults. The
- * sliders multiply some of them by a ratio; moving a slider starts from the values that were set
- * last by name or as a set.
+ * The biases of a DAVIS240 or DAVIS346 in physical units; with the manufacturer's defaults. The
+ * sliders multiply some of them by a ratio; moving a slider starts from the values last set by name
+ * or as a set.
  */
 final class DavisBiases implements Biases, BiasSliders {
   private static final String USUAL = "default";
@@ -88,7 +88,7 @@ final class DavisBiases implements Biases, BiasSliders {
   private final DavisRegisters registers;
   private final Map<String, DavisBias> byName = new LinkedHashMap<>();
 
-  /** What is in effect in the middle of the sliders. */
+  /** Values at the middle of the sliders. */
   private final Map<String, Double> middle = new LinkedHashMap<>();
 
   private SliderPositions sliders = SliderPositions.middle(EFFECTS);
@@ -122,7 +122,7 @@ final class DavisBiases implements Biases, BiasSliders {
     DavisBias bias = bias(name);
     double near = bias.nearest((Double) bias.asParameter().convert(value));
     send(bias, near);
-    // Biases set by name are in effect from now on: the sliders restart around them.
+    // biases set by name become the middle of the sliders
     middle.replaceAll((other, usual) -> effective(bias(other), sliders));
     middle.put(name, near);
     sliders = sliders.centred();

@@ -30,7 +30,7 @@ final class DavisDriver
   private static final int USB_RUN = 0;
   private static final int REGION = 41;
 
-  /** Parameters of the chip itself and their usual values, DAVIS346's last two only there. */
+  /** Parameters of the chip and their usual values; the last two exist only in the DAVIS346. */
   private static final int[][] CHIP = {
     {128, 0}, {129, 0}, {130, 0}, {131, 0}, {132, 0}, {133, 0}, {134, 0}, {135, 0}, {136, 1},
     {137, 0}, {138, 1}, {140, 0}, {141, 0}, {142, 1}, {143, 1}, {144, 0}
@@ -198,7 +198,10 @@ final class DavisDriver
     }
   }
 
-  /** The logic counts rows from the top, has both ends inclusive, and may call rows columns. */
+  /**
+   * Sends the region; the logic counts rows from the top, with inclusive ends, and may swap rows
+   * and columns.
+   */
   private void sendRegion() throws CameraProblem {
     if (!identity.hasRegion()) {
       return;

@@ -13,9 +13,9 @@ import haltere.device.usb.UsbTransport;
  * @param layout of its words
  * @param adcClockMhz clock of exposures, as measured
  * @param usbClockMhz clock of USB delays, nominal
- * @param hasRegion whether events of a part of the sensor can be chosen
+ * @param hasRegion whether it supports a region of interest
  * @param hasNoiseFilter whether it can drop events without neighbours
- * @param hasGlobalShutter whether frames can be exposed all at once
+ * @param hasGlobalShutter whether it has a global shutter
  */
 record DavisIdentity(
     String name,
@@ -33,7 +33,7 @@ record DavisIdentity(
   private static final int MPU_9250 = 2;
   private static final int SWAPPED = 4;
 
-  /** Asks a camera; refuses one whose logic or chip is not known. */
+  /** Reads the properties of a camera; rejects unknown logic or chips. */
   static DavisIdentity of(UsbTransport transport) throws CameraProblem {
     int version = DavisRegisters.get(transport, DavisRegisters.SYSTEM, 0);
     if (version != LOGIC_VERSION) {

@@ -8,7 +8,9 @@ import haltere.device.usb.UsbDevice;
 import haltere.device.usb.UsbTransport;
 import java.util.function.LongConsumer;
 
-/** DAVIS240 and DAVIS346 of iniVation, on USB 2 and USB 3 boards; the chip states which. */
+/**
+ * DAVIS240 and DAVIS346 of iniVation, on USB 2 and USB 3 boards; the model is read from the chip.
+ */
 final class DavisModel implements CameraModel {
   private static final int VENDOR = 0x152a;
   private static final int USB3 = 0x841a;

@@ -5,8 +5,7 @@ import haltere.device.usb.UsbTransport;
 import java.nio.ByteBuffer;
 
 /**
- * The settings of a DAVIS camera as its logic has them: a number of 32 bits for each module and
- * parameter.
+ * The registers of a DAVIS camera's logic: 32 bits for each module and parameter.
  *
  * <p>Thread rule: all methods may be called from any thread.
  */
@@ -42,7 +41,7 @@ final class DavisRegisters {
     return ByteBuffer.wrap(transport.ask(SET_OR_GET, module, parameter, Integer.BYTES)).getInt();
   }
 
-  /** Sets a parameter to 1 and at once to 0 again. */
+  /** Sets a parameter to 1 and then to 0. */
   void pulse(int module, int parameter) throws CameraProblem {
     ByteBuffer records = ByteBuffer.allocate(2 * RECORD_BYTES);
     for (int value = 1; value >= 0; value--) {

@@ -37,7 +37,7 @@ record DavisSetting(Parameter parameter, int module, int number, double scale) {
         scale);
   }
 
-  /** Whether it switches something on or off that sends data. */
+  /** Whether it switches a source of data on or off. */
   boolean isSwitch() {
     boolean inertial = module == DavisRegisters.INERTIAL && number >= 2 && number <= 4;
     boolean frames = module == DavisRegisters.FRAMES && number == 4;

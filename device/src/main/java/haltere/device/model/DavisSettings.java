@@ -189,7 +189,7 @@ final class DavisSettings implements Configuration {
     values.put(name, converted);
   }
 
-  /** Sends all but what makes the camera send data. */
+  /** Sends all settings except those that start data. */
   synchronized void send() throws CameraProblem {
     for (DavisSetting setting : settings.values()) {
       if (!setting.isSwitch()) {
@@ -198,7 +198,7 @@ final class DavisSettings implements Configuration {
     }
   }
 
-  /** Has the camera send data, or not. */
+  /** Starts or stops the data of the camera. */
   synchronized void setStreaming(boolean on) throws CameraProblem {
     streaming = on;
     for (DavisSetting setting : settings.values()) {

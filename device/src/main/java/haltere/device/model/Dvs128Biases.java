@@ -13,9 +13,9 @@ import java.util.Map;
 
 /**
  * The twelve biases of a DVS128: numbers of 24 bits, each a share of the master current (current =
- * master * value / 2^24), sent together, the one at the far end of the shift register first. The
- * sliders multiply some of them by a ratio; moving a slider starts from the values that were set
- * last by name or as a set.
+ * master * value / 2^24), sent together in the order of the shift register, its far end first. The
+ * sliders multiply some of them by a ratio; moving a slider starts from the values last set by name
+ * or as a set.
  *
  * <p>Values of the sets: jAER's and libcaer's; see the wire facts in docs/cameras.md.
  */
@@ -126,7 +126,7 @@ final class Dvs128Biases implements Biases, BiasSliders {
       throw new IllegalArgumentException(
           "bias " + name + " is " + value + ", it must be 0 to " + LARGEST);
     }
-    // Biases set by name are in effect from now on: the sliders restart around them.
+    // biases set by name become the middle of the sliders
     int[] values = effective(middle, sliders);
     values[bias.ordinal()] = (int) Math.round(value);
     take(values);

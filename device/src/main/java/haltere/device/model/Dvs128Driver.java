@@ -17,8 +17,8 @@ import java.util.Map;
 
 /**
  * Driver of a DVS128 by vendor requests. Since firmware 14 its clock runs and its queue keeps old
- * events while it is stopped. Each start therefore empties the queue before and resets the clock
- * after, and words before that of the reset are dropped.
+ * events while it is stopped. Each start therefore empties the queue, then resets the clock, and
+ * drops words before the reset.
  */
 final class Dvs128Driver
     implements CameraDriver, TimestampReset, ArrayReset, Led, ClockSync, EarlyTransfer {
@@ -85,7 +85,7 @@ final class Dvs128Driver
   public WireDecoder newDecoder(boolean samples) {
     Dvs128Decoder fresh = new Dvs128Decoder(samples);
     if (master) {
-      fresh.awaitReset(); // the clock of another camera is reset only by that one
+      fresh.awaitReset(); // the clock of a master is reset only by the master
     }
     return fresh;
   }
@@ -114,8 +114,7 @@ final class Dvs128Driver
     try {
       line.send(EMPTY_QUEUE, 0, 0);
     } catch (CameraProblem problem) {
-      // Old firmware does not know the request; the reset of the clock separates old from new
-      // events too.
+      // old firmware lacks the request; the clock reset separates old from new events too
       if (problem.kind() != CameraProblem.Kind.REFUSED) {
         throw problem;
       }
@@ -164,7 +163,7 @@ final class Dvs128Driver
     holding = hold;
   }
 
-  /** {@inheritDoc} Firmware from 13 on puts a false trigger into the stream then. */
+  /** {@inheritDoc} Firmware from 13 on then sends a false trigger. */
   @Override
   public void setLed(Led.State state) throws CameraProblem {
     if (firmware < FIRMWARE_OF_LED) {

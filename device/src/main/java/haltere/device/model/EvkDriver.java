@@ -12,8 +12,8 @@ import java.util.Map;
 
 /**
  * An EVK4, experimental: it is identified and started, and its data are decoded as EVT3. The
- * hundreds of registers that initialise its sensor are not written here, so the program of the
- * manufacturer must run once before.
+ * hundreds of registers that initialise its sensor are not written here; the manufacturer's program
+ * must be run once before.
  */
 final class EvkDriver implements CameraDriver, Configuration {
   private static final DataEndpoint ENDPOINT = new DataEndpoint(0x81, 20, 128 << 10);

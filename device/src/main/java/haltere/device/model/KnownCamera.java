@@ -14,8 +14,8 @@ import java.util.List;
  * @param key prefix of its ids
  * @param name for users
  * @param usbId vendor in the upper 16 bits, product in the lower
- * @param usualGeometry its sensor, or that of the largest of its kind
- * @param obstacle why it is not driven, and what to do
+ * @param usualGeometry its sensor, or the largest of its models
+ * @param obstacle why it is not supported, and advice
  */
 record KnownCamera(
     String key, String name, int usbId, SensorGeometry usualGeometry, String obstacle)
@@ -30,7 +30,7 @@ record KnownCamera(
       "a chip without firmware, perhaps of a camera; write the firmware with its "
           + "maker's program first";
 
-  /** Cameras and boards whose numbers are public. */
+  /** Cameras and boards with public USB ids. */
   static final List<CameraModel> ALL =
       List.of(
           new KnownCamera(

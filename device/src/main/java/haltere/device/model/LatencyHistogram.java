@@ -3,10 +3,9 @@ package haltere.device.model;
 import java.util.concurrent.atomic.AtomicLongArray;
 
 /**
- * How long buffers took, in classes each of which is an eighth wider than the one before at the
- * most.
+ * Histogram of buffer latencies, in classes of at most 12.5 % relative width.
  *
- * <p>Thread rule: one thread adds, any thread asks.
+ * <p>Thread rule: one thread adds, any thread reads.
  */
 final class LatencyHistogram {
   private static final int STEPS = 8;
@@ -33,7 +32,7 @@ final class LatencyHistogram {
     return Math.min(CLASSES - 1, shift * STEPS + (int) (us >>> shift));
   }
 
-  /** The longest of a class. */
+  /** Upper bound of a class. */
   private static long longestOf(int index) {
     if (index < 2 * STEPS) {
       return index;
@@ -42,7 +41,7 @@ final class LatencyHistogram {
     return ((long) (STEPS + index % STEPS + 1) << shift) - 1;
   }
 
-  /** A time that a share of all is not longer than, to an eighth; 0 if there are none. */
+  /** A quantile, to 12.5 %; 0 without entries. */
   long quantileUs(double share) {
     long all = 0;
     for (int i = 0; i < CLASSES; i++) {

@@ -8,8 +8,7 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * Times at which a lost camera is searched: at once when a device is plugged in, if the bus reports
- * it; often for some seconds after that, since the system may not have granted access yet; and
- * rarely in any case.
+ * it; often for some seconds after that, since access may not be granted yet; and rarely otherwise.
  *
  * <p>Thread rule: one thread begins, waits and ends; {@link #close} from any.
  */
@@ -34,7 +33,7 @@ final class Lookout implements AutoCloseable {
   private Optional<UsbBus.Watch> watch = Optional.empty();
   private boolean closed;
 
-  // The waiting thread's own.
+  // state of the waiting thread
   private long nextNanos;
   private long oftenUntilNanos;
 
@@ -43,7 +42,7 @@ final class Lookout implements AutoCloseable {
     this.pace = pace;
   }
 
-  /** The camera is away: the first look is now. */
+  /** Starts the search: the first attempt is now. */
   void begin() {
     synchronized (this) {
       if (!closed) {
@@ -63,10 +62,10 @@ final class Lookout implements AutoCloseable {
   }
 
   /**
-   * Waits until it is time to look, or this is closed.
+   * Waits until the next attempt is due, or this is closed.
    *
-   * @param nanos at most so long
-   * @return false if that is over before
+   * @param nanos longest wait
+   * @return false after the longest wait
    */
   boolean await(long nanos) throws InterruptedException {
     long wait = nextNanos - System.nanoTime();
@@ -86,13 +85,13 @@ final class Lookout implements AutoCloseable {
     return watch.isPresent();
   }
 
-  /** The camera is back. */
+  /** Ends the search after the camera was found. */
   synchronized void end() {
     watch.ifPresent(UsbBus.Watch::close);
     watch = Optional.empty();
   }
 
-  /** Ends the search; waiting threads wake up. */
+  /** Ends the search for good; waiting threads wake up. */
   @Override
   public synchronized void close() {
     closed = true;

@@ -7,7 +7,7 @@ import java.math.BigDecimal;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** What the settings of all cameras have in common. */
+/** Common methods of the settings of all cameras. */
 final class Settings {
   private Settings() {}
 

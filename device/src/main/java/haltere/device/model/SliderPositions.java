@@ -7,19 +7,19 @@ import java.util.Map;
 import java.util.Objects;
 
 /**
- * Where the sliders of a camera stand, and what that does to its biases: a slider at p multiplies a
- * bias by its ratio to the power of p, so by the whole ratio at the right end, by its inverse at
- * the left, and by nothing in the middle. That law, and the ratios, are those of jAER.
+ * Positions of the sliders of a camera, and their effect on its biases: a slider at p, from −1
+ * (left) to 1 (right), multiplies a bias by its ratio to the power of p. Law and ratios are those
+ * of jAER.
  *
  * <p>Thread rule: immutable.
  */
 final class SliderPositions {
   /**
-   * What a slider does to a bias.
+   * The effect of a slider on a bias.
    *
-   * @param slider which
+   * @param slider the slider
    * @param bias its name
-   * @param ratio above 0; below 1 if the bias falls where the slider goes to the right
+   * @param ratio above 0; below 1 if the bias decreases to the right
    */
   record Effect(Slider slider, String bias, double ratio) {}
 
@@ -31,12 +31,12 @@ final class SliderPositions {
     this.positions = positions;
   }
 
-  /** All in the middle. */
+  /** All sliders in the middle. */
   static SliderPositions middle(List<Effect> effects) {
     return new SliderPositions(effects, Map.of());
   }
 
-  /** All in the middle, of the same sliders. */
+  /** The same sliders, all in the middle. */
   SliderPositions centred() {
     return middle(effects);
   }
@@ -45,7 +45,7 @@ final class SliderPositions {
     return positions.getOrDefault(Objects.requireNonNull(slider, "slider"), 0.0);
   }
 
-  /** The same with one slider elsewhere. */
+  /** The same positions with another one of a slider. */
   SliderPositions with(Slider slider, double position) {
     if (!(position >= -1 && position <= 1)) {
       throw new IllegalArgumentException("a slider stands at -1 to 1, not at " + position);
@@ -56,7 +56,7 @@ final class SliderPositions {
     return new SliderPositions(effects, moved);
   }
 
-  /** By how much a bias is multiplied; 1 if no slider moves it. */
+  /** Factor of a bias; 1 if no slider affects it. */
   double factor(String bias) {
     double factor = 1;
     for (Effect effect : effects) {

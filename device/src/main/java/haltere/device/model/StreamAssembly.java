@@ -35,7 +35,7 @@ final class StreamAssembly {
   private final EventPacket packet = new EventPacket(PACKET_EVENTS);
   private final EventPacket nothing = new EventPacket(1);
 
-  /** What can be handed over: the packet, samples, notifications. */
+  /** Pending elements: the packet, samples, notifications. */
   private final ArrayDeque<Object> ready = new ArrayDeque<>();
 
   private Received current;
@@ -84,7 +84,7 @@ final class StreamAssembly {
     return !ready.isEmpty();
   }
 
-  /** Hands over the next packet, notification or sample; returns how many events it has. */
+  /** Passes on the next packet, notification or sample; returns its number of events. */
   int handOver(StreamHandler handler) {
     Object next = ready.remove();
     if (next == packet) {
@@ -101,8 +101,8 @@ final class StreamAssembly {
   }
 
   /** Passes on the pending notifications. */
-  void drainTo(Collection<StreamNotification> notices) {
-    ready.forEach(next -> notices.add((StreamNotification) next));
+  void drainTo(Collection<StreamNotification> notifications) {
+    ready.forEach(next -> notifications.add((StreamNotification) next));
     ready.clear();
   }
 
@@ -110,7 +110,7 @@ final class StreamAssembly {
    * Decodes buffers until something can be passed on.
    *
    * @param nanos longest wait for a buffer
-   * @return false if no buffer came in time, or none will come
+   * @return false after a timeout or at the end
    */
   boolean advance(long nanos) throws InterruptedIOException {
     if (current == null) {
@@ -123,13 +123,13 @@ final class StreamAssembly {
     packet.clear();
     WireDecoder.Stop stop = decoder.decode(input, packet, PACKET_EVENTS);
     if (!packet.isEmpty()) {
-      tellLoss(packet.firstTimeUs());
+      reportLoss(packet.firstTimeUs());
       lastUs = packet.lastTimeUs();
       ready.add(packet);
     }
     switch (stop) {
       case SAMPLE -> {
-        tellLoss(decoder.sample().timeUs());
+        reportLoss(decoder.sample().timeUs());
         if (samples) {
           ready.add(decoder.sample());
         }
@@ -169,7 +169,7 @@ final class StreamAssembly {
   }
 
   /** Adds notifications of counted and uncounted losses before the next data. */
-  void tellLoss(long nextUs) {
+  void reportLoss(long nextUs) {
     if (losing) {
       String place = "buffers of " + camera + " were not consumed in time";
       ready.add(new DataLost(lostBytes, lostEvents, lastUs, nextUs, place));
@@ -190,13 +190,13 @@ final class StreamAssembly {
   }
 
   private void resetClock() {
-    tellLoss(StreamNotification.NO_TIME_US);
+    reportLoss(StreamNotification.NO_TIME_US);
     ready.add(new Reset(Reset.Cause.CLOCK_RESTARTED, lastUs, StreamNotification.NO_TIME_US));
     lastUs = StreamNotification.NO_TIME_US;
     clock.restart();
   }
 
-  /** A buffer is decoded; it is released once its content has been passed on. */
+  /** Marks a buffer as decoded; it is released when its content has been passed on. */
   private void finish() {
     if (lastUs != StreamNotification.NO_TIME_US) {
       clock.note(lastUs, current.arrivedNanos());
@@ -215,7 +215,7 @@ final class StreamAssembly {
     }
   }
 
-  /** Gives back the buffer that is done with, if there is one. */
+  /** Releases the decoded buffer, if there is one. */
   void release() {
     if (finished) {
       finished = false;

@@ -39,7 +39,7 @@ final class TreuzellLine {
     return String.format(Locale.ROOT, "%08x", answer.getInt());
   }
 
-  /** What the sensor is compatible with, such as {@code psee,ccam5_imx636}. */
+  /** Compatibility string of the sensor, such as {@code psee,ccam5_imx636}. */
   String sensor() throws CameraProblem {
     ByteBuffer answer = command(COMPATIBLE, SENSOR);
     byte[] text = new byte[Math.max(0, answer.remaining() - Integer.BYTES)];

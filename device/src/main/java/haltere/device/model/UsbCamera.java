@@ -18,13 +18,13 @@ import java.util.ArrayDeque;
 import java.util.Optional;
 
 /**
- * A camera on USB. The consumer's thread starts it, decodes, and finds it again after it was
- * unplugged.
+ * A camera on USB. The consumer's thread starts it, decodes its data, and reconnects it after it
+ * was unplugged.
  */
 final class UsbCamera implements Camera {
-  /** Finds the camera where it is plugged in now, and opens it. */
+  /** Finds and opens a camera that was plugged in again. */
   interface Finder {
-    /** A transport that is open and claimed, or empty if the camera is not there. */
+    /** An open and claimed transport, or empty if the camera is absent. */
     Optional<UsbTransport> find() throws CameraProblem;
   }
 
@@ -36,9 +36,9 @@ final class UsbCamera implements Camera {
   }
 
   /**
-   * The present link and the counts of earlier ones.
+   * The current link and the counts of earlier ones.
    *
-   * @param link null while the camera is away
+   * @param link null while the camera is unplugged
    * @param earlier sums
    */
   private record Connection(CameraLink link, CameraStatistics earlier) {}
@@ -58,17 +58,17 @@ final class UsbCamera implements Camera {
   private volatile long streams;
   private volatile long events;
 
-  // The consumer's own.
-  private final ArrayDeque<StreamNotification> notices = new ArrayDeque<>();
+  // state of the consumer
+  private final ArrayDeque<StreamNotification> notifications = new ArrayDeque<>();
   private State state = State.READY;
   private StreamAssembly assembly;
   private ReceivedBuffers streaming;
 
   /**
-   * A camera that is set up.
+   * A configured camera.
    *
    * @param driver of the camera
-   * @param link that was made with it
+   * @param link of the driver
    * @param options of its stream
    * @param finder finds it again
    * @param lookout times of the search; closed with this
@@ -105,8 +105,8 @@ final class UsbCamera implements Camera {
     while (!prepared) {
       prepared = prepare(Long.MAX_VALUE);
     }
-    if (!notices.isEmpty()) {
-      handler.notified(notices.remove());
+    if (!notifications.isEmpty()) {
+      handler.notified(notifications.remove());
       return true;
     }
     if (state == State.OVER) {
@@ -122,13 +122,10 @@ final class UsbCamera implements Camera {
     return prepare(nanos);
   }
 
-  /**
-   * Works until a packet, notification or sample can be handed over; false if the time is over
-   * before.
-   */
+  /** Decodes until a packet, notification or sample is pending; false after a timeout. */
   private boolean prepare(long nanos) throws CameraProblem, InterruptedIOException {
     long end = System.nanoTime() + Math.min(nanos, Long.MAX_VALUE / 4);
-    while (notices.isEmpty() && state != State.OVER) {
+    while (notifications.isEmpty() && state != State.OVER) {
       if (closing && state != State.STREAMING) {
         state = State.OVER;
       } else if (state == State.READY) {
@@ -141,7 +138,7 @@ final class UsbCamera implements Camera {
         return true;
       } else {
         assembly.release();
-        if (!assembly.advance(end - System.nanoTime()) && !noticeEnd()) {
+        if (!assembly.advance(end - System.nanoTime()) && !endStream()) {
           return false;
         }
       }
@@ -149,31 +146,31 @@ final class UsbCamera implements Camera {
     return true;
   }
 
-  /** Whether the stream came to an end rather than that nothing came in time. */
-  private boolean noticeEnd() {
+  /** Handles the end of a stream; false after a timeout. */
+  private boolean endStream() {
     if (!streaming.isEnded() && !streaming.isAtEndOfDevice()) {
       return false;
     }
     if (!streaming.droppedLast().isEmpty()) {
       assembly.skip(streaming.droppedLast());
     }
-    assembly.tellLoss(StreamNotification.NO_TIME_US);
-    assembly.drainTo(notices);
+    assembly.reportLoss(StreamNotification.NO_TIME_US);
+    assembly.drainTo(notifications);
     if (streaming.isEnded()) {
-      notices.add(new EndOfStream(assembly.lastUs()));
+      notifications.add(new EndOfStream(assembly.lastUs()));
       state = State.OVER;
     } else {
-      noticeThatItIsGone();
+      endAfterLoss();
     }
     return true;
   }
 
-  private void noticeThatItIsGone() {
+  private void endAfterLoss() {
     CameraInfo info = info();
-    notices.add(
+    notifications.add(
         new DeviceLost(
             info.model() + " " + info.serial() + " (" + info.id() + ")", assembly.lastUs()));
-    notices.add(new EndOfStream(assembly.lastUs()));
+    notifications.add(new EndOfStream(assembly.lastUs()));
     closeLink();
     if (options.reconnect()) {
       state = State.AWAY;
@@ -204,10 +201,10 @@ final class UsbCamera implements Camera {
       streams++;
     }
     state = State.STREAMING;
-    notices.add(new StreamStarted(geometry(), info().model() + " " + info().serial()));
+    notifications.add(new StreamStarted(geometry(), info().model() + " " + info().serial()));
   }
 
-  /** Looks for the camera when it is time to; false if the time is over before. */
+  /** Searches the camera when an attempt is due; false after a timeout. */
   private boolean lookAgain(long nanos) throws InterruptedIOException {
     try {
       if (!lookout.await(nanos)) {
@@ -235,7 +232,7 @@ final class UsbCamera implements Camera {
           lookout.end();
         }
       } catch (CameraProblem ignored) {
-        // Just plugged in, it may not answer yet, or the system has not given it to us yet.
+        // just plugged in, it may not answer yet, or access may not be granted yet
         if (connection.link != null) {
           connection.link.buffers().close();
         }
@@ -252,7 +249,7 @@ final class UsbCamera implements Camera {
     lookout.close();
     CameraLink now = connection.link;
     if (now != null) {
-      now.buffers().end(); // wakes the consumer, whatever happens on the bus
+      now.buffers().end(); // wakes the consumer in any state of the bus
     }
     closeLink();
   }

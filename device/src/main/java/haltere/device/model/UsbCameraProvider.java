@@ -34,7 +34,7 @@ public final class UsbCameraProvider implements CameraProvider {
   /**
    * The cameras on a bus.
    *
-   * @param bus where to look
+   * @param bus the bus to search
    */
   public UsbCameraProvider(UsbBus bus) {
     this(() -> bus, LockSupport::parkNanos, Lookout.Pace.USUAL);
@@ -43,9 +43,9 @@ public final class UsbCameraProvider implements CameraProvider {
   /**
    * The cameras on a bus.
    *
-   * @param bus where to look
-   * @param pause waits so many nanoseconds while a camera gets ready
-   * @param pace how often to look for a camera that is away
+   * @param bus the bus to search
+   * @param pause waits a number of nanoseconds for a camera to become ready
+   * @param pace intervals of the search for an unplugged camera
    */
   UsbCameraProvider(Supplier<UsbBus> bus, LongConsumer pause, Lookout.Pace pace) {
     this.bus = bus;
@@ -157,7 +157,7 @@ public final class UsbCameraProvider implements CameraProvider {
     return all;
   }
 
-  /** Opens a device for a moment, to see who it is and whether it can be used. */
+  /** Opens a device briefly to read its identity and to check access. */
   private Seen look(UsbDevice device, CameraModel model, List<Seen> before) {
     if (!model.obstacle().isEmpty()) {
       return seen(device, model, before, "", model.obstacle());

@@ -8,15 +8,16 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * What a DAVIS camera of logic version 18 sends: little-endian words of 16 bits. Bit 15 marks a
- * time (15 bits of microseconds); else bits 14 to 12 are a code: row, column with polarity, wraps
- * of the time, samples of frames, bytes of inertial samples, and special words. Rows count from the
- * top in the words and from the bottom in the packets.
+ * Decodes the data of a DAVIS camera with logic version 18: little-endian words of 16 bits. Bit 15
+ * marks a time (15 bits of microseconds); else bits 14 to 12 are a code: row, column with polarity,
+ * wraps of the time, samples of frames, bytes of inertial samples, and special words. Rows count
+ * from the top in the words and from the bottom in the packets.
  *
- * <p>A time that falls without a wrap is an error: the time before stays, and it is counted.
+ * <p>A time that decreases without a wrap is an error: the previous time is kept, and the error is
+ * counted.
  */
 public final class DavisDecoder implements WireDecoder {
-  /** Microseconds that a wrap stands for. */
+  /** Wrap period of the time in microseconds. */
   public static final int WRAP_US = 1 << 15;
 
   static final int WORD_BYTES = 2;
@@ -53,7 +54,7 @@ public final class DavisDecoder implements WireDecoder {
    * A decoder whose clock is at 0.
    *
    * @param layout of the camera's words
-   * @param samples whether frames, inertial samples and triggers are wanted
+   * @param samples whether frames, inertial samples and triggers are requested
    */
   public DavisDecoder(DavisLayout layout, boolean samples) {
     this.layout = layout;
@@ -218,7 +219,7 @@ public final class DavisDecoder implements WireDecoder {
         }
       }
       default -> {
-        // The exposure in clock cycles; the times of its start and end are equivalent.
+        // the exposure in clock cycles, equivalent to the times of its start and end
         oddWords += data >> 10 == 0 ? 0 : 1;
       }
     }

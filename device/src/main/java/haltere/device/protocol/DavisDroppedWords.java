@@ -5,8 +5,8 @@ import java.nio.ByteOrder;
 import java.util.function.Consumer;
 
 /**
- * Of a DAVIS camera's words: how many events, whether the clock was reset, wraps since then, the
- * last time and the last row.
+ * Summary of DAVIS words: number of events, clock reset, wraps since then, the last time and the
+ * last row.
  */
 final class DavisDroppedWords extends DroppedWords {
   private static final int NONE = -1;

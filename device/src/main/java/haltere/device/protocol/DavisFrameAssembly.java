@@ -48,7 +48,7 @@ final class DavisFrameAssembly {
     begun = false;
   }
 
-  /** Takes a special word; gives the frame if it ends a whole one, else null. */
+  /** Processes a special word; returns the frame that it completes, else null. */
   Frame mark(int code, long timeUs) {
     switch (code) {
       case GLOBAL_START, ROLLING_START -> begin(timeUs);
@@ -177,7 +177,7 @@ final class DavisFrameAssembly {
         values);
   }
 
-  /** A column or row as it lies on the sensor, counted from the left or from the top. */
+  /** A column or row on the sensor, counted from the left or from the top. */
   private int place(int number, int count, int flipBit) {
     return (layout.frameFlips() & flipBit) != 0 ? count - 1 - number : number;
   }

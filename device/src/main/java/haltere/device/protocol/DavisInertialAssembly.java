@@ -6,7 +6,8 @@ import haltere.core.event.InertialSample;
  * Assembles an inertial sample from its bytes: x, y and z of the acceleration, the temperature, x,
  * y and z of the rotation, each of 16 bits, the high byte first; disabled groups are missing.
  *
- * <p>Source of the scales: the InvenSense MPU-6050 and MPU-9250, ranges as the sample tells them.
+ * <p>Source of the scales: the InvenSense MPU-6050 and MPU-9250, with the ranges stated in the
+ * sample.
  */
 final class DavisInertialAssembly {
   private static final int VALUES = 7;
@@ -49,7 +50,7 @@ final class DavisInertialAssembly {
     count++;
   }
 
-  /** The sample, or null if it is not whole. */
+  /** The sample, or null if it is incomplete. */
   InertialSample end(long timeUs) {
     int groups =
         (has(HAS_ACCELERATION) ? 6 : 0)
@@ -89,7 +90,7 @@ final class DavisInertialAssembly {
     return layout.wideThermometer() ? raw / 333.87f + 21 : raw / 340f + 35;
   }
 
-  /** Which way an axis points: bits 2, 1 and 0 of the layout are for x, y and z. */
+  /** Sign of an axis: bits 2, 1 and 0 of the layout are for x, y and z. */
   private int sign(int value) {
     int axis = value < TEMPERATURE ? value : value - TEMPERATURE - 1;
     return (layout.inertialFlips() >> 2 - axis & 1) != 0 ? -1 : 1;

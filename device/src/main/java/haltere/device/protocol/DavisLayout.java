@@ -10,7 +10,7 @@ import haltere.core.event.SensorGeometry;
  * @param rows values that a row word can have, 1 to 2048
  * @param swapped whether column words are the sensor's rows
  * @param frameFlips for frames: bit 0 upside down, bit 1 left to right, bit 2 rows for columns
- * @param inertialFlips for inertial samples: bits 2, 1 and 0 turn x, y and z round
+ * @param inertialFlips for inertial samples: bits 2, 1 and 0 invert x, y and z
  * @param doubleSamples whether samples of pixels use half of their range (DAVIS240)
  * @param wideThermometer whether the thermometer is that of an MPU-9250, else of an MPU-6050
  */
@@ -32,7 +32,7 @@ public record DavisLayout(
   }
 
   /**
-   * The sensor as it looks at the world.
+   * The sensor in the orientation of the image.
    *
    * @return its size
    */

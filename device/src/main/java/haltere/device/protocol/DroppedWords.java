@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 
 /**
  * Summary of bytes that were dropped before decoding: the number of events, and a few words that
- * set the decoder to its state after them, above all to the right time. Its size is constant.
+ * restore the decoder's state after them, above all its time. Its size is constant.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -14,11 +14,11 @@ public abstract class DroppedWords {
   private long bytes;
   private boolean broken;
 
-  /** Nothing dropped. */
+  /** An empty summary. */
   DroppedWords() {}
 
   /**
-   * Notes bytes that are dropped after those before.
+   * Adds bytes dropped after the previous ones.
    *
    * @param dropped the bytes of one transfer; its position does not move
    */
@@ -43,12 +43,12 @@ public abstract class DroppedWords {
     join(later);
   }
 
-  /** Notes that something else is missing of which nothing is known. */
+  /** Adds a loss of unknown size. */
   public final void addUnknown() {
     broken = true;
   }
 
-  /** Forgets everything. */
+  /** Clears the summary. */
   public final void clear() {
     transfers = 0;
     bytes = 0;
@@ -57,16 +57,16 @@ public abstract class DroppedWords {
   }
 
   /**
-   * Whether nothing is missing.
+   * Whether nothing was dropped.
    *
-   * @return true if nothing was noted
+   * @return true if nothing was added
    */
   public final boolean isEmpty() {
     return transfers == 0 && !broken;
   }
 
   /**
-   * Whether more is missing than was counted.
+   * Whether there are losses of unknown size.
    *
    * @return true after {@link #addUnknown}
    */
@@ -100,7 +100,7 @@ public abstract class DroppedWords {
   public abstract long events();
 
   /**
-   * Gives the words that have the same effect on the decoder's state, without events.
+   * Provides words with the same effect on the decoder's state, without events.
    *
    * @param decoder receives them, piece by piece
    */

@@ -9,14 +9,14 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * What a DVS128 sends: little-endian words of 32 bits, address below (as in AEDAT-2, see {@link
- * Dvs128AddressDecoder}), time above. The two highest bits of the time tell: 1x adds 16,384 us to
- * the clock, 01 sets it to 0, 00 is an event at the 14 bits of microseconds that follow. An address
- * with bit 15 is an edge on the camera's input.
+ * Decodes the data of a DVS128: little-endian words of 32 bits, address in the lower half (as in
+ * AEDAT-2, see {@link Dvs128AddressDecoder}), time in the upper. The two highest bits of the time
+ * are a code: 1x adds 16,384 us to the clock, 01 sets it to 0, 00 is an event at the 14 bits of
+ * microseconds that follow. An address with bit 15 is an edge on the camera's input.
  *
- * <p>A time that falls by more than half of the 14 bits says that the word which adds to the clock
- * is missing; it is made up for. One that falls by less is an error of the camera (or garbage): the
- * event gets the time of the one before. Both are counted.
+ * <p>A time that decreases by more than half of the 14 bits indicates a missing wrap word, which is
+ * compensated. After a smaller decrease, an error of the camera, the event gets the previous time.
+ * Both are counted.
  */
 public final class Dvs128Decoder implements WireDecoder {
   /** Microseconds from one wrap word to the next. */
@@ -36,7 +36,7 @@ public final class Dvs128Decoder implements WireDecoder {
   private long offsetUs;
   private long lastUs = StreamNotification.NO_TIME_US;
 
-  /** So many more wraps the reset of the clock is awaited; 0 if it is not. */
+  /** Remaining wraps for which a clock reset is awaited; 0 if it is not. */
   private int wrapsToAwaitReset;
 
   private Trigger trigger;
@@ -45,7 +45,7 @@ public final class Dvs128Decoder implements WireDecoder {
   /**
    * A decoder whose clock is at 0.
    *
-   * @param samples whether edges on the camera's input are wanted, as triggers
+   * @param samples whether edges on the camera's input are requested, as triggers
    */
   public Dvs128Decoder(boolean samples) {
     this.samples = samples;
@@ -89,7 +89,7 @@ public final class Dvs128Decoder implements WireDecoder {
     return Stop.INPUT_USED;
   }
 
-  /** Decodes events from an index on while their times ascend; returns where that ends. */
+  /** Decodes events from an index on while their times ascend; returns the end index. */
   private int decodeEvents(int from, int to, EventPacket out) {
     int size = out.size();
     out.ensureCapacity(size + to - from);
@@ -113,7 +113,7 @@ public final class Dvs128Decoder implements WireDecoder {
     return i;
   }
 
-  /** The packed address of an event: {@link Dvs128AddressDecoder} without its questions. */
+  /** The packed address of an event: {@link Dvs128AddressDecoder} without checks. */
   private static int address(int word) {
     return (word & PIXEL_BITS) << 8 | (word & 0xff) ^ 0xff;
   }

@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.function.Consumer;
 
-/** Of a DVS128's words: how many events, whether the clock was reset, and wraps since then. */
+/** Summary of DVS128 words: number of events, clock reset, and wraps since then. */
 final class Dvs128DroppedWords extends DroppedWords {
   private static final int WRAPS_AT_ONCE = 1024;
 

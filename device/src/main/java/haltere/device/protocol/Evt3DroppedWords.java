@@ -5,7 +5,7 @@ import java.nio.ByteOrder;
 import java.util.function.Consumer;
 
 /**
- * Of EVT3 words: how many events, turns of the clock, and the last time, row and start of a run.
+ * Summary of EVT3 words: number of events, clock wraps, and the last time, row and start of a run.
  */
 final class Evt3DroppedWords extends DroppedWords {
   private static final int NONE = -1;
@@ -20,7 +20,7 @@ final class Evt3DroppedWords extends DroppedWords {
   private static final int LAST_HIGH = TIME_HIGH << 12 | 0xfff;
   private static final int FIRST_HIGH = TIME_HIGH << 12;
 
-  /** A fall of the high part by this much or more is a wrap of the clock. */
+  /** Minimum decrease of the high part that is a wrap. */
   private static final int TURN_FALL = 2048;
 
   private static final int WORDS_AT_ONCE = 8;

@@ -12,8 +12,8 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * EVT3 words as a Prophesee camera sends them: those of a file, decoded by {@link Evt3Decoder},
- * with edges on the camera's input as triggers.
+ * Decodes the EVT3 words of a Prophesee camera by {@link Evt3Decoder}, with edges on the camera's
+ * input as triggers.
  */
 public final class Evt3WireDecoder implements WireDecoder {
   static final int WORD_BYTES = 2;
@@ -34,7 +34,7 @@ public final class Evt3WireDecoder implements WireDecoder {
    * A decoder before the first word.
    *
    * @param geometry the sensor
-   * @param samples whether edges on the camera's input are wanted, as triggers
+   * @param samples whether edges on the camera's input are requested, as triggers
    */
   public Evt3WireDecoder(SensorGeometry geometry, boolean samples) {
     this.samples = samples;

@@ -5,19 +5,19 @@ import haltere.core.event.SensorSample;
 import java.nio.ByteBuffer;
 
 /**
- * Turns the bytes of a camera into packets, samples and resets of its clock, in the order of the
- * stream. Pure: all state is in the object. What is wrong in the bytes is counted, never thrown.
+ * Decodes the bytes of a camera into packets, samples and clock resets, in the order of the stream.
+ * All state is in the object. Invalid bytes are counted, not thrown.
  *
  * <p>Thread rule: one thread; {@link #oddWords} may be called from any.
  */
 public interface WireDecoder {
-  /** Why {@link #decode} came back. */
+  /** Reason for the return of {@link #decode}. */
   enum Stop {
-    /** No whole word is left in the input; a rest of it has been counted and skipped. */
+    /** The input has no complete word left; a remainder has been counted and skipped. */
     INPUT_USED,
-    /** The packet holds as many events as were asked for. */
+    /** The packet has the requested number of events. */
     PACKET_FULL,
-    /** A frame, an inertial sample or a trigger stands here: {@link #sample}. */
+    /** A frame, an inertial sample or a trigger: {@link #sample}. */
     SAMPLE,
     /** The camera's clock was reset here; later times may be smaller. */
     CLOCK_RESET
@@ -26,34 +26,34 @@ public interface WireDecoder {
   /**
    * Decodes until something other than an event, or the end of input or packet.
    *
-   * @param in bytes of one transfer; its position moves behind what was decoded
+   * @param in bytes of one transfer; its position is advanced past the decoded bytes
    * @param out events are appended; their times never descend
    * @param maxEvents events that the packet may hold, more than it holds
-   * @return why it came back
+   * @return the reason
    */
   Stop decode(ByteBuffer in, EventPacket out, int maxEvents);
 
   /**
-   * What {@link #decode} came to.
+   * The sample found by {@link #decode}.
    *
    * @return the sample; only after {@link Stop#SAMPLE}
    */
   SensorSample sample();
 
-  /** Bytes are missing here: incomplete data are dropped, and the next time is arbitrary. */
+  /** Handles missing bytes: incomplete data are dropped, and the next time is arbitrary. */
   void breakOff();
 
   /**
-   * Words without a meaning, bytes that are no whole word, and times that cannot be true.
+   * Number of invalid words, incomplete words and impossible times.
    *
-   * @return a count since the decoder was made
+   * @return a count since the decoder was created
    */
   long oddWords();
 
   /**
-   * An empty note of bytes that this decoder will not get.
+   * An empty summary for bytes dropped before this decoder.
    *
-   * @return a note
+   * @return a summary
    */
   DroppedWords droppedWords();
 }

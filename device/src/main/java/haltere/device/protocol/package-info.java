@@ -1,5 +1,5 @@
 /**
- * What cameras send, bytes to events and samples: state machines without a cable, fed by a file as
- * well as by USB.
+ * Decoders of camera data to events and samples: state machines without input or output, for USB
+ * and files alike.
  */
 package haltere.device.protocol;

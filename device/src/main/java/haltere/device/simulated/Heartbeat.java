@@ -5,8 +5,7 @@ import haltere.core.stream.internal.Daemon;
 import java.util.function.Consumer;
 
 /**
- * Lets the time of a simulated camera go on by itself, on a thread of its own, as a camera's does
- * whatever the consumer is busy with.
+ * Advances the time of a simulated camera on its own thread, independent of the consumer.
  *
  * <p>Thread rule: all methods may be called from any thread.
  */
@@ -20,7 +19,7 @@ final class Heartbeat {
   /**
    * A heartbeat that is not started.
    *
-   * @param transfers made when due
+   * @param transfers created when due
    * @param name of the camera
    * @param failed called on its thread if the scene fails
    */
@@ -37,7 +36,7 @@ final class Heartbeat {
     }
   }
 
-  /** The camera was plugged in or closed. */
+  /** Wakes the thread after the camera was plugged in or closed. */
   void wake() {
     sleeper.wake();
   }

@@ -24,7 +24,7 @@ final class Latencies {
     return longestUs;
   }
 
-  /** So many of a thousand were at most so long. */
+  /** A quantile of the latencies, share in thousandths. */
   long ofThousandUs(int share) {
     int known = Math.min(count, latestUs.length);
     if (known == 0) {

@@ -1,8 +1,7 @@
 package haltere.device.simulated;
 
 /**
- * The plug of a simulated camera: a facet, so that tests and a person can see what happens when it
- * is pulled.
+ * The plug of a simulated camera: a facet for simulating disconnection.
  *
  * <p>Thread rule: all methods may be called from any thread.
  */
@@ -14,7 +13,7 @@ public interface Plug {
   void plugIn();
 
   /**
-   * Whether the camera is there.
+   * Whether the camera is plugged in.
    *
    * @return true until it is unplugged
    */

@@ -35,7 +35,7 @@ final class SimulatedBiases implements Biases, BiasSliders {
   private final Map<String, SensorTuning> sets = new LinkedHashMap<>();
   private final Map<Slider, Double> sliders = new EnumMap<>(Slider.class);
 
-  /** What is in effect in the middle of the sliders; guarded by the transfers. */
+  /** Tuning at the middle of the sliders; guarded by the transfers. */
   private SensorTuning middle;
 
   /**

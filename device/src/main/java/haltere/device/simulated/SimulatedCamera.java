@@ -28,8 +28,8 @@ import java.util.function.LongSupplier;
 
 /**
  * A scene that behaves as a camera: see {@link SimulatedTransfers}. In real time a {@link
- * Heartbeat} makes the events, whatever the consumer does; with an injected clock the consumer's
- * own thread does when it asks for the next, so that everything is as reproducible as the scene.
+ * Heartbeat} creates the events independent of the consumer; with an injected clock the consumer's
+ * thread creates them on demand, so that the stream is reproducible.
  */
 final class SimulatedCamera implements Camera, TimestampReset, RegionOfInterest, Plug {
   private static final int BYTES_OF_EVENT = 4;
@@ -48,7 +48,7 @@ final class SimulatedCamera implements Camera, TimestampReset, RegionOfInterest,
     return new SimulatedCamera(info, scene, options, System::nanoTime, Sleeper.real(), true);
   }
 
-  /** A camera whose time continues where its consumer waits. */
+  /** A camera whose time advances while its consumer waits. */
   static SimulatedCamera stepped(
       CameraInfo info,
       Scene<?> scene,
@@ -211,7 +211,7 @@ final class SimulatedCamera implements Camera, TimestampReset, RegionOfInterest,
     }
   }
 
-  // ---- What it can be asked and told
+  // ---- State and settings
 
   @Override
   public CameraStatistics statistics() {

@@ -19,13 +19,13 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
 /**
- * A simulated camera for each scene that there is: {@code simulated:fly}, {@code simulated:road}
- * and those that other jars add.
+ * A simulated camera for each scene: {@code simulated:fly}, {@code simulated:road} and those of
+ * other jars.
  */
 public final class SimulatedCameraProvider implements CameraProvider {
   private static final String PREFIX = "simulated:";
 
-  /** Makes a camera of a scene. */
+  /** Creates a camera of a scene. */
   private interface Maker {
     Camera make(CameraInfo info, Scene<?> scene, CameraOptions options);
   }
@@ -39,10 +39,10 @@ public final class SimulatedCameraProvider implements CameraProvider {
   }
 
   /**
-   * Cameras that live by another clock, and do nothing but when their consumer asks for something.
+   * Cameras with another clock, which advance only in calls of their consumer.
    *
-   * @param nanoTime their time, nanoseconds from anywhere
-   * @param sleepers make what a consumer waits with
+   * @param nanoTime their clock in nanoseconds, with any origin
+   * @param sleepers create the wait of a consumer
    */
   public SimulatedCameraProvider(LongSupplier nanoTime, Supplier<Sleeper> sleepers) {
     Objects.requireNonNull(nanoTime, "nanoTime");

@@ -12,12 +12,12 @@ import java.io.UncheckedIOException;
 import java.util.Optional;
 
 /**
- * Cuts what a scene makes ahead of time into pieces whose time has come.
+ * Buffers the events of a scene until they are due.
  *
  * <p>Times are microseconds since the beginning of the scene. Thread rule: one thread at a time.
  */
 final class SimulatedSensor {
-  /** A scene that gives an empty packet is silent for so long. */
+  /** Duration of silence after an empty packet of a scene. */
   private static final long SILENCE_US = 1_000_000;
 
   private final Scene<?> scene;
@@ -51,7 +51,7 @@ final class SimulatedSensor {
     this.scene = scene;
   }
 
-  /** Whether the scene has ended and nothing is left of it. */
+  /** Whether the scene has ended and all its events are taken. */
   boolean isOver() {
     return over && index == ahead.size();
   }
@@ -65,11 +65,11 @@ final class SimulatedSensor {
   }
 
   /**
-   * Hands out the events before a time.
+   * Takes the events before a time.
    *
    * @param untilUs not before that of the last call
-   * @param zeroUs time that the camera's clock calls 0
-   * @param out gets them on the camera's clock, behind those it has
+   * @param zeroUs time of 0 on the camera's clock
+   * @param out receives them on the camera's clock, appended
    */
   void takeUntil(long untilUs, long zeroUs, EventPacket out) {
     long offsetUs = scene.startUs() + zeroUs;

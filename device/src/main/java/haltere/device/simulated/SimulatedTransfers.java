@@ -24,10 +24,9 @@ import java.util.function.Supplier;
  * The device side of a simulated camera: transfers of a millisecond are created at their time and
  * queued for the consumer. The queue is bounded; further transfers are lost, counted and reported.
  *
- * <p>Its clock is live. Where making the scene takes so long that it falls behind, the scene stands
- * still for the time that is missing, and a notice stands there, without a number, for nobody knows
- * which events there would have been. While the camera is unplugged the scene stands still too, and
- * the clock starts from 0 when it is plugged in again.
+ * <p>Its clock is live. If the simulation falls too far behind, the scene is paused for the missing
+ * time, which is reported as a loss of unknown size. While the camera is unplugged the scene is
+ * paused too, and the clock restarts from 0 when it is plugged in again.
  *
  * <p>Thread rule: all methods may be called from any thread; the lock is fair.
  */
@@ -39,10 +38,10 @@ final class SimulatedTransfers {
   private static final long NANOS_PER_US = 1000;
   private static final long UNKNOWN = -1;
 
-  /** Time that making a scene may take at once, while others wait for the lock. */
+  /** Maximum duration of one simulation step, during which others wait for the lock. */
   private static final long MAX_WORK_NANOS = 5_000_000;
 
-  /** The scene may be so much later than the clock, to be made up for. */
+  /** Maximum delay of the scene that is caught up. */
   private static final long MAX_LATE_US = 200_000;
 
   private final CameraInfo info;
@@ -51,7 +50,7 @@ final class SimulatedTransfers {
   private final SimulatedSensor sensor;
   private final ReentrantLock lock = new ReentrantLock(true);
 
-  // Below: guarded by the lock. Times of the scene count from its beginning.
+  // Below: guarded by the lock. Times of the scene are relative to its start.
   private final ArrayDeque<LiveBuffer> streams = new ArrayDeque<>();
   private final EventPacket transfer = new EventPacket(TRANSFER_EVENTS);
   private LiveBuffer filling;
@@ -59,10 +58,10 @@ final class SimulatedTransfers {
   private boolean pluggedIn = true;
   private boolean closed;
 
-  /** Time of the scene up to which it is made. */
+  /** Scene time up to which it is simulated. */
   private long madeUs;
 
-  /** Time of the scene that the camera's clock calls 0. */
+  /** Scene time of 0 on the camera's clock. */
   private long zeroUs;
 
   /** When the scene began. */
@@ -81,13 +80,13 @@ final class SimulatedTransfers {
   /**
    * Counts of the transfers.
    *
-   * @param transfers that were made
+   * @param transfers created transfers
    * @param events in them
    * @param lost lost events
-   * @param waiting transfers that wait now
-   * @param mostWaiting largest number that waited
-   * @param streams that were begun
-   * @param timesBehind how often the scene stood still because making it took too long
+   * @param waiting waiting transfers
+   * @param mostWaiting largest number of waiting transfers
+   * @param streams started streams
+   * @param timesBehind number of pauses of the scene because the simulation was too slow
    */
   record Counts(
       long transfers,
@@ -141,12 +140,12 @@ final class SimulatedTransfers {
     filling.notified(new StreamStarted(info.geometry(), info.id()));
   }
 
-  /** Time of the scene that it is now. */
+  /** Current scene time. */
   private long sceneUs() {
     return Math.floorDiv(nanoTime.getAsLong() - anchorNanos, NANOS_PER_US);
   }
 
-  /** Makes the transfers whose time has come, for some milliseconds at most. */
+  /** Creates the transfers that are due, for some milliseconds at most. */
   void makeDue() {
     lock.lock();
     try {
@@ -163,7 +162,7 @@ final class SimulatedTransfers {
     }
   }
 
-  /** The clock has advanced during the simulation: the late interval is skipped. */
+  /** Skips the late interval after the clock has advanced during the simulation. */
   private void standStill(long lateUs) {
     if (lateUs > MAX_LATE_US) {
       anchorNanos += lateUs * NANOS_PER_US;
@@ -213,27 +212,27 @@ final class SimulatedTransfers {
 
   // ---- Taking
 
-  /** The stream that the consumer is at, or null. */
+  /** The current stream of the consumer, or null. */
   LiveBuffer stream() {
     return read(streams::peek);
   }
 
-  /** The consumer has seen the end of a stream. */
+  /** Removes a stream whose end the consumer has received. */
   void taken(LiveBuffer stream) {
     locked(() -> streams.remove(stream));
   }
 
-  /** Whether nothing more will be made. */
+  /** Whether no more transfers will be created. */
   boolean isOver() {
     return read(() -> closed || filling == null && (pluggedIn ? begun : !options.reconnect()));
   }
 
-  /** Whether the consumer has had all there will be. */
+  /** Whether the consumer has received everything. */
   boolean isTaken() {
     return read(() -> streams.isEmpty() && isOver());
   }
 
-  // ---- What it can be asked and told
+  // ---- State and settings
 
   Counts counts() {
     return read(
@@ -257,7 +256,7 @@ final class SimulatedTransfers {
         () -> eventsSeen ? Optional.of(anchorNanos + zeroUs * NANOS_PER_US) : Optional.empty());
   }
 
-  /** How long ago a time of the camera's clock was. */
+  /** Elapsed time since a time of the camera's clock. */
   long sinceUs(long cameraUs) {
     return read(() -> sceneUs() - zeroUs - cameraUs);
   }
@@ -271,7 +270,7 @@ final class SimulatedTransfers {
     }
   }
 
-  /** Asks what changes under the lock only. */
+  /** Reads guarded state. */
   <T> T read(Supplier<T> question) {
     lock.lock();
     try {

@@ -7,17 +7,16 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * How the consumer waits for something to change: at work for the bus where that lets it, else
- * asleep.
+ * The wait of the consumer for a change: handling events of the bus if possible, else asleep.
  *
- * <p>Thread rule: the lock is held, but for {@link #interrupt}.
+ * <p>Thread rule: the lock is held except for {@link #interrupt}.
  */
 final class ArrivalWait {
   private final ReentrantLock lock;
   private final Condition changed;
   private final BusWork work;
 
-  /** 1 once something has changed since the consumer last looked; libusb reads it. */
+  /** 1 after a change since the consumer's last check; libusb reads it. */
   private final IntBuffer change =
       ByteBuffer.allocateDirect(Integer.BYTES).order(ByteOrder.nativeOrder()).asIntBuffer();
 
@@ -33,17 +32,17 @@ final class ArrivalWait {
     changed.signalAll();
   }
 
-  /** Wakes a consumer that works for the bus; without the lock. */
+  /** Wakes a consumer that handles events of the bus; without the lock. */
   void interrupt() {
     work.interrupt();
   }
 
-  /** Does what there is to do for the bus. */
+  /** Handles pending events of the bus. */
   void look() {
     work(0);
   }
 
-  /** Waits until something changes, or not; without the lock meanwhile. */
+  /** Waits for a change or a timeout; releases the lock meanwhile. */
   void await(long nanos) throws InterruptedException {
     if (Thread.interrupted()) {
       throw new InterruptedException();

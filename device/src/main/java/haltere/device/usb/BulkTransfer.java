@@ -3,7 +3,7 @@ package haltere.device.usb;
 import java.nio.ByteBuffer;
 
 /**
- * A transfer from a device, used again and again; only {@link TransferRing} uses it.
+ * A reusable transfer from a device; only {@link TransferRing} uses it.
  *
  * <p>Thread rule: under the lock of its ring.
  */
@@ -12,11 +12,10 @@ public interface BulkTransfer {
    * Starts it.
    *
    * @param buffer direct, filled from 0 to its capacity; not touched until the listener is called
-   * @return true if it is under way; false if the device does not take it, mostly because it is
-   *     gone
+   * @return true if it is active; false if the device rejects it, mostly because it is unplugged
    */
   boolean submit(ByteBuffer buffer);
 
-  /** Asks for its end; the listener will be called. Does nothing if it is not under way. */
+  /** Requests its cancellation; the listener will be called. No effect if it is not active. */
   void cancel();
 }

@@ -3,13 +3,13 @@ package haltere.device.usb;
 import java.nio.IntBuffer;
 
 /**
- * The work of a bus: calling the listeners of transfers. A waiting consumer does this itself, so
- * that data need not pass from one thread to another.
+ * Event handling of a bus: calling the listeners of transfers. A waiting consumer does this itself,
+ * which saves a hand-over between threads.
  *
  * <p>Thread rule: all methods may be called from any thread that is not within a listener.
  */
 public interface BusWork {
-  /** The bus works on a thread of its own always. */
+  /** The bus always has its own thread. */
   BusWork ELSEWHERE =
       new BusWork() {
         @Override
@@ -24,16 +24,16 @@ public interface BusWork {
       };
 
   /**
-   * Works until something has happened on the bus. Listeners are called on this thread, or on
-   * another one if that works already.
+   * Handles events until one has occurred. Listeners are called on this thread, or on another one
+   * that already handles events.
    *
-   * @param nanos at most about so long; with 0, does only what there is to do
-   * @param noMore direct, one number: where it is not 0, nothing is waited for. A listener may set
-   *     it; whoever else does calls {@link #interrupt} then
-   * @return false if this thread may not work; it has neither worked nor waited then
+   * @param nanos approximate longest wait; 0 for pending events only
+   * @param noMore direct, one number: unless it is 0, there is no wait. A listener may set it;
+   *     others call {@link #interrupt} afterwards
+   * @return false if this thread may not handle events; it has not waited then
    */
   boolean doFor(long nanos, IntBuffer noMore);
 
-  /** Has the threads that work look at their {@code noMore}. */
+  /** Makes the event-handling threads check their {@code noMore}. */
   void interrupt();
 }

@@ -14,8 +14,8 @@ import org.usb4java.DeviceList;
 import org.usb4java.LibUsb;
 
 /**
- * USB through libusb, which usb4java brings along. One context for the whole program; while a
- * device is open or somebody watches, a thread handles its events.
+ * USB through libusb, which usb4java contains. One context for the whole program; while a device is
+ * open or there is a subscription, a thread handles its events.
  */
 public final class LibusbBus implements UsbBus {
   private static final class Found {

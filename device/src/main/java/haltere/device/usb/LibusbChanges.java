@@ -9,11 +9,11 @@ import org.usb4java.LibUsb;
 
 /**
  * Reports arrivals and removals of devices by libusb's hot-plug callbacks, where available: on
- * Linux and macOS, not on Windows. One callback for the program, which is never taken back:
- * usb4java forgets a callback that is taken back while libusb may be on its way to call it.
+ * Linux and macOS, not on Windows. One callback for the program, which is never removed: usb4java
+ * releases a removed callback while libusb may be about to call it.
  *
- * <p>Thread rule: all methods may be called from any thread; whoever watches is told by a thread
- * that works in {@link LibusbEvents}.
+ * <p>Thread rule: all methods may be called from any thread; subscribers are called by an
+ * event-handling thread of {@link LibusbEvents}.
  */
 final class LibusbChanges {
   private static final int GO_ON = 0;

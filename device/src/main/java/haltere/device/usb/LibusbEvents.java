@@ -7,21 +7,21 @@ import org.usb4java.Context;
 import org.usb4java.LibUsb;
 
 /**
- * Calls the listeners of transfers that have ended, while a device is open: on the threads of
- * consumers that wait for something, and on a thread of its own while they are busy. libusb lets
- * one of them do so at a time; the others wait for what that one brings.
+ * Calls the listeners of ended transfers while a device is open: on the threads of waiting
+ * consumers, and on its own thread while they are busy. libusb allows one of them at a time; the
+ * others wait for its results.
  *
  * <p>Thread rule: all methods may be called from any thread that is not within a listener.
  */
 final class LibusbEvents implements BusWork {
   private static final long LONGEST_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
 
-  /** A consumer that has been away for so long is busy. */
+  /** Time without a call after which a consumer is busy. */
   private static final long BUSY_MS = 4;
 
   private static final long BUSY_NANOS = TimeUnit.MILLISECONDS.toNanos(BUSY_MS);
 
-  /** Not oftener than this does a consumer look that has something else to do. */
+  /** Shortest interval of checks by a busy consumer. */
   private static final long LOOK_NANOS = TimeUnit.MICROSECONDS.toNanos(250);
 
   private final Context context;
@@ -36,7 +36,7 @@ final class LibusbEvents implements BusWork {
     this.context = context;
   }
 
-  /** Has events handled until {@link #leave}. */
+  /** Enables event handling until {@link #leave}. */
   synchronized void join() {
     users++;
     if (thread == null) {
@@ -45,7 +45,7 @@ final class LibusbEvents implements BusWork {
     }
   }
 
-  /** Takes back one {@link #join}. */
+  /** Ends one {@link #join}. */
   void leave() {
     synchronized (this) {
       users--;
@@ -81,7 +81,7 @@ final class LibusbEvents implements BusWork {
     return false;
   }
 
-  /** In what time they may be called busy at the earliest; 0 if they are, or if there is none. */
+  /** Shortest time until all consumers are busy; 0 if they are, or if there is none. */
   private long untilConsumersAreBusyMs() {
     if (consumers > 0) {
       return BUSY_MS;
@@ -139,8 +139,8 @@ final class LibusbEvents implements BusWork {
   // ---- On any
 
   /**
-   * Does something while no thread is within a listener, nor on its way out of one: after a
-   * listener has returned, usb4java still looks at the transfer.
+   * Runs an action while no thread is in a listener or returning from one: usb4java still accesses
+   * the transfer after its listener has returned.
    */
   void betweenEvents(Runnable action) {
     synchronized (this) {

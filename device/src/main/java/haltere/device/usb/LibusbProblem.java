@@ -4,11 +4,11 @@ import haltere.core.camera.CameraProblem;
 import haltere.core.camera.CameraProblem.Kind;
 import org.usb4java.LibUsb;
 
-/** libusb's error numbers in words. */
+/** Converts libusb's error numbers to problems. */
 final class LibusbProblem {
   private LibusbProblem() {}
 
-  /** Returns a result that is no error; throws otherwise. */
+  /** Returns a result that is not an error; throws otherwise. */
   static int check(int result, String attempt) throws CameraProblem {
     if (result < 0) {
       throw of(result, attempt);

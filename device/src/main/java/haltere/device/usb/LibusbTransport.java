@@ -8,7 +8,7 @@ import org.usb4java.DeviceHandle;
 import org.usb4java.LibUsb;
 import org.usb4java.Transfer;
 
-/** A device that libusb has opened. Requests go one after the other; closing waits for the last. */
+/** A device that libusb has opened. Requests are serialised; closing waits for the last. */
 final class LibusbTransport implements UsbTransport {
   private static final byte TO_DEVICE = 0x40;
   private static final byte FROM_DEVICE = (byte) 0xc0;

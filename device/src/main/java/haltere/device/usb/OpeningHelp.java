@@ -3,7 +3,7 @@ package haltere.device.usb;
 import java.util.Locale;
 
 /**
- * What somebody has to do before a device can be opened.
+ * Advice for devices that cannot be opened.
  *
  * <p>Thread rule: immutable.
  */
@@ -13,9 +13,9 @@ public final class OpeningHelp {
   private OpeningHelp() {}
 
   /**
-   * What to do where this user may not open a device.
+   * Advice if this user may not open a device.
    *
-   * @param device which
+   * @param device the device
    * @param system name of the operating system, as in the system property {@code os.name}
    * @return a sentence, on Linux with the udev rule and the command that sets it up
    */
@@ -28,7 +28,7 @@ public final class OpeningHelp {
   /**
    * The udev rule that lets the users of a computer open a device.
    *
-   * @param device which
+   * @param device the device
    * @return a line of a rule file
    */
   public static String udevRule(UsbDevice device) {
@@ -41,9 +41,9 @@ public final class OpeningHelp {
   }
 
   /**
-   * The command that adds the rule and has it taken note of.
+   * The command that adds and activates the rule.
    *
-   * @param device which
+   * @param device the device
    * @return a line for a shell
    */
   public static String udevCommand(UsbDevice device) {
@@ -55,7 +55,7 @@ public final class OpeningHelp {
   }
 
   /**
-   * What to do where the system has another driver for a device, or none.
+   * Advice if the system has another driver for a device, or none.
    *
    * @param system name of the operating system, as in the system property {@code os.name}
    * @return a sentence

@@ -34,7 +34,7 @@ public final class Received {
     arrivedNanos = nanos;
   }
 
-  /** Exchanges the summary of earlier dropped words for another one. */
+  /** Replaces the summary of earlier dropped words. */
   DroppedWords swapBefore(DroppedWords other) {
     DroppedWords old = before;
     before = other;
@@ -42,9 +42,9 @@ public final class Received {
   }
 
   /**
-   * The bytes that came.
+   * The received bytes.
    *
-   * @return a view of its own, little-endian
+   * @return a new view, little-endian
    */
   public ByteBuffer bytes() {
     return buffer.slice(0, length).order(ByteOrder.LITTLE_ENDIAN);
@@ -53,14 +53,14 @@ public final class Received {
   /**
    * How the transfer ended.
    *
-   * @return if not completed, something is missing after the bytes
+   * @return if not completed, data are missing after the bytes
    */
   public TransferEnd end() {
     return end;
   }
 
   /**
-   * When it came.
+   * Time of arrival.
    *
    * @return by {@link System#nanoTime}
    */
@@ -69,9 +69,9 @@ public final class Received {
   }
 
   /**
-   * What was dropped before it.
+   * The words dropped before it.
    *
-   * @return empty if nothing was
+   * @return may be empty
    */
   public DroppedWords before() {
     return before;

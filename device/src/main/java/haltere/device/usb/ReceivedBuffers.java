@@ -11,10 +11,10 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Supplier;
 
 /**
- * What has come and waits for the consumer. All buffers are made at the start; if too many wait,
- * whole transfers are dropped, and what must be known of them stays in the queue at their place.
+ * Queue of received buffers for the consumer. All buffers are allocated at the start; if too many
+ * wait, whole transfers are dropped, and their summary stays in the queue.
  *
- * <p>Thread rule: one thread at a time works for the bus ({@link #arrived}, {@link
+ * <p>Thread rule: one thread at a time handles events of the bus ({@link #arrived}, {@link
  * #endOfDeviceWithin}); it may be the consumer's, of which there is one ({@link #take}, {@link
  * #release}). The rest from any thread.
  */
@@ -31,7 +31,7 @@ public final class ReceivedBuffers {
   private final ArrayDeque<Received> free = new ArrayDeque<>();
   private final ArrayDeque<Received> waiting = new ArrayDeque<>();
 
-  /** What was dropped after all that waits. */
+  /** Words dropped after all waiting buffers. */
   private DroppedWords droppedLast;
 
   /** Dropped words that are no longer needed. */
@@ -51,13 +51,13 @@ public final class ReceivedBuffers {
   /**
    * Empty buffers.
    *
-   * @param transfers how many the device may fill at a time, at least 1
-   * @param waiting how many may wait for the consumer, at least 1
+   * @param transfers number that the device may fill at a time, at least 1
+   * @param waiting maximum number waiting for the consumer, at least 1
    * @param bufferBytes size of each
-   * @param whenFull which are dropped if more would have to wait; where it is the oldest, also what
-   *     waited for half a second when something newer comes
-   * @param notes makes empty notes of what is dropped
-   * @param work of the bus, for a consumer that waits
+   * @param whenFull which are dropped if more would wait; if the oldest, also those that have
+   *     waited for half a second when a newer one arrives
+   * @param notes creates empty summaries of dropped words
+   * @param work of the bus, for a waiting consumer
    * @throws IllegalArgumentException if there are none, or if all would need more than 1 GiB
    */
   public ReceivedBuffers(
@@ -105,10 +105,10 @@ public final class ReceivedBuffers {
   }
 
   /**
-   * Takes a buffer that a transfer has ended with; never waits for the consumer.
+   * Queues the buffer of an ended transfer; never waits for the consumer.
    *
    * @param received filled
-   * @return the buffer to go on with, which may be the same
+   * @return the buffer for the next transfer, which may be the same
    */
   Received arrived(Received received) {
     lock.lock();
@@ -189,7 +189,7 @@ public final class ReceivedBuffers {
     }
   }
 
-  /** Counts what the consumer will never get. */
+  /** Counts a buffer that the consumer will not receive. */
   private void abandon(Received received) {
     if (received.length() > 0) {
       abandoned.clear();
@@ -220,8 +220,8 @@ public final class ReceivedBuffers {
   /**
    * Waits for the next buffer.
    *
-   * @param nanos at most so long
-   * @return a buffer to {@link #release}, or null if none came in time or none will come
+   * @param nanos longest wait
+   * @return a buffer to {@link #release}, or null after a timeout or at the end
    * @throws InterruptedIOException if the thread is interrupted
    */
   public Received take(long nanos) throws InterruptedIOException {
@@ -243,9 +243,7 @@ public final class ReceivedBuffers {
     }
   }
 
-  /**
-   * Waits for a change, at most so long, and not beyond the end of the device; returns how long.
-   */
+  /** Waits for a change, up to a time limit or the end of the device; returns the elapsed time. */
   private long awaitChange(long nanos) throws InterruptedException {
     long start = System.nanoTime();
     change.await(leaving ? Math.min(nanos, goneNanos - start) : nanos);
@@ -255,9 +253,9 @@ public final class ReceivedBuffers {
   }
 
   /**
-   * Gives a buffer back.
+   * Returns a buffer.
    *
-   * @param received one that was taken
+   * @param received a buffer from {@link #take}
    */
   public void release(Received received) {
     lock.lock();
@@ -270,9 +268,9 @@ public final class ReceivedBuffers {
   }
 
   /**
-   * Whether the device is gone and all that came before that has been taken.
+   * Whether the device is lost and all earlier data have been taken.
    *
-   * @return true if {@link #take} will give nothing any more because of that
+   * @return true if {@link #take} will return null for this reason
    */
   public boolean isAtEndOfDevice() {
     lock.lock();
@@ -284,9 +282,9 @@ public final class ReceivedBuffers {
   }
 
   /**
-   * What was dropped after the last buffer that was taken.
+   * Words dropped after the last taken buffer.
    *
-   * @return a note; only once {@link #isAtEndOfDevice} or {@link #isEnded}
+   * @return a summary; only after {@link #isAtEndOfDevice} or {@link #isEnded}
    */
   public DroppedWords droppedLast() {
     return droppedLast;
@@ -295,7 +293,7 @@ public final class ReceivedBuffers {
   /**
    * Whether {@link #end} was called and all earlier data have been taken.
    *
-   * @return true if {@link #take} will give nothing any more because of that
+   * @return true if {@link #take} will return null for this reason
    */
   public boolean isEnded() {
     lock.lock();
@@ -307,8 +305,8 @@ public final class ReceivedBuffers {
   }
 
   /**
-   * Whatever still comes is counted as lost; what waits can be taken; a consumer that waits wakes
-   * up.
+   * Ends the queue: later data are counted as lost, waiting buffers can be taken, and a waiting
+   * consumer wakes up.
    */
   public void end() {
     lock.lock();
@@ -321,7 +319,7 @@ public final class ReceivedBuffers {
     change.interrupt();
   }
 
-  /** Ends, and counts what waits as lost too. */
+  /** Ends the queue, and counts waiting buffers as lost too. */
   public void close() {
     end();
     lock.lock();
@@ -341,8 +339,8 @@ public final class ReceivedBuffers {
    * @param lostTransfers lost transfers
    * @param lostEvents in those
    * @param brokenTransfers failed transfers
-   * @param waiting buffers that wait now
-   * @param mostWaiting largest number that waited
+   * @param waiting waiting buffers
+   * @param mostWaiting largest number of waiting buffers
    */
   public record Counts(
       long transfers,
@@ -352,14 +350,14 @@ public final class ReceivedBuffers {
       long brokenTransfers,
       int waiting,
       int mostWaiting) {
-    /** Before anything came. */
+    /** Counts before the first data. */
     public static final Counts NONE = new Counts(0, 0, 0, 0, 0, 0, 0);
   }
 
   /**
    * Reads the counts.
    *
-   * @return all of one moment
+   * @return a consistent snapshot
    */
   public Counts counts() {
     lock.lock();

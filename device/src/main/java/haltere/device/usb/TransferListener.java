@@ -1,15 +1,13 @@
 package haltere.device.usb;
 
-/**
- * Told of the end of a transfer, on a thread that works for the bus and must not be kept waiting.
- */
+/** Receives the end of a transfer, on an event-handling thread of the bus; must return at once. */
 @FunctionalInterface
 public interface TransferListener {
   /**
-   * A transfer has ended and is not under way any more.
+   * Called when a transfer has ended.
    *
-   * @param end how
-   * @param bytes how many came, also if it ended badly
+   * @param end its result
+   * @param bytes received bytes, also after a failure
    */
   void ended(TransferEnd end, int bytes);
 }

@@ -12,9 +12,8 @@ import java.util.concurrent.locks.ReentrantLock;
  * passes on its buffer, and restarts it with another one. Does nothing else within a listener.
  *
  * <p>A transfer is started in one place only, under the lock and while the ring is {@link
- * State#RUNNING}; the ring leaves this state, and cancels what is under way, under the same lock.
- * So no transfer can start after all were cancelled, and transfers are freed only once each has
- * ended.
+ * State#RUNNING}; the ring leaves this state, and cancels active transfers, under the same lock. So
+ * no transfer can start after all were cancelled, and transfers are freed only once each has ended.
  *
  * <p>Thread rule: all methods may be called from any thread that is not within a listener.
  */
@@ -30,7 +29,7 @@ public final class TransferRing {
   private static final long LAST_ARRIVALS_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
   private static final long RECOVERY_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
-  /** So many transfers may fail, or recoveries bring nothing, one after the other. */
+  /** Maximum number of successive failed transfers, or recoveries without effect. */
   private static final int MAX_FAILURES = 16;
 
   private final UsbTransport transport;
@@ -43,7 +42,7 @@ public final class TransferRing {
   private int underWay;
   private int failures;
 
-  /** A transfer and the buffer that it has now. */
+  /** A transfer and its current buffer. */
   private final class Slot implements TransferListener {
     private final BulkTransfer transfer;
     private Received received = buffers.spare();
@@ -86,7 +85,7 @@ public final class TransferRing {
    * @param transport the device
    * @param endpoint address of a bulk endpoint, 0x80 or more
    * @param transfers number of simultaneous transfers
-   * @param buffers receive the data; made for as many transfers
+   * @param buffers receive the data; created for this number of transfers
    */
   public TransferRing(
       UsbTransport transport, int endpoint, int transfers, ReceivedBuffers buffers) {
@@ -135,7 +134,7 @@ public final class TransferRing {
         start(slot);
       }
       case STALLED -> {
-        // The consumer finds it among the buffers and has it recovered; nobody may wait here.
+        // the consumer finds the failure and starts the recovery; a listener must not wait
       }
       case OVERFLOW, FAILED -> {
         if (++failures > MAX_FAILURES) {
@@ -148,9 +147,7 @@ public final class TransferRing {
     }
   }
 
-  /**
-   * The device is gone, or as good as gone. What has arrived is still on its way through the bus.
-   */
+  /** Gives up a lost device; arrived data are still being processed by the bus. */
   private void giveUp() {
     state = State.GONE;
     buffers.endOfDeviceWithin(LAST_ARRIVALS_NANOS);
@@ -211,7 +208,7 @@ public final class TransferRing {
   /**
    * Stops for good: cancels all transfers, waits until each has ended, and frees them.
    *
-   * @return false if one does not end within seconds; then nothing is freed, for libusb may still
+   * @return false if one does not end within seconds; then nothing is freed, since libusb may still
    *     write to it, and the transport must stay open
    */
   public boolean stop() {
@@ -230,7 +227,7 @@ public final class TransferRing {
     return true;
   }
 
-  /** Waits, without the lock meanwhile, whatever the state becomes; not interruptible. */
+  /** Waits for the end of all transfers and releases the lock meanwhile; not interruptible. */
   private boolean awaitAllEnded(long nanos) {
     long end = System.nanoTime() + nanos;
     boolean interrupted = false;

@@ -20,10 +20,9 @@ public interface UsbBus {
   /**
    * Subscribes to arrivals and removals of devices.
    *
-   * @param changed called on a thread that works for the bus; must return at once without calling
-   *     the bus
-   * @return a watch that the caller closes, or empty where the bus cannot tell, so that {@link
-   *     #devices()} has to be asked every now and then
+   * @param changed called on an event-handling thread; must return at once without calling the bus
+   * @return a watch that the caller closes, or empty if unsupported, so that {@link #devices()}
+   *     must be polled
    * @throws CameraProblem if USB cannot be used on this computer
    */
   default Optional<Watch> watch(Runnable changed) throws CameraProblem {
@@ -31,7 +30,7 @@ public interface UsbBus {
   }
 
   /**
-   * The devices that are plugged in now. Cheap enough to be asked several times a second.
+   * The devices that are plugged in now. Cheap enough to be called several times a second.
    *
    * @return ordered by bus and address
    * @throws CameraProblem if USB cannot be used on this computer
@@ -43,7 +42,7 @@ public interface UsbBus {
    *
    * @param device one of {@link #devices()}
    * @return a transport that the caller closes
-   * @throws CameraProblem if that is impossible, with the reason and what to do
+   * @throws CameraProblem if that is impossible, with the reason and advice
    */
   UsbTransport open(UsbDevice device) throws CameraProblem;
 }

@@ -10,20 +10,20 @@ import java.io.Closeable;
  * TransferListener}. No call takes much longer than {@link #TIMEOUT_MS}.
  */
 public interface UsbTransport extends Closeable {
-  /** Milliseconds after which a request is given up. */
+  /** Timeout of a request in milliseconds. */
   int TIMEOUT_MS = 1000;
 
   /**
-   * Which device it is.
+   * The device.
    *
-   * @return as it was seen
+   * @return as listed before opening
    */
   UsbDevice device();
 
   /**
-   * The work of its bus.
+   * The event handling of its bus.
    *
-   * @return what a consumer may do while it waits
+   * @return for a waiting consumer
    */
   default BusWork work() {
     return BusWork.ELSEWHERE;
@@ -38,7 +38,7 @@ public interface UsbTransport extends Closeable {
   String serialNumber() throws CameraProblem;
 
   /**
-   * Takes interface 0 of configuration 1 for this program alone.
+   * Claims interface 0 of configuration 1 for this program.
    *
    * @throws CameraProblem if another program has it, or the device is gone
    */
@@ -50,30 +50,30 @@ public interface UsbTransport extends Closeable {
    * @param request its number
    * @param value 16 bits
    * @param index 16 bits
-   * @param data what goes with it
-   * @throws CameraProblem if the device refuses it, does not answer in time, or is gone
+   * @param data its data
+   * @throws CameraProblem if the device rejects it, does not answer in time, or is gone
    */
   void send(int request, int value, int index, byte... data) throws CameraProblem;
 
   /**
-   * Sends a vendor request that is answered.
+   * Sends a vendor request with an answer.
    *
    * @param request its number
    * @param value 16 bits
    * @param index 16 bits
-   * @param length bytes that the answer has
+   * @param length bytes of the answer
    * @return the answer, of exactly this length
-   * @throws CameraProblem if the device refuses it, answers with less, does not answer in time, or
+   * @throws CameraProblem if the device rejects it, answers with less, does not answer in time, or
    *     is gone
    */
   byte[] ask(int request, int value, int index, int length) throws CameraProblem;
 
   /**
-   * Writes to a bulk endpoint and waits until that is done.
+   * Writes to a bulk endpoint and waits for completion.
    *
    * @param endpoint its address, below 0x80
-   * @param data what to write
-   * @throws CameraProblem if the device does not take all of it in time, or is gone
+   * @param data the data
+   * @throws CameraProblem if the device does not accept all of it in time, or is gone
    */
   void write(int endpoint, byte... data) throws CameraProblem;
 
@@ -81,17 +81,17 @@ public interface UsbTransport extends Closeable {
    * Reads one transfer from a bulk endpoint.
    *
    * @param endpoint its address, 0x80 or more
-   * @param most bytes
+   * @param most maximum number of bytes
    * @return the data
-   * @throws CameraProblem if nothing came in time, or the device is gone
+   * @throws CameraProblem if no data arrived in time, or the device is gone
    */
   byte[] read(int endpoint, int most) throws CameraProblem;
 
   /**
-   * Lifts the halt of an endpoint.
+   * Clears the halt of an endpoint.
    *
    * @param endpoint its address
-   * @throws CameraProblem if the device refuses or is gone
+   * @throws CameraProblem if the device rejects it or is gone
    */
   void clearHalt(int endpoint) throws CameraProblem;
 
@@ -99,19 +99,19 @@ public interface UsbTransport extends Closeable {
    * Prepares a transfer.
    *
    * @param endpoint address of a bulk endpoint, 0x80 or more
-   * @param listener told of its end
+   * @param listener receives its end
    * @return a transfer that is not started
    */
   BulkTransfer prepare(int endpoint, TransferListener listener);
 
   /**
-   * Frees transfers that are not under way, once the thread that ended them is done with them.
+   * Frees inactive transfers when the thread that ended them no longer uses them.
    *
    * @param transfers of this transport
    */
   void free(Iterable<BulkTransfer> transfers);
 
-  /** Closes the device. No transfer may be under way. A second call does nothing. */
+  /** Closes the device. No transfer may be active. A second call has no effect. */
   @Override
   void close();
 }

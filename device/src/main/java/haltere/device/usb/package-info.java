@@ -1,5 +1,5 @@
 /**
- * Bytes to and from a device over USB: an interface with one implementation over libusb, the ring
- * of transfers, and the bounded hand-over from its thread to the consumer's. Knows no camera.
+ * Bytes to and from a device over USB: an interface with an implementation over libusb, the ring of
+ * transfers, and the bounded queue from its thread to the consumer's. Independent of cameras.
  */
 package haltere.device.usb;

@@ -26,7 +26,7 @@ public final class Cluster {
   /** Events since the last update. */
   int fresh;
 
-  /** Mass that events in the surround have taken away since the last update. */
+  /** Mass removed by events in the surround since the last update. */
   double inhibited;
 
   /** Mass at the last update. */
@@ -48,7 +48,7 @@ public final class Cluster {
   /** Share of the distance to an event that the cluster moves by. */
   double gain;
 
-  /** Velocity gain over location gain, 1/s. */
+  /** Ratio of velocity gain to location gain, 1/s. */
   double velocityShare;
 
   /** Sum of the weights of the events, where the gain is their inverse; else NaN. */
@@ -71,7 +71,7 @@ public final class Cluster {
   double cos;
   double sin;
 
-  /** By how much mergers have enlarged the a-priori size. */
+  /** Factor of the a-priori size due to mergers. */
   double joinedScale;
 
   /** The matrix that maps the capture region to the unit circle, or box. */
@@ -100,10 +100,7 @@ public final class Cluster {
     return id;
   }
 
-  /**
-   * {@return whether it has enough support to be reported: true while it has an identity and
-   * support}
-   */
+  /** {@return whether it is reported: true while it has an identity and support} */
   public boolean isVisible() {
     return visible;
   }
@@ -132,7 +129,7 @@ public final class Cluster {
     return box ? Math.max(along, across) : along + across;
   }
 
-  /** Moves towards an event: x ← (1 − m) x + m z, and the velocity by what the motion is over τ. */
+  /** Moves towards an event: x ← (1 − m) x + m z, and updates the velocity by the motion over τ. */
   void take(double dx, double dy) {
     fresh++;
     if (weights >= 0) {
@@ -147,7 +144,7 @@ public final class Cluster {
     vy += velocityShare * moveY;
   }
 
-  /** Learns from an event how wide the events are spread. */
+  /** Updates the second moments with an event. */
   void learnShape(double dx, double dy) {
     momentXx += gain * (dx * dx - momentXx);
     momentXy += gain * (dx * dy - momentXy);
@@ -163,7 +160,7 @@ public final class Cluster {
     return Math.sqrt(vx * vx + vy * vy);
   }
 
-  /** What it is at a time, moved on by its velocity for so long, as a result. */
+  /** Its state at a time as a result, predicted by its velocity over a time step. */
   ClusterTrack track(long timeUs, double predictedS) {
     return new ClusterTrack(
         timeUs,

@@ -6,7 +6,7 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 import haltere.filters.selection.PolaritySettings.Keep;
 
-/** Which events a cluster takes, and what those at its edge do. */
+/** Events that are assigned to a cluster, and effect of those at its edge. */
 public record ClusterEventSettings(
     @Help("Polarity of the events that count; the others are ignored.") Keep polarity,
     @Help("An event in the surround takes this mass away instead of adding one; 0: it adds one.")

@@ -4,7 +4,7 @@ import haltere.core.event.SensorGeometry;
 import java.util.Arrays;
 
 /**
- * Index of the clusters by position: each cell of a grid over the sensor names the clusters whose
+ * Index of the clusters by position: each cell of a grid over the sensor lists the clusters whose
  * capture regions reach it. Clusters may move by {@link #SLACK_PX} before they are indexed again.
  */
 final class ClusterGrid {
@@ -14,7 +14,7 @@ final class ClusterGrid {
   /** Motion of a cluster that the index allows for, along each axis, pixels. */
   private static final double SLACK_PX = 2;
 
-  /** Cells along the longer side at most: few enough to be refilled at each update. */
+  /** Maximum cells along the longer side, few enough to be refilled at each update. */
   private static final int MAX_CELLS = 64;
 
   private final int shift;
@@ -65,7 +65,7 @@ final class ClusterGrid {
     }
   }
 
-  /** Whether a cluster has left the place that the index knows. */
+  /** Whether a cluster has left its indexed position. */
   boolean hasLeft(Cluster cluster) {
     return Math.abs(cluster.x - cluster.indexX) > SLACK_PX
         || Math.abs(cluster.y - cluster.indexY) > SLACK_PX;

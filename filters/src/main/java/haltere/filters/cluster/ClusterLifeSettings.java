@@ -45,7 +45,7 @@ public record ClusterLifeSettings(
     NEVER,
     /** With its centre outside. */
     CENTRE,
-    /** With any of it outside. */
+    /** With any part of it outside. */
     OUTLINE
   }
 

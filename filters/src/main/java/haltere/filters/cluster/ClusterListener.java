@@ -13,7 +13,7 @@ public interface ClusterListener {
   default void updated(long timeUs) {}
 
   /**
-   * It is time for a report.
+   * A report is due.
    *
    * @param timeUs a time of the rate of reports, microseconds
    */

@@ -1,6 +1,6 @@
 package haltere.filters.cluster;
 
-/** Which clusters merge, and what becomes of them. Thread rule: immutable. */
+/** Selects and merges clusters. Thread rule: immutable. */
 final class ClusterMerging {
   /** Motion from which on a direction is known, within the averaging time of the velocity. */
   private static final double MIN_MOTION_PX = 1;
@@ -42,13 +42,13 @@ final class ClusterMerging {
         && product < differentCos * Math.sqrt(first2 * second2);
   }
 
-  /** Whether the first of two clusters that merge stays: one with an identity, or the heavier. */
+  /** Whether the first of two merging clusters is kept: one with an identity, or the heavier. */
   static boolean isStronger(Cluster first, Cluster second) {
     boolean bothAlike = first.id > 0 == second.id > 0;
     return bothAlike ? first.mass >= second.mass : first.id > 0;
   }
 
-  /** Puts a cluster into a stronger one, which keeps its identity. */
+  /** Merges a cluster into a stronger one, which keeps its identity. */
   void merge(Cluster kept, Cluster lost) {
     double share = lost.mass / Math.max(Double.MIN_NORMAL, kept.mass + lost.mass);
     kept.x += share * (lost.x - kept.x);

@@ -35,7 +35,7 @@ public record ClusterMotionSettings(
         @Range(min = 0, max = 100)
         @Unit("1")
         double neighbourRadii) {
-  /** What decides the weight of an event. */
+  /** Weight of an event. */
   public enum Weight {
     /** It is constant: Cardinale (2006), part I, eq. 1. */
     PER_EVENT,

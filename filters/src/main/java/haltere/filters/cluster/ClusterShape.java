@@ -32,12 +32,12 @@ final class ClusterShape {
     surround = growth.size() ? growth.surround() : 1;
   }
 
-  /** Capture region over cluster. */
+  /** Ratio of the capture region to the cluster. */
   double surround() {
     return surround;
   }
 
-  /** Whether anything follows from the second moments of the events. */
+  /** Whether the second moments of the events are used. */
   boolean isAdaptive() {
     return growth.size() || growth.aspect() || shape.angle() == Angle.OF_EVENTS;
   }

@@ -19,7 +19,7 @@ import java.util.Objects;
  * there are fewer than the maximum. At each update, a whole multiple of an interval on the clock of
  * the events, clusters move by their velocity, adapt their shape, gain and lose support, merge and
  * die. An update comes after the events before its time and before those at it. So results do not
- * depend on how the stream is cut into packets.
+ * depend on the packets.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  */
@@ -35,7 +35,7 @@ public final class ClusterTracker {
   private ClusterUpdate update;
   private ClusterMerging merging;
 
-  /** Clusters in the order of their births; behind their number, ones to be used again. */
+  /** Clusters in the order of their births; after their number, reusable ones. */
   private Cluster[] clusters = new Cluster[0];
 
   private int count;
@@ -86,8 +86,8 @@ public final class ClusterTracker {
   }
 
   /**
-   * Takes new settings from the next packet on, with the clusters that there are; where fewer are
-   * allowed, the latest born are removed.
+   * Applies new settings from the next packet on; existing clusters are kept, except the youngest
+   * ones beyond the maximum.
    *
    * @param newSettings the settings to use
    */
@@ -132,7 +132,7 @@ public final class ClusterTracker {
     return count;
   }
 
-  /** {@return events of all clusters that there have been, a count up to the last update} */
+  /** {@return events of all past and present clusters, a count up to the last update} */
   public long eventCount() {
     return eventCount;
   }
@@ -148,9 +148,9 @@ public final class ClusterTracker {
   }
 
   /**
-   * Moves a cluster, as a filter that knows better does; to be called at an update only.
+   * Moves a cluster, for feedback from a filter; to be called at an update only.
    *
-   * @param cluster one of those that there are
+   * @param cluster a present one
    * @param xPx column, pixels, finite
    * @param yPx row, pixels, finite
    */
@@ -162,7 +162,7 @@ public final class ClusterTracker {
   }
 
   /**
-   * {@return where the visible clusters are at a time, a new list}
+   * {@return the visible clusters at a time, a new list}
    *
    * @param timeUs time of a report, or now, microseconds
    */
@@ -178,7 +178,7 @@ public final class ClusterTracker {
   }
 
   /**
-   * Takes events.
+   * Processes events.
    *
    * @param packet only read, unless events outside clusters are to be removed
    */
@@ -204,7 +204,7 @@ public final class ClusterTracker {
     }
   }
 
-  /** Gives an event to the nearest cluster that contains it; null if there is none. */
+  /** Assigns an event to the nearest cluster that contains it; null if there is none. */
   private Cluster take(int address, long timeUs) {
     if ((address & EventAddress.ON_BIT) == ignoredPolarity) {
       return null;
@@ -321,7 +321,7 @@ public final class ClusterTracker {
           boolean firstStays = ClusterMerging.isStronger(clusters[i], clusters[j]);
           merging.merge(clusters[firstStays ? i : j], clusters[firstStays ? j : i]);
           remove(firstStays ? j : i);
-          // The merged cluster may overlap one that was compared before.
+          // the merged cluster may overlap one that was compared before
           i = 0;
           j = 0;
         }

@@ -16,7 +16,7 @@ import java.util.Map;
 /**
  * {@link ClusterTracker} as a stage of a chain. Publishes a {@link ClusterTrack} for each visible
  * cluster at each report, and all of them together as a {@link TrailSnapshot}, also once when there
- * are none left. Passes all events on unless its settings say otherwise.
+ * are none left. Passes all events unless set otherwise.
  */
 public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerSettings> {
   private final Outlet<ClusterTrack> clusters = outlet("clusters", ClusterTrack.class);
@@ -90,9 +90,7 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
     tracker.restartIdentities();
   }
 
-  /**
-   * Time continues over a gap in the data, and clusters live on for as long as they live anyway.
-   */
+  /** Time continues over a gap in the data, with the usual life of clusters. */
   @Override
   public boolean bridgesGaps() {
     return true;
@@ -108,9 +106,9 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
     tracker.apply(settings);
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<ClusterTrackerSettings> {
-    /** Found by its name in the list of services. */
+    /** Called by the service loader. */
     public Provider() {
       super(
           "cluster-tracker",

@@ -57,8 +57,8 @@ public record ClusterTrackerSettings(
 
   /**
    * {@return the defaults of the tracker of Cardinale (2006): at most 10 clusters of 0.15 of the
-   * longer side, a weight of 0.01, visible from 10 events on, dead after 10 ms, merging whatever
-   * they do}
+   * longer side, a weight of 0.01, visible from 10 events on, dead after 10 ms, merging regardless
+   * of direction}
    */
   public static ClusterTrackerSettings original() {
     return defaults()

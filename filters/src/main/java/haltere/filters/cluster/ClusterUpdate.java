@@ -7,8 +7,8 @@ import haltere.filters.cluster.ClusterMotionSettings.StartVelocity;
 import haltere.filters.cluster.ClusterMotionSettings.Weight;
 
 /**
- * What an update does to single clusters: motion, mass, support and death. All rates are true ones:
- * at a constant rate of events λ the mass tends to λ τ. Thread rule: immutable.
+ * Update of single clusters: motion, mass, support and death. Rates are unbiased: at a constant
+ * rate of events λ the mass tends to λ τ. Thread rule: immutable.
  */
 final class ClusterUpdate {
   private static final double US = 1e-6;
@@ -35,7 +35,7 @@ final class ClusterUpdate {
     return StrictMath.exp(-(double) elapsedUs / timeConstantUs);
   }
 
-  /** Starts a life with one event. */
+  /** Initialises a cluster with one event. */
   void start(Cluster born, Cluster[] others, int count, long timeUs) {
     born.id = 0;
     born.visible = false;
@@ -63,7 +63,7 @@ final class ClusterUpdate {
     }
   }
 
-  /** Sets by how much an event moves a cluster. */
+  /** Sets the gains of a cluster. */
   void setGains(Cluster cluster) {
     cluster.velocityShare = 1 / (US * motion.velocityTimeUs());
     if (motion.weight() == Weight.PER_TIME) {
@@ -83,14 +83,14 @@ final class ClusterUpdate {
     return cluster.rateHz / (4 * cluster.radiusAlong * cluster.radiusAcross);
   }
 
-  /** Brings a cluster to the time of an update. */
+  /** Advances a cluster to the time of an update. */
   void update(Cluster cluster, long timeUs) {
     long elapsedUs = timeUs - cluster.updatedUs;
     cluster.updatedUs = timeUs;
     if (elapsedUs > 0) {
       move(cluster, elapsedUs);
       double kept = elapsedUs == intervalUs ? massDecay : decay(elapsedUs, life.massTimeUs());
-      // Events spread evenly over the interval have decayed by this in the mean.
+      // mean decay of events spread evenly over the interval
       double fresh =
           (cluster.fresh - cluster.inhibited) * (1 - kept) * life.massTimeUs() / elapsedUs;
       cluster.mass = Math.max(0, cluster.mass * kept + fresh);
@@ -148,7 +148,7 @@ final class ClusterUpdate {
     }
   }
 
-  /** Whether a cluster has been without support for too long, or has left the sensor. */
+  /** Whether a cluster has lost support for too long, or has left the sensor. */
   boolean isDead(Cluster cluster, long timeUs) {
     if (timeUs - cluster.supportedUs > life.lifetimeUs()) {
       return true;

@@ -6,8 +6,8 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * How the size of clusters depends on where they are: a camera above a road sees objects the
- * smaller the nearer they are to the vanishing point.
+ * Dependence of the size of clusters on their position: a camera above a road sees objects smaller
+ * near the vanishing point.
  */
 public record PerspectiveSettings(
     @Help("Clusters are smaller near the vanishing point.") boolean enabled,

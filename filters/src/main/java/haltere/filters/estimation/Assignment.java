@@ -4,10 +4,9 @@ import java.util.Arrays;
 import java.util.Objects;
 
 /**
- * Assigns rows to columns, one to one, so that the sum of the costs is the least there is: tracks
- * to measurements, say. Pairs can be forbidden (outside a gate), and a row or a column may stay
- * unassigned at a stated cost. All pairs are decided together; nearest first would let one greedy
- * pair ruin two others.
+ * Assigns rows to columns, one to one, with minimum total cost, such as tracks to measurements.
+ * Pairs can be forbidden (outside a gate), and a row or a column may stay unassigned at a stated
+ * cost. All pairs are assigned jointly, which avoids the errors of a greedy assignment.
  *
  * <p>Shortest augmenting paths with dual prices, O(n² m) for n ≤ m: R. Jonker and A. Volgenant
  * (1987), "A Shortest Augmenting Path Algorithm for Dense and Sparse Linear Assignment Problems",
@@ -15,9 +14,9 @@ import java.util.Objects;
  * Assignment Algorithms", IEEE Transactions on Aerospace and Electronic Systems 52(4).
  *
  * <p>With r and c the costs of a row and of a column that stay unassigned, a pair changes the sum
- * by w = cost − r − c against leaving both. Pairs with w ≥ 0 are never needed, so they, and the
- * forbidden ones, get w = 0; the full assignment of least w then is an optimal one, and those of
- * its pairs with w = 0 are dropped. No dummy rows or columns are needed.
+ * by w = cost − r − c against leaving both. Pairs with w ≥ 0 are never needed, so that they and the
+ * forbidden ones get w = 0; the full assignment of least w is then optimal, and its pairs with w =
+ * 0 are dropped. No dummy rows or columns are needed.
  *
  * <p>Usage: {@link #start}, {@link #setCost} for the pairs that are allowed, {@link #solve}, then
  * read {@link #columnOf} and {@link #rowOf}. Nothing is allocated after the construction. Equal
@@ -55,10 +54,10 @@ public final class Assignment {
   private int farStride;
 
   /**
-   * Room for a matrix.
+   * Space for a matrix.
    *
-   * @param mostRows the most rows there will be, at least 0
-   * @param mostColumns the most columns there will be, at least 0
+   * @param mostRows maximum number of rows, at least 0
+   * @param mostColumns maximum number of columns, at least 0
    */
   public Assignment(int mostRows, int mostColumns) {
     if (mostRows < 0 || mostColumns < 0) {
@@ -108,7 +107,7 @@ public final class Assignment {
   }
 
   /**
-   * States what a pair costs.
+   * Sets the cost of a pair.
    *
    * @param row 0 to rows − 1
    * @param column 0 to columns − 1
@@ -124,12 +123,12 @@ public final class Assignment {
   }
 
   /**
-   * Finds an assignment of least total cost. A pair that costs just as much as leaving both of its
-   * ends unassigned is left out. Costs are compared by the precision of a double at the greatest of
-   * them, so keep them on one scale.
+   * Finds an assignment of least total cost. A pair with the same cost as two unassigned ends is
+   * not assigned. Costs are compared with the precision of a double at the largest one, so that
+   * they should have one scale.
    *
-   * @param unassignedRow cost of each row that gets no column, at most 1e150 in size
-   * @param unassignedColumn cost of each column that gets no row, at most 1e150 in size
+   * @param unassignedRow cost of each unassigned row, at most 1e150 in size
+   * @param unassignedColumn cost of each unassigned column, at most 1e150 in size
    * @return the total cost
    */
   public double solve(double unassignedRow, double unassignedColumn) {
@@ -167,7 +166,7 @@ public final class Assignment {
   }
 
   /**
-   * The column that a row got.
+   * The column assigned to a row.
    *
    * @param row 0 to rows − 1
    * @return a column or {@link #NONE}
@@ -177,7 +176,7 @@ public final class Assignment {
   }
 
   /**
-   * The row that a column got.
+   * The row assigned to a column.
    *
    * @param column 0 to columns − 1
    * @return a row or {@link #NONE}
@@ -186,7 +185,7 @@ public final class Assignment {
     return rowOfColumn[Objects.checkIndex(column, columns)];
   }
 
-  /** Gives one more of the near side an end, along the path that costs least. */
+  /** Assigns another one of the near side along the shortest augmenting path. */
   private void augment(int start, int far) {
     for (int j = 0; j < far; j++) {
       open[j] = j;
@@ -240,7 +239,7 @@ public final class Assignment {
     } while (i != start);
   }
 
-  /** What a pair changes against leaving both ends unassigned; 0 where it is of no use. */
+  /** Change of the cost by a pair against two unassigned ends; 0 without an advantage. */
   private double change(int i, int j) {
     return Math.min(costs[i * nearStride + j * farStride] - unassigned, 0);
   }

@@ -40,24 +40,24 @@ public final class BatchLeastSquares {
   private final DMatrixRMaj information;
   private final List<Item> items = new ArrayList<>();
 
-  /** A measurement and the time since the one before. */
+  /** A measurement and the time since the previous one. */
   private record Item(double dtS, DMatrixRMaj z) {}
 
   /**
-   * What fits best.
+   * The best fit.
    *
    * @param first state and covariance at the first measurement, time 0
    * @param last state and covariance at the last measurement
-   * @param cost J; without the prior's part its mean is the count of measured numbers
+   * @param cost J; without the prior its mean is the number of measured values
    */
   public record Solution(Estimate first, Estimate last, double cost) {}
 
   /**
    * An estimator without measurements.
    *
-   * @param process how the state evolves; its noise is not asked for
-   * @param model how measurements come from the state; ungated
-   * @param mean m, the first state that is expected before any measurement; copied
+   * @param process the process model; its noise is not used
+   * @param model the measurement model; ungated
+   * @param mean m, the prior mean of the first state; copied
    * @param covariance P₀ of that expectation, positive definite; copied
    */
   public BatchLeastSquares(
@@ -85,10 +85,9 @@ public final class BatchLeastSquares {
   }
 
   /**
-   * Finds the best first state downhill from a start. Where J has several minima, the start decides
-   * which one.
+   * Minimises J from a start, which selects one of several minima.
    *
-   * @param start first state to begin with, not kept
+   * @param start initial first state, not stored
    * @return empty if the trajectory from the start leaves the numbers, or Λ is singular to rounding
    */
   public Optional<Solution> fit(DMatrixRMaj start) {
@@ -163,7 +162,7 @@ public final class BatchLeastSquares {
               cost));
     }
 
-    /** Follows it; false as soon as J is no number or above a limit. */
+    /** Computes it; false as soon as J is not a number or above a limit. */
     boolean follow(double limit) {
       int n = first.numRows;
       int m = model.size();
@@ -209,7 +208,7 @@ public final class BatchLeastSquares {
     }
   }
 
-  /** Of a matrix that is known to be positive definite. */
+  /** Inverse of a positive definite matrix. */
   private static DMatrixRMaj inverse(DMatrixRMaj matrix) {
     DMatrixRMaj inverse = new DMatrixRMaj(matrix.numRows, matrix.numCols);
     CommonOps_DDRM.invertSPD(matrix, inverse);

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Objects;
 import org.ejml.data.DMatrixRMaj;
 
-/** A matrix, or a column vector, that cannot change: what estimates and steps are made of. */
+/** An immutable matrix or column vector, for estimates and steps. */
 public final class ConstMatrix {
   private final int rows;
   private final int columns;
@@ -63,7 +63,7 @@ public final class ConstMatrix {
     return values[index];
   }
 
-  /** {@return a matrix to calculate with, a new one at each call} */
+  /** {@return a mutable copy} */
   public DMatrixRMaj toMatrix() {
     return new DMatrixRMaj(rows, columns, true, values.clone());
   }

@@ -1,7 +1,7 @@
 package haltere.filters.estimation;
 
 /**
- * What an estimator holds to be true at a time, and how sure it is.
+ * State of an estimator at a time with its covariance.
  *
  * @param timeS seconds since the estimator was launched
  * @param state x
@@ -12,17 +12,17 @@ public record Estimate(double timeS, ConstMatrix state, ConstMatrix covariance) 
    * One entry of the state.
    *
    * @param index from 0
-   * @return in the state's own unit
+   * @return in the entry's unit
    */
   public double value(int index) {
     return state.get(index);
   }
 
   /**
-   * How sure the estimator is of one entry.
+   * Standard deviation of one entry.
    *
    * @param index from 0
-   * @return one standard deviation, in the state's own unit
+   * @return one standard deviation, in the entry's unit
    */
   public double standardDeviation(int index) {
     return Math.sqrt(covariance.get(index, index));

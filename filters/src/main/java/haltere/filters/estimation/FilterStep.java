@@ -1,6 +1,6 @@
 package haltere.filters.estimation;
 
-/** A step of an estimator, with what tests, plots and smoothing need of it. */
+/** A step of an estimator, with its intermediates for tests, plots and smoothing. */
 public sealed interface FilterStep {
   /** {@return the estimate after the step: state, covariance and time} */
   Estimate estimate();
@@ -24,13 +24,13 @@ public sealed interface FilterStep {
       implements FilterStep {}
 
   /**
-   * A usable measurement, taken in or gated. One that was not a number leaves no step.
+   * A usable measurement, applied or gated. One that was not a number leaves no step.
    *
-   * @param outcome what became of it
+   * @param outcome its outcome
    * @param prior x⁻ and P⁻, before it
    * @param innovation y = z − h(x⁻)
    * @param innovationCovariance S = H P⁻ Hᵀ + R
-   * @param gain K = P⁻ Hᵀ S⁻¹; also of a measurement that was not taken in
+   * @param gain K = P⁻ Hᵀ S⁻¹; also of a gated measurement
    * @param nis normalised innovation squared, yᵀ S⁻¹ y
    * @param estimate x and P, after it
    */

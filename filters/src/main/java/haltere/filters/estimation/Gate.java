@@ -10,7 +10,7 @@ import org.apache.commons.statistics.distribution.ChiSquaredDistribution;
  * a gate of 3 sigma accepts the same share of inliers in any dimension.
  */
 public final class Gate {
-  /** Everything passes. */
+  /** An open gate. */
   public static final Gate OPEN = new Gate(0);
 
   private static final int CACHED_DIMENSIONS = 8;

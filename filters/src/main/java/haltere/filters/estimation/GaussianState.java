@@ -64,7 +64,7 @@ public final class GaussianState {
     return x;
   }
 
-  /** {@return the covariance itself, n × n, not a copy; who writes to it keeps it symmetric} */
+  /** {@return the covariance itself, n × n, not a copy; it must be kept symmetric} */
   public DMatrixRMaj covariance() {
     return p;
   }
@@ -117,7 +117,7 @@ public final class GaussianState {
   /**
    * Takes over another belief.
    *
-   * @param other of the same size; stays as it is
+   * @param other of the same size; not changed
    */
   public void set(GaussianState other) {
     System.arraycopy(other.x.data, 0, x.data, 0, n);
@@ -227,7 +227,7 @@ public final class GaussianState {
   }
 
   /**
-   * Adds process noise that two entries have in common.
+   * Adds correlated process noise to two entries.
    *
    * @param i one entry
    * @param j another entry
@@ -240,8 +240,8 @@ public final class GaussianState {
 
   /**
    * Adds the noise of a white acceleration (Bar-Shalom, Li and Kirubarajan, Estimation with
-   * Applications to Tracking and Navigation, 2001, eq. 6.2.2-12) to a position and the velocity
-   * behind it, or what two such pairs have in common.
+   * Applications to Tracking and Navigation, 2001, eq. 6.2.2-12) to a position and its velocity, or
+   * the covariance of two such pairs.
    *
    * @param i entry of a position
    * @param k the same, or that of another position
@@ -380,7 +380,7 @@ public final class GaussianState {
    * Becomes the Gaussian of the mean and covariance of a mixture of Gaussians.
    *
    * @param parts of the same size, none of them this one
-   * @param weights as many, not negative, that add up to 1
+   * @param weights their weights, not negative, with the sum 1
    */
   public void mix(GaussianState[] parts, double[] weights) {
     Arrays.fill(x.data, 0);
@@ -406,14 +406,14 @@ public final class GaussianState {
   }
 
   /**
-   * Sets one entry of the covariance so that it stays one; for users, not for the hot path. A
-   * variance takes its row and column along, so that the correlations stay; a covariance changes
-   * its counterpart as well.
+   * Sets one entry of the covariance, which remains valid; for users, not for the hot path. A new
+   * variance scales its row and column, so that the correlations stay; a new covariance changes its
+   * counterpart too.
    *
    * @param row from 0
    * @param column from 0
    * @param value the new number
-   * @throws IllegalArgumentException if no covariance has such a number there
+   * @throws IllegalArgumentException if the covariance would be invalid
    */
   public void edit(int row, int column, double value) {
     if (row == column) {
@@ -435,7 +435,7 @@ public final class GaussianState {
     p.setTo(edited);
   }
 
-  /** By Cholesky's decomposition of the correlations, but for what rounding may take from it. */
+  /** Tests by Cholesky's decomposition of the correlations, with a tolerance for rounding. */
   private static boolean isCovariance(DMatrixRMaj p) {
     DMatrixRMaj correlations = p.createLike();
     for (int i = 0; i < p.numRows; i++) {

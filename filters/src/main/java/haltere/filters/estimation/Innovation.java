@@ -8,8 +8,8 @@ import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /**
- * One measurement against a prediction: y, H, R, S, K. A workspace that is used again for each
- * measurement; it allocates only when a larger measurement comes than ever.
+ * One measurement against a prediction: y, H, R, S, K. A reused workspace; it allocates only for a
+ * larger measurement than before.
  */
 final class Innovation {
   final DMatrixRMaj y = new DMatrixRMaj(1, 1);
@@ -22,7 +22,7 @@ final class Innovation {
   private final DMatrixRMaj gainTransposed = new DMatrixRMaj(1, 1);
   private final DMatrixRMaj weighted = new DMatrixRMaj(1, 1);
 
-  /** Of S, of which it keeps a copy. */
+  /** solver of S, of which it keeps a copy */
   private final LinearSolverDense<DMatrixRMaj> solver =
       new LinearSolverSafe<>(LinearSolverFactory_DDRM.chol(1));
 
@@ -30,8 +30,8 @@ final class Innovation {
   double nis;
 
   /**
-   * Compares a measurement with what x and P lead one to expect; false if it cannot be used. S = H
-   * P Hᵀ + R, K = P Hᵀ S⁻¹.
+   * Compares a measurement with the expectation by x and P; false if it is unusable. S = H P Hᵀ +
+   * R, K = P Hᵀ S⁻¹.
    */
   boolean compute(MeasurementModel model, DMatrixRMaj z, DMatrixRMaj x, DMatrixRMaj p) {
     Require.size("measurement", z, model.size(), 1);

@@ -7,8 +7,8 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.MatrixFeatures_DDRM;
 
 /**
- * The Kalman filter, extended where a model is not linear: state by the model's own equations,
- * covariance by their Jacobians at the estimate.
+ * The Kalman filter, extended for nonlinear models: state by the model's own equations, covariance
+ * by their Jacobians at the estimate.
  *
  * <pre>
  * predict   x⁻ = f(x, Δt)       P⁻ = F P Fᵀ + Q        F = ∂f/∂x at x
@@ -24,8 +24,8 @@ import org.ejml.dense.row.MatrixFeatures_DDRM;
  * updates allocate nothing without an observer.
  *
  * <p>Time steps are seconds and must be finite and not negative: a caller whose clock jumps back
- * launches again. A step of 0 predicts nothing. A measurement that is not finite is refused with
- * {@link UpdateOutcome#UNUSABLE} and leaves the estimate as it is.
+ * launches again. A step of 0 has no effect. A measurement that is not finite is rejected with
+ * {@link UpdateOutcome#UNUSABLE}; the estimate is unchanged.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  */
@@ -42,7 +42,7 @@ public final class KalmanFilter {
   /**
    * A filter.
    *
-   * @param process how the state evolves
+   * @param process the process model
    * @param x state to launch from
    * @param p its covariance, positive definite
    */
@@ -99,8 +99,8 @@ public final class KalmanFilter {
    * @param model of the measurement
    * @param z the measurement, not kept
    * @return the outcome
-   * @throws ArithmeticException if the state leaves the numbers, as that of a diverged extended
-   *     filter may; launch anew
+   * @throws ArithmeticException if the state is not finite, as after divergence of an extended
+   *     filter; launch again
    */
   public UpdateOutcome update(MeasurementModel model, DMatrixRMaj z) {
     if (!innovation.compute(model, z, belief.mean(), belief.covariance())) {
@@ -118,7 +118,7 @@ public final class KalmanFilter {
   }
 
   /**
-   * Takes in a measurement given as numbers; allocates.
+   * Updates with a measurement given as numbers; allocates.
    *
    * @param model of the measurement
    * @param z the measurement
@@ -132,7 +132,7 @@ public final class KalmanFilter {
    * One entry of the state.
    *
    * @param index from 0
-   * @return in the state's own unit
+   * @return in the entry's unit
    */
   public double state(int index) {
     return belief.mean(index);
@@ -149,14 +149,14 @@ public final class KalmanFilter {
     return belief.covariance(row, column);
   }
 
-  /** {@return the estimate of now, an immutable copy} */
+  /** {@return the present estimate, an immutable copy} */
   public Estimate estimate() {
     return new Estimate(
         timeS, ConstMatrix.copyOf(belief.mean()), ConstMatrix.copyOf(belief.covariance()));
   }
 
   /**
-   * Hands every further step to an observer, which may keep it; this allocates.
+   * Passes every further step to an observer, which may store it; this allocates.
    *
    * @param newObserver such as {@code steps::add}; null for none
    */

@@ -26,7 +26,7 @@ public final class LinearMeasurement implements MeasurementModel {
   }
 
   /**
-   * Measures some entries of the state themselves, each with the same independent noise.
+   * Measures entries of the state directly, each with the same independent noise.
    *
    * @param stateSize entries of the state
    * @param variance of each, in the square of the entry's unit, positive

@@ -4,17 +4,17 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * How a measurement comes from a state: z = h(x) + v, v of covariance R; one method per equation.
+ * Measurement model z = h(x) + v, v of covariance R; one method per equation.
  *
- * <p>Outputs are preallocated with the right size and hold anything; a model fills every entry and
- * allocates nothing.
+ * <p>Outputs are preallocated with the right size and arbitrary content; a model fills every entry
+ * and allocates nothing.
  */
 public interface MeasurementModel {
   /** {@return the dimension of the measurement, at least 1} */
   int size();
 
   /**
-   * The measurement that a state leads one to expect: h(x).
+   * The expected measurement of a state: h(x).
    *
    * @param x state, not to be changed
    * @param z expected measurement
@@ -32,7 +32,7 @@ public interface MeasurementModel {
   /**
    * The covariance of the measurement's own noise.
    *
-   * @param x state, not to be changed; most models need it not
+   * @param x state, not to be changed; unused by most models
    * @param r square, symmetric, positive definite
    */
   void noise(DMatrixRMaj x, DMatrixRMaj r);

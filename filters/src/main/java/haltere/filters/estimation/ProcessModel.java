@@ -3,10 +3,10 @@ package haltere.filters.estimation;
 import org.ejml.data.DMatrixRMaj;
 
 /**
- * How a state evolves: one method per equation.
+ * Process model of a state: one method per equation.
  *
- * <p>Outputs are preallocated with the right size and hold anything; a model fills every entry and
- * allocates nothing. A model has no state, unless stated.
+ * <p>Outputs are preallocated with the right size and arbitrary content; a model fills every entry
+ * and allocates nothing. A model has no state, unless stated.
  */
 public interface ProcessModel {
   /** {@return the dimension of the state, at least 1} */

@@ -3,7 +3,7 @@ package haltere.filters.estimation;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.MatrixFeatures_DDRM;
 
-/** Refuses impossible numbers where they are set, in one wording. Any thread. */
+/** Rejects invalid numbers with uniform messages. Any thread. */
 public final class Require {
   private Require() {}
 
@@ -15,12 +15,12 @@ public final class Require {
   }
 
   /**
-   * Refuses what is below 0, infinite or no number.
+   * Rejects negative, infinite and NaN numbers.
    *
-   * @param name what to call the number
+   * @param name name of the number
    * @param value the number
    * @return the number
-   * @throws IllegalArgumentException if it is refused
+   * @throws IllegalArgumentException if it is invalid
    */
   public static double notNegative(String name, double value) {
     if (!(value >= 0) || Double.isInfinite(value)) {
@@ -30,13 +30,13 @@ public final class Require {
   }
 
   /**
-   * Refuses what is too small.
+   * Rejects numbers that are too small.
    *
-   * @param name what to call the number
-   * @param least the smallest that will do
+   * @param name name of the number
+   * @param least smallest valid number
    * @param value the number
    * @return the number
-   * @throws IllegalArgumentException if it is refused
+   * @throws IllegalArgumentException if it is invalid
    */
   public static int atLeast(String name, int least, int value) {
     if (value < least) {
@@ -45,7 +45,7 @@ public final class Require {
     return value;
   }
 
-  /** A time step; NaN, infinite or negative is a bug of the caller, whatever the stream says. */
+  /** A time step; NaN, infinite or negative is a bug of the caller. */
   static double timeStep(double dtS) {
     if (!(dtS >= 0) || Double.isInfinite(dtS)) {
       throw new IllegalArgumentException(

@@ -26,12 +26,12 @@ public final class RtsSmoother {
   /**
    * Smooths.
    *
-   * @param steps all steps in order, as {@link KalmanFilter#observe} hands them out
-   * @return an estimate for each time at which the filter stood: one at the beginning and one per
-   *     prediction, in order
+   * @param steps all steps in order, as from {@link KalmanFilter#observe}
+   * @return an estimate for each time of the filter: one at the beginning and one per prediction,
+   *     in order
    */
   public static List<Estimate> smooth(List<? extends FilterStep> steps) {
-    // Each stand: the filtered estimate at a time, and the prediction that leads to the next.
+    // for each time: the filtered estimate, and the prediction of the next time
     List<Estimate> filtered = new ArrayList<>();
     List<Prediction> leads = new ArrayList<>();
     for (FilterStep step : steps) {
@@ -83,7 +83,7 @@ public final class RtsSmoother {
    * @param f transition F of the prediction that followed
    * @param predicted P⁻, the covariance after that prediction
    * @param later Pˢ₊, the smoothed covariance at that time
-   * @param change xˢ₊ − x⁻; becomes C (xˢ₊ − x⁻), which the filtered state is to be moved by
+   * @param change xˢ₊ − x⁻; becomes C (xˢ₊ − x⁻), the correction of the filtered state
    * @return false, and nothing is changed, where P⁻ is not positive definite
    */
   public static boolean back(

@@ -1,11 +1,11 @@
 package haltere.filters.estimation;
 
-/** What became of a measurement. */
+/** Outcome of an update. */
 public enum UpdateOutcome {
-  /** The estimate has taken it in. */
+  /** The estimate was updated. */
   APPLIED,
-  /** Its innovation lies outside the gate; the estimate is as before. */
+  /** Its innovation is outside the gate; the estimate is unchanged. */
   GATED,
-  /** It, or its innovation covariance, is not finite or not positive; the estimate is as before. */
+  /** It, or its innovation covariance, is not finite or not positive; the estimate is unchanged. */
   UNUSABLE
 }

@@ -7,42 +7,42 @@ import java.util.Arrays;
 import java.util.Objects;
 
 /**
- * Frequency at which each pixel flickers: reciprocal of the time after which falling edges, the
- * first OFF events after ON events, come again. Falling edges are more precise than rising ones
- * (Pfrommer, 2022, Frequency Cam, arXiv:2211.00198).
+ * Frequency at which each pixel flickers: reciprocal of the period of falling edges, the first OFF
+ * events after ON events. Falling edges are more precise than rising ones (Pfrommer, 2022,
+ * Frequency Cam, arXiv:2211.00198).
  *
- * <p>The period is the shortest interval between two of the last edges that most neighbours or
- * every second one share: the first peak of the autocorrelation of the edges (Perkel, Gerstein and
- * Moore, 1967, Biophysical Journal 7:391). So an edge may be missing, and an object that passes
- * twice in a period, as a wing does in a stroke, has the frequency of the period. A pixel with too
- * few edges of its own takes the frequency of its cell of 4 by 4 pixels, if it had an edge while
- * the cell had that frequency.
+ * <p>The period is the shortest interval between two of the last edges that is shared by most
+ * neighbours or every second one: the first peak of the autocorrelation of the edges (Perkel,
+ * Gerstein and Moore, 1967, Biophysical Journal 7:391). So an edge may be missing, and an object
+ * that passes twice in a period, such as a wing, has the frequency of the period. A pixel with too
+ * few edges has the frequency of its cell of 4 by 4 pixels, if it had an edge while the cell had
+ * that frequency.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  *
  * @since 0.1
  */
 public final class FrequencyMap {
-  /** Periods after which a frequency that is not found again is no longer reported. */
+  /** Periods without confirmation after which a frequency is no longer reported. */
   public static final int MAX_SILENT_PERIODS = 10;
 
   private static final int CELL_SHIFT = 2;
 
-  /** Part of the shortest period within which further edges belong to the same one. */
+  /** Share of the shortest period within which further edges count as one. */
   private static final double SAME_EDGE = 0.8;
 
   private static final int EDGES = 5;
 
   /**
-   * Pairs of edges with the same interval from which on it is a period of a cell. Five edges have
-   * four pairs of neighbours, so one edge may be missing.
+   * Minimum pairs of edges with the same interval for the period of a cell. Five edges have four
+   * pairs of neighbours, so that one edge may be missing.
    */
   private static final int CELL_PAIRS = 3;
 
-  /** The same of a pixel, whose edges are fewer and so more often alike by chance. */
+  /** The same for a pixel, whose fewer edges agree more often by chance. */
   private static final int PIXEL_PAIRS = 4;
 
-  /** Largest jitter of an edge: the latency of a pixel in dim light varies by about as much. */
+  /** Largest jitter of an edge: about the variation of a pixel's latency in dim light. */
   private static final double MAX_JITTER_US = 4_000;
 
   private static final long NEVER_US = Long.MIN_VALUE / 4;
@@ -72,7 +72,7 @@ public final class FrequencyMap {
     reset();
   }
 
-  /** Forgets all events. */
+  /** Removes all events. */
   public void reset() {
     pixels.reset();
     cells.reset();
@@ -108,9 +108,9 @@ public final class FrequencyMap {
   }
 
   /**
-   * Takes events.
+   * Processes events.
    *
-   * @param packet left as it is
+   * @param packet not changed
    */
   public void add(EventPacket packet) {
     long[] times = packet.timesUs();
@@ -137,8 +137,8 @@ public final class FrequencyMap {
    *
    * @param x column, inside of the sensor
    * @param y row, upwards
-   * @param nowUs the time for which it is asked, on the clock of the events
-   * @return microseconds, 0 where none is known
+   * @param nowUs time of the request, on the clock of the events
+   * @return microseconds, 0 if it is unknown
    */
   public float periodUs(int x, int y, long nowUs) {
     int pixel = y * width + x;
@@ -155,28 +155,31 @@ public final class FrequencyMap {
    *
    * @param x column, inside of the sensor
    * @param y row, upwards
-   * @param nowUs the time for which it is asked, on the clock of the events
-   * @return hertz, NaN where none is known
+   * @param nowUs time of the request, on the clock of the events
+   * @return hertz, NaN if it is unknown
    */
   public double frequencyHz(int x, int y, long nowUs) {
     float period = periodUs(x, y, nowUs);
     return period == 0 ? Double.NaN : 1e6 / period;
   }
 
-  /** The last edges and the period of each place. */
+  /** The last edges and the period of each pixel or cell. */
   private final class Edges {
-    /** Numbers of a place: a cache line, so that an edge waits for memory once. */
+    /** Values per pixel or cell: a cache line, for one memory access per edge. */
     private static final int STRIDE = 8;
 
-    /** Behind the edges: when the period was found last. */
+    /** After the edges: last time at which the period was found. */
     private static final int FOUND = EDGES;
 
-    /** Behind that: the period, nanoseconds. */
+    /** After that: the period, nanoseconds. */
     private static final int PERIOD = EDGES + 1;
 
     private final boolean[] lastOn;
 
-    /** Times of the last edges of each place, the newest first, then what was found. */
+    /**
+     * For each pixel or cell: times of the last edges, the newest first, then time and period
+     * found.
+     */
     private final long[] state;
 
     private final int minPairs;
@@ -206,7 +209,7 @@ public final class FrequencyMap {
       }
     }
 
-    /** Looks for the shortest interval that enough pairs of edges share. */
+    /** Searches the shortest interval that enough pairs of edges share. */
     private void find(int at) {
       for (int lag = 1; lag < EDGES; lag++) {
         long interval = state[at] - state[at + lag];
@@ -233,7 +236,7 @@ public final class FrequencyMap {
       }
     }
 
-    /** The period in microseconds, 0 where none is known. */
+    /** The period in microseconds, 0 if it is unknown. */
     float periodUs(int place, long nowUs) {
       int at = STRIDE * place;
       float periodUs = state[at + PERIOD] * 1e-3f;

@@ -8,9 +8,9 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.stream.ReportClock;
 
 /**
- * {@link FrequencyMap} as a stage of a chain; events pass as they are. Publishes {@code
- * frequencies}: at each report a {@link PixelFrequency} for each pixel whose frequency is known,
- * from events before that time only.
+ * {@link FrequencyMap} as a stage of a chain; passes all events. Publishes {@code frequencies}: at
+ * each report a {@link PixelFrequency} for each pixel whose frequency is known, from events before
+ * that time only.
  *
  * <p>Thread rule: as {@link haltere.core.chain.EventFilter}.
  */
@@ -62,7 +62,9 @@ final class FrequencyMapFilter extends PublishingFilter<FrequencyMapSettings> {
     }
   }
 
-  /** Reports at all times up to that of the next event; none where pixels were silent too long. */
+  /**
+   * Reports at all times up to that of the next event; none for pixels that were silent too long.
+   */
   private void report(long nextEventUs) {
     publish(reports.nextUs());
     reports.advance();
@@ -110,9 +112,9 @@ final class FrequencyMapFilter extends PublishingFilter<FrequencyMapSettings> {
     map.apply(settings);
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<FrequencyMapSettings> {
-    /** Found by its name in the list of services. */
+    /** Called by the service loader. */
     public Provider() {
       super(
           "frequency-map",

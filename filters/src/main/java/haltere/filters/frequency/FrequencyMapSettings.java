@@ -34,7 +34,7 @@ public record FrequencyMapSettings(
   }
 
   /**
-   * The settings to start from.
+   * The default settings.
    *
    * @return 5 Hz to 1 kHz, periods equal within a twentieth, one report a second
    */

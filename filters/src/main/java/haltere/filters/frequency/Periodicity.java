@@ -1,28 +1,28 @@
 package haltere.filters.frequency;
 
 /**
- * Finds how often a series of counts repeats: the shortest lag at which the autocorrelation is
- * nearly as high as anywhere, made more exact by the multiples of that lag.
+ * Estimates the period of a series of counts: the shortest lag at which the autocorrelation is near
+ * its maximum, refined by the multiples of that lag.
  *
  * <p>Thread rule: one thread at a time.
  */
 final class Periodicity {
-  /** A period has at least so many values. */
+  /** Minimum number of values in a period. */
   private static final int SHORTEST = 2;
 
-  /** Four periods at least are asked for. */
+  /** Minimum number of periods in the series. */
   private static final int PERIODS = 4;
 
-  /** A peak at least this high, as a share of the variance, is a repetition. */
+  /** Minimum height of a peak, as a share of the variance. */
   private static final double LEAST = 0.12;
 
-  /** The shortest lag whose peak has this share of the highest one is the period. */
+  /** Minimum height of the period's peak, as a share of the highest one. */
   private static final double NEARLY = 0.8;
 
-  /** The correlation has to fall to this share before it can rise for the next period. */
+  /** Share to which the correlation must fall before the next period. */
   private static final double FALLEN = 0.5;
 
-  /** Means over so small a part of the period take the noise out of long ones. */
+  /** Divisor of the period for smoothing, which reduces the noise of long periods. */
   private static final int SMOOTHING = 16;
 
   /** Largest relative change of the period by its next multiple. */
@@ -36,7 +36,7 @@ final class Periodicity {
     centred = new float[longest];
   }
 
-  /** The period of so many counts at even distances, in such distances; NaN if nothing repeats. */
+  /** The period of a number of equidistant counts, in their distances; NaN if there is none. */
   double periodOf(float[] values, int count) {
     int lags = count / PERIODS;
     if (lags <= SHORTEST + 1) {
@@ -50,7 +50,7 @@ final class Periodicity {
     for (int i = 0; i < count; i++) {
       centred[i] = (float) (values[i] - mean);
     }
-    // all lags over the same number of products, so that long ones are not worth less
+    // all lags have the same number of products, so that long ones have equal weight
     int used = count - lags - 1;
     for (int lag = 0; lag <= lags + 1 && lag < correlation.length; lag++) {
       correlation[lag] = product(centred, lag, used);
@@ -71,13 +71,13 @@ final class Periodicity {
     return Double.NaN;
   }
 
-  /** The lag from which on a rise is one of another period and not of the same one. */
+  /** The lag after which a rise belongs to the next period. */
   private int firstFall(int lags) {
     int lag = SHORTEST;
     while (lag <= lags && correlation[lag] > FALLEN * Math.max(correlation[1], 0)) {
       lag++;
     }
-    // what still falls is no peak, however high it is
+    // a falling correlation is not a peak
     while (lag <= lags && correlation[lag] <= correlation[lag - 1]) {
       lag++;
     }
@@ -85,7 +85,7 @@ final class Periodicity {
   }
 
   private static double product(float[] values, int lag, int used) {
-    // four sums at a time: one alone would wait for itself at each step
+    // four independent sums, since a single one would be limited by the latency of additions
     double a = 0;
     double b = 0;
     double c = 0;
@@ -134,7 +134,7 @@ final class Periodicity {
       int best = highestNear(near - around, near + around, lags, reach);
       double exact = top(best, reach) / multiple;
       if (!(Math.abs(exact - period) <= MAX_CHANGE * period)) {
-        // not a multiple: what repeats does not do so for long
+        // not a multiple: the repetition is short
         break;
       }
       period = exact;

@@ -37,15 +37,15 @@ public record PixelRegion(int left, int bottom, int width, int height) {
    *
    * @param x column
    * @param y row
-   * @param reach how many neighbours at each side, 0 for the pixel alone
-   * @return a square of {@code 2 reach + 1} pixels, which may stick out of the sensor
+   * @param reach number of neighbours at each side, 0 for the pixel alone
+   * @return a square of {@code 2 reach + 1} pixels, which may extend beyond the sensor
    */
   public static PixelRegion around(int x, int y, int reach) {
     return new PixelRegion(x - reach, y - reach, 2 * reach + 1, 2 * reach + 1);
   }
 
   /**
-   * How many pixels.
+   * Number of pixels.
    *
    * @return width times height
    */

@@ -16,13 +16,13 @@ import java.util.Arrays;
  * @since 0.1
  */
 public final class RegionMeter implements StreamHandler {
-  /** Length of a bin, so that frequencies up to 2.5 kHz are seen. */
+  /** Length of a bin, for frequencies up to 2.5 kHz. */
   public static final int BIN_US = 200;
 
-  /** Bins that frequencies down to 5 Hz need: 0.8 s. */
+  /** Number of bins for frequencies down to 5 Hz: 0.8 s. */
   public static final int BINS = 4096;
 
-  /** The rate is that of so many bins, 0.1 s. */
+  /** Number of bins for the rate, 0.1 s. */
   private static final int RATE_BINS = 500;
 
   private static final long NONE = Long.MIN_VALUE;
@@ -40,7 +40,7 @@ public final class RegionMeter implements StreamHandler {
   private long newestBin = NONE;
 
   /**
-   * A meter that has seen nothing.
+   * A meter without events.
    *
    * @param region the pixels
    */
@@ -49,10 +49,10 @@ public final class RegionMeter implements StreamHandler {
   }
 
   /**
-   * A meter that has seen nothing.
+   * A meter without events.
    *
    * @param region the pixels
-   * @param bins how many bins are remembered, at least 2
+   * @param bins number of stored bins, at least 2
    */
   public RegionMeter(PixelRegion region, int bins) {
     this.region = region;
@@ -114,9 +114,9 @@ public final class RegionMeter implements StreamHandler {
   }
 
   /**
-   * Lets time go on without events.
+   * Advances time without events.
    *
-   * @param timeUs time on the source's clock; one that has passed changes nothing
+   * @param timeUs time on the source's clock; an earlier one has no effect
    */
   public void advanceTo(long timeUs) {
     if (newestBin == NONE) {
@@ -149,7 +149,7 @@ public final class RegionMeter implements StreamHandler {
     if (newestBin == NONE) {
       return RegionReading.NOTHING;
     }
-    // the newest bin is not over yet
+    // the newest bin is not complete
     int known = (int) Math.min(bins - 1, newestBin - firstBin);
     int counted = Math.max(1, Math.min(RATE_BINS, known));
     long onEvents = 0;

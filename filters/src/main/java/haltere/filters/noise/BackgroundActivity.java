@@ -18,13 +18,13 @@ import java.util.function.Consumer;
  * Guo and T. Delbruck, "Low cost and latency event camera background activity denoising", IEEE
  * TPAMI 2023.
  *
- * <p>The time of support is a setting or chosen every tenth of a second from the noise that was
- * measured, see {@code docs/using.md}.
+ * <p>The correlation time is a setting, or chosen every 0.1 s from the measured noise, see {@code
+ * docs/using.md}.
  *
- * <p>Each pixel's last time lies in a map with a border of one pixel all around that never fires,
- * so that every pixel has eight neighbours, and as 32-bit microseconds since an epoch, which halves
- * the memory that a look-up touches. The epoch moves on every 18 minutes of event time; nothing is
- * lost by that, because what is older than the longest correlation time supports nobody.
+ * <p>The last times of the pixels are in a map with a border of one silent pixel, so that every
+ * pixel has eight neighbours, as 32-bit microseconds since an epoch, which halves the memory of a
+ * look-up. The epoch advances every 18 minutes of event time, without loss, since times older than
+ * the longest correlation time support no event.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  *
@@ -37,10 +37,10 @@ public final class BackgroundActivity {
    */
   private static final int LAST_RELATIVE_US = 1 << 30;
 
-  /** Older than any correlation time before any relative time. */
+  /** Earlier than any relative time by more than any correlation time. */
   private static final int NEVER = -(1 << 30);
 
-  /** Events that are worked on together, in three steps, which takes less time than in one. */
+  /** Events processed together in three steps, which is faster than in one. */
   private static final int BLOCK = 1024;
 
   private final Consumer<? super BackgroundActivityShare> listener;
@@ -49,7 +49,7 @@ public final class BackgroundActivity {
   private final int mapSize;
   private int[] lastUs;
 
-  /** Of each event of a block: the place of a neighbour, then 1 if it is supported, else 0. */
+  /** For each event of a block: the index of a neighbour, then 1 if it is supported, else 0. */
   private final int[] block = new int[BLOCK];
 
   private BackgroundActivitySettings settings;
@@ -90,13 +90,13 @@ public final class BackgroundActivity {
     makeMaps();
   }
 
-  /** OFF and ON events have a map each where polarities must match, else all share one. */
+  /** Creates a map for each polarity if polarities must match, else one for all events. */
   private void makeMaps() {
     lastUs = new int[settings.samePolarity() ? Math.multiplyExact(2, mapSize) : mapSize];
     reset();
   }
 
-  /** Forgets all events. */
+  /** Removes all events. */
   public void reset() {
     forgetTimes();
     automatic.reset();
@@ -114,7 +114,7 @@ public final class BackgroundActivity {
   }
 
   /**
-   * What it does.
+   * The settings.
    *
    * @return the settings in force
    */
@@ -123,8 +123,8 @@ public final class BackgroundActivity {
   }
 
   /**
-   * Does something else from the next packet on. What it remembers is kept unless polarities matter
-   * now and did not before, or the other way round.
+   * Applies settings from the next packet on. The state is kept unless the matching of polarities
+   * changes.
    *
    * @param newSettings the settings to use
    */
@@ -143,7 +143,7 @@ public final class BackgroundActivity {
   /**
    * Removes the events without support.
    *
-   * @param packet worked on in place
+   * @param packet filtered in place
    */
   public void filter(EventPacket packet) {
     int kept = 0;
@@ -172,7 +172,7 @@ public final class BackgroundActivity {
     packet.truncate(kept);
   }
 
-  /** Finds each event's lower left neighbour; the border makes its place y * stride + x. */
+  /** Finds each event's lower left neighbour; with the border its index is y * stride + x. */
   private void findPlaces(int[] addresses, int from, int to) {
     int[] found = block;
     int polarityMask = settings.samePolarity() ? EventAddress.ON_BIT : 0;
@@ -186,8 +186,8 @@ public final class BackgroundActivity {
   }
 
   /**
-   * Finds events with any support: the latest of the neighbours' times decides, which takes no
-   * branch that could be mispredicted.
+   * Finds events with any support by the latest of the neighbours' times, without unpredictable
+   * branches.
    */
   private void findAny(long[] timesUs, int from, int to) {
     int[] places = block;
@@ -212,7 +212,7 @@ public final class BackgroundActivity {
     }
   }
 
-  /** Finds events that enough neighbours support, by counting the signs. */
+  /** Finds events with enough supporting neighbours, by counting sign bits. */
   private void findEnough(long[] timesUs, int from, int to) {
     int[] places = block;
     int[] last = lastUs;
@@ -238,14 +238,14 @@ public final class BackgroundActivity {
     }
   }
 
-  /** Keeps the events of which a 1 was found. */
+  /** Keeps the supported events. */
   private int keepSupported(EventPacket packet, int from, int to, int keptBefore) {
     long[] timesUs = packet.timesUs();
     int[] addresses = packet.addresses();
     int[] supported = block;
     int kept = keptBefore;
     for (int i = from; i < to; i++) {
-      // Moved in any case: the next event overwrites it unless it is kept.
+      // moved in any case: the next event overwrites it unless it is kept
       timesUs[kept] = timesUs[i];
       addresses[kept] = addresses[i];
       kept += supported[i - from];
@@ -276,18 +276,18 @@ public final class BackgroundActivity {
     }
   }
 
-  /** Makes an event's time fit, without loss: see the class comment. */
+  /** Advances the epoch for an event's time: see the class comment. */
   private void moveEpoch(long timeUs) {
     long relativeUs = timeUs - epochUs;
     if (!empty && relativeUs >= 0 && relativeUs < LAST_RELATIVE_US) {
       return;
     }
     if (empty || relativeUs < 0 || relativeUs >= 2L * LAST_RELATIVE_US) {
-      // Nothing to keep: the memory is empty, or older than any correlation time.
+      // the memory is empty, or older than any correlation time
       forgetTimes();
       epochUs = timeUs;
     } else {
-      // Keeps the longest correlation time before the event on the new scale.
+      // keeps the times within the longest correlation time before the event
       int shiftUs = (int) (relativeUs - BackgroundActivitySettings.MAX_CORRELATION_US);
       for (int i = 0; i < lastUs.length; i++) {
         lastUs[i] = lastUs[i] < shiftUs ? NEVER : lastUs[i] - shiftUs;

@@ -52,9 +52,9 @@ final class BackgroundActivityFilter extends PublishingFilter<BackgroundActivity
     activity.apply(settings);
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<BackgroundActivitySettings> {
-    /** Found by its name in the list of services. */
+    /** Called by the service loader. */
     public Provider() {
       super(
           "background-activity",

@@ -25,7 +25,7 @@ public record BackgroundActivitySettings(
         int neighbours,
     @Help("Only neighbours that fired with the polarity of the event support it.")
         boolean samePolarity) {
-  /** The longest time of support. */
+  /** Longest correlation time. */
   static final int MAX_CORRELATION_US = 10_000_000;
 
   /** Checks the ranges. */
@@ -35,7 +35,7 @@ public record BackgroundActivitySettings(
   }
 
   /**
-   * The settings to start from.
+   * The default settings.
    *
    * @return automatic time, one neighbour of any polarity
    */
@@ -43,7 +43,7 @@ public record BackgroundActivitySettings(
     return new BackgroundActivitySettings(0, 1, false);
   }
 
-  /** Whether the time of support is chosen from the measured noise. */
+  /** Whether the correlation time is chosen from the measured noise. */
   boolean isAutomatic() {
     return correlationUs == 0;
   }

@@ -3,11 +3,11 @@ package haltere.filters.noise;
 import haltere.core.sink.Column;
 
 /**
- * What {@link BackgroundActivity} did in a window of a tenth of a second of event time.
+ * Result of {@link BackgroundActivity} in a window of 0.1 s of event time.
  *
  * @param timeUs end of the window on the clock of the events, microseconds
- * @param correlationUs how long an event supported its neighbours, microseconds
- * @param events how many came in
+ * @param correlationUs correlation time of an event with its neighbours, microseconds
+ * @param events number of input events
  * @param passedShare share of them that passed, 0 to 1
  * @param removedShare share of them that were removed, 0 to 1
  * @since 0.1

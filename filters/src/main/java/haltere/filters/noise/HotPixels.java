@@ -7,25 +7,24 @@ import java.util.Arrays;
 import java.util.Objects;
 
 /**
- * Learns which pixels fire abnormally and blocks them. Event time is divided into learning periods,
- * counted from the first event. At the end of each:
+ * Detects pixels with abnormal event rates and blocks them. Event time is divided into learning
+ * periods, counted from the first event. At the end of each:
  *
  * <ul>
- *   <li>a pixel is hot if it fired at more than a certain rate AND at more than a certain multiple
- *       of the mean rate of its neighbours (the up to eight that are on the sensor and not
- *       blocked);
- *   <li>hot pixels are blocked from then on, the busiest first where there are more than may be;
- *   <li>a blocked pixel that was not hot for several periods in a row is let through again.
+ *   <li>a pixel is hot if its rate exceeds a threshold AND a multiple of the mean rate of its
+ *       neighbours (the up to eight that are on the sensor and not blocked);
+ *   <li>hot pixels are blocked from then on, the busiest first if their number is limited;
+ *   <li>a blocked pixel that was not hot for several periods in a row is released.
  * </ul>
  *
- * <p>Why a moving edge is not blocked: within a learning period it crosses not single pixels but
- * areas. The thinnest object that can fire, a line of one pixel's width that flickers on the spot,
- * gives each of its pixels but the ends two neighbours of the same rate, so the pixel has 4 times
- * the mean of its eight neighbours; a pixel on the rim of the area that a beating wing sweeps has
- * at least three, so it has at most 2.7 times. A hot pixel among silent ones has a huge multiple,
- * and each of two hot ones side by side has 8 times the mean. The ratio of 6 lies between.
+ * <p>A moving edge is not blocked, since within a learning period it crosses areas. In the thinnest
+ * object, a flickering line of one pixel's width, each pixel except the ends has two neighbours of
+ * the same rate, so that its rate is 4 times the mean of its eight neighbours; a pixel on the rim
+ * of the area swept by a beating wing has at least three, so that the ratio is at most 2.7. A hot
+ * pixel among silent ones has a much larger ratio, and two adjacent hot ones have a ratio of 8. The
+ * threshold of 6 lies between.
  *
- * <p>What counts are the events that come in, so a blocked pixel is still watched.
+ * <p>All input events count, also those of blocked pixels.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  *
@@ -40,7 +39,7 @@ public final class HotPixels {
   private final int[] cells;
   private HotPixelsSettings settings;
 
-  /** Count from which a pixel is a candidate in this period. */
+  /** Count at which a pixel becomes a candidate in this period. */
   private int threshold;
 
   /** Pixels that have reached the threshold in this period. */
@@ -48,7 +47,7 @@ public final class HotPixels {
 
   private int candidateCount;
 
-  /** Blocked pixels and how many periods in a row each has been calm. */
+  /** Blocked pixels, and for each the number of successive calm periods. */
   private int[] blocked;
 
   private int[] calmPeriods;
@@ -72,7 +71,7 @@ public final class HotPixels {
     apply(settings);
   }
 
-  /** Forgets all events and lets all pixels through. */
+  /** Removes all events and releases all pixels. */
   public void reset() {
     Arrays.fill(cells, 0);
     candidateCount = 0;
@@ -81,7 +80,7 @@ public final class HotPixels {
   }
 
   /**
-   * What it does.
+   * The settings.
    *
    * @return the settings in force
    */
@@ -90,8 +89,8 @@ public final class HotPixels {
   }
 
   /**
-   * Does something else from the next packet on. Blocked pixels stay blocked, as many as may be; a
-   * new learning period begins with the next event.
+   * Applies settings from the next packet on. Blocked pixels stay blocked up to the maximum number;
+   * a new learning period begins with the next event.
    *
    * @param newSettings the settings to use
    */
@@ -109,7 +108,7 @@ public final class HotPixels {
   }
 
   /**
-   * How many pixels are blocked at present.
+   * Number of pixels blocked at present.
    *
    * @return at most the number of the settings
    */
@@ -131,7 +130,7 @@ public final class HotPixels {
   /**
    * Removes the events of blocked pixels.
    *
-   * @param packet worked on in place
+   * @param packet filtered in place
    */
   public void filter(EventPacket packet) {
     int kept = 0;
@@ -155,7 +154,7 @@ public final class HotPixels {
     return keptBefore + to - from;
   }
 
-  /** Counts events; whether any is of a blocked pixel. */
+  /** Counts events; returns whether any is of a blocked pixel. */
   private boolean count(int[] addresses, int from, int to) {
     int[] counts = cells;
     int candidate = threshold;
@@ -203,7 +202,7 @@ public final class HotPixels {
       return;
     }
     endPeriod();
-    // Periods without an event: all pixels are calm, and after enough of them none is blocked.
+    // in periods without events all pixels are calm, and after enough of them none is blocked
     long silentPeriods = (timeUs - periodEndUs) / settings.periodUs();
     for (long i = 0; i < silentPeriods && blockedCount > 0; i++) {
       endPeriod();
@@ -241,7 +240,7 @@ public final class HotPixels {
     return (double) count * neighbours > settings.ratio() * sum;
   }
 
-  /** Lets pixels through that have been calm for long enough; the hot ones stand in candidates. */
+  /** Releases pixels that have been calm for long enough; the hot ones are in candidates. */
   private void releaseCalm(int hot) {
     Arrays.sort(candidates, 0, hot);
     int kept = 0;

@@ -51,9 +51,9 @@ final class HotPixelsFilter implements ConfigurableFilter<HotPixelsSettings> {
     hotPixels.apply(settings);
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<HotPixelsSettings> {
-    /** Found by its name in the list of services. */
+    /** Called by the service loader. */
     public Provider() {
       super(
           "hot-pixels",

@@ -47,7 +47,7 @@ public record HotPixelsSettings(
   }
 
   /**
-   * The settings to start from.
+   * The default settings.
    *
    * @return half a second, 50 Hz, six times the neighbours, four periods, 1000 pixels
    */

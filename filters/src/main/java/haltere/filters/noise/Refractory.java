@@ -15,9 +15,7 @@ import java.util.Objects;
  * @since 0.1
  */
 public final class Refractory {
-  /**
-   * So long ago that the difference to any time within 2<sup>62</sup> us of 0 does not overflow.
-   */
+  /** Initial time, whose difference to any time within 2<sup>62</sup> us of 0 does not overflow. */
   private static final long NEVER_US = Long.MIN_VALUE / 2;
 
   private final int width;
@@ -37,13 +35,13 @@ public final class Refractory {
     reset();
   }
 
-  /** Forgets all events. */
+  /** Removes all events. */
   public void reset() {
     Arrays.fill(lastUs, NEVER_US);
   }
 
   /**
-   * What it does.
+   * The settings.
    *
    * @return the settings in force
    */
@@ -61,9 +59,9 @@ public final class Refractory {
   }
 
   /**
-   * Removes the events that come too soon.
+   * Removes the events within the refractory period.
    *
-   * @param packet worked on in place
+   * @param packet filtered in place
    */
   public void filter(EventPacket packet) {
     long periodUs = settings.periodUs();
@@ -74,11 +72,11 @@ public final class Refractory {
       int pixel = EventAddress.y(address) * width + EventAddress.x(address);
       long before = lastUs[pixel];
       long silenceUs = packet.timeUs(i) - before;
-      // Sign bits instead of branches, which a processor could not predict: 1 if the event passes.
+      // sign bits instead of unpredictable branches: 1 if the event passes
       int passes = (int) (periodUs - silenceUs >>> 63);
-      // The event's own time if it counts, else the time that was there before.
+      // the event's own time if it counts, else the previous time
       lastUs[pixel] = before + (silenceUs & -(long) (passes | always));
-      // Moved in any case: the next event overwrites it unless it passes.
+      // moved in any case: the next event overwrites it unless it passes
       packet.move(i, kept);
       kept += passes;
     }

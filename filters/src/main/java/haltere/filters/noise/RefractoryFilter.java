@@ -7,7 +7,7 @@ import haltere.core.event.SensorGeometry;
 
 /**
  * {@link Refractory} as a stage of a chain, and the template of a filter: settings in {@link
- * RefractorySettings}, algorithm in {@link Refractory}, and here what makes a filter of them.
+ * RefractorySettings}, algorithm in {@link Refractory}, and their adapter to a chain here.
  *
  * @since 0.1
  */
@@ -49,9 +49,9 @@ public final class RefractoryFilter implements ConfigurableFilter<RefractorySett
     refractory.apply(settings);
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<RefractorySettings> {
-    /** Found by its name in the list of services. */
+    /** Called by the service loader. */
     public Provider() {
       super(
           "refractory",

@@ -31,7 +31,7 @@ public record RefractorySettings(
   }
 
   /**
-   * The settings to start from.
+   * The default settings.
    *
    * @return one millisecond since the last event that passed
    */

@@ -12,8 +12,8 @@ import java.util.Arrays;
  * share of noise that passes. For k = 1 it is 1 − exp(−8λT), by the superposition of Poisson
  * processes (Kingman, "Poisson Processes", 1993, section 2.2). T is at least the time at which
  * {@value #USUAL_PASSED} of the noise passes and at most that at which {@value #MAX_PASSED} does.
- * Between the two it is the shortest time that gives support to {@value #KEPT} of the objects'
- * events that the longest would give it to, for k = 1; for other k it is the shortest.
+ * For k = 1 it is the shortest time between the two that supports {@value #KEPT} of the objects'
+ * events supported by the longest; for other k it is the shortest.
  *
  * <p>The rate λ is that of the quietest cells of the picture in windows of 100 ms: the mean of the
  * Poisson distribution that has the measured share of counts up to their lower decile. Objects and
@@ -28,16 +28,16 @@ final class SupportTime {
   static final int MIN_US = 1_000;
   static final int MAX_US = 500_000;
 
-  /** What is used before the first window has ended: of noise of 0.2 Hz one in twenty passes. */
+  /** Time before the end of the first window: 5 % of noise of 0.2 Hz pass. */
   static final int INITIAL_US = 32_000;
 
-  /** Windows at the beginning of which neighbours may have fired before the first event. */
+  /** Initial windows, in which neighbours may have fired before the first event. */
   private static final long FIRST_WINDOWS = MAX_US / WINDOW_US;
 
-  /** Share of the noise that passes if objects need no more. */
+  /** Share of the noise that passes unless objects need more. */
   static final double USUAL_PASSED = 0.05;
 
-  /** Share of the noise that may pass where objects fire rarely. */
+  /** Largest share of the noise that passes, for objects with low event rates. */
   static final double MAX_PASSED = 0.3;
 
   /** Share of the objects' events with support that are kept. */
@@ -46,21 +46,21 @@ final class SupportTime {
   /** Time constant of the memory: noise changes with light and temperature, in minutes. */
   private static final double MEMORY_S = 4;
 
-  /** Time after which the time of support is near what longer observation leads to. */
+  /** Settling time of the correlation time. */
   static final long SETTLING_US = 10 * WINDOW_US;
 
-  /** Standard deviations of a count within which it may be noise alone. */
+  /** Clipping of counts, in standard deviations of the noise. */
   private static final double CLIP_SD = 3;
 
   private static final int NEIGHBOURS = 8;
 
-  /** Cells have at most 16 pixels a side: at 0.2 Hz five events a window. */
+  /** Cells have at most 16 pixels a side: five events a window at 0.2 Hz. */
   private static final int MAX_CELL_BITS = 4;
 
-  /** Events of a cell in a window above which none is counted: 20 Hz a pixel is no noise. */
+  /** Largest count of a cell in a window: 20 Hz per pixel is not noise. */
   private static final int MAX_COUNT = 512;
 
-  /** Share of the cells and windows that objects are assumed to leave free. */
+  /** Assumed share of the cells and windows without objects. */
   private static final double QUIET_SHARE = 0.1;
 
   /** Bins of the time since the last neighbour: four for each doubling. */
@@ -137,9 +137,9 @@ final class SupportTime {
   /**
    * Ends a window.
    *
-   * @param windows how many ended, of which all but the first were empty
+   * @param windows number of ended windows, all empty except the first
    * @param neighbours how many of the eight must support an event
-   * @param polarities 2 where only neighbours of the own polarity count, else 1
+   * @param polarities 2 if only neighbours of the same polarity count, else 1
    */
   void endWindow(long windows, int neighbours, int polarities) {
     double windowS = WINDOW_US * 1e-6;
@@ -162,7 +162,7 @@ final class SupportTime {
     }
   }
 
-  /** Counts cells by their events. One without events within the memory sees nothing. */
+  /** Counts cells by their events. One without events within the memory is ignored. */
   private int countCells(long windows, double all, double sinceFirst, double emptyWindows) {
     for (int i = 0; i < counts.length; i++) {
       counts[i] *= all;
@@ -247,13 +247,13 @@ final class SupportTime {
     return chosen;
   }
 
-  /** Whether a time gives support to fewer events than wanted, or chance may hide that it does. */
+  /** Whether a time supports fewer events than wanted, within the statistical error. */
   private boolean isLess(int bin, int longest, double wanted, double random, double supportHz) {
     double byChance = passed(longest, supportHz, 1) - passed(bin, supportHz, 1);
     return supported(bin, random, supportHz) < wanted + Math.sqrt(random * byChance);
   }
 
-  /** Events of objects with support within the times up to a bin, without those of chance. */
+  /** Number of objects' events supported within the times up to a bin, without chance support. */
   private double supported(int bin, double random, double supportHz) {
     return upTo(bin) - random * passed(bin, supportHz, 1);
   }

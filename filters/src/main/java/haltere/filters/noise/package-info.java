@@ -1,2 +1,2 @@
-/** Filters that remove what no movement in the scene has caused. */
+/** Filters that remove events not caused by movement in the scene. */
 package haltere.filters.noise;

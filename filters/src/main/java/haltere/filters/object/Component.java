@@ -53,8 +53,8 @@ final class Component {
   double rate;
 
   /**
-   * Log ratio of its events under motion and under repetition, at least 0 after each tick: what
-   * repeated its places may begin to move (cumulative sum: Page, Biometrika 41, 1954).
+   * Log ratio of its events under motion and under repetition, at least 0 after each tick: events
+   * that repeated their positions may begin to move (cumulative sum: Page, Biometrika 41, 1954).
    */
   double novelty;
 
@@ -223,7 +223,7 @@ final class Component {
       grown += Math.log(growth);
     }
     if (!isMoving() && !motion.coasts()) {
-      // what probably rests: mean and variance of a mixture of its velocity and of none
+      // mean and variance of a mixture of its velocity and of rest
       double p = presence.moving();
       state.addNoise(1, p * (1 - p) * vx() * vx());
       state.addNoise(3, p * (1 - p) * vy() * vy());

@@ -29,7 +29,7 @@ public class MotionModel {
    * @return growth of the component in the picture, a factor
    */
   protected double predict(GaussianState state, double sizePx, double dtS) {
-    // what is smaller than a cell of births moves as fast as what fills one
+    // components smaller than a cell of births move as fast as those that fill one
     double size = Math.max(sizePx, ClutterMap.CELL_PX);
     for (int i = 0; i < 4; i += 2) {
       state.shear(i, i + 1, dtS);

@@ -115,7 +115,7 @@ final class ObjectRelations {
           double windowS = ticks * ObjectTracker.TICK_S;
           if (windowS > FIRST_S) {
             sum += motionLog(a, b, ticks) * seconds / Math.max(WATCH_S, windowS);
-            // motion alone is never surer than two decisions
+            // motion alone is limited to the certainty of two decisions
             sum = Math.max(-2 * DECISIVE_NAT, Math.min(2 * DECISIVE_NAT, sum));
           }
         }

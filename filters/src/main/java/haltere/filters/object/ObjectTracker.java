@@ -12,8 +12,8 @@ import java.util.function.Consumer;
 import java.util.function.LongConsumer;
 
 /**
- * Tracks what moves. Events change one grid; every 10 ms of their time the grid is shared among the
- * components and clutter, which updates all states. {@code docs/objects.md} has the model.
+ * Tracks moving objects. Events change one grid; every 10 ms of their time the grid is shared among
+ * the components and clutter, which updates all states. {@code docs/objects.md} has the model.
  */
 final class ObjectTracker {
   /** Length of a tick: at 1000 px/s an edge moves ten pixels, less than a template's cells. */
@@ -27,10 +27,13 @@ final class ObjectTracker {
   /** Ticks between two comparisons of the components. */
   private static final int COMPARE_TICKS = 2;
 
-  /** Prior of the rate of new objects: as many come as one vanishes. */
+  /** Prior of the rate of new objects: that at which one vanishes. */
   private static final double PRIOR_S = 1 / Presence.VANISH_HZ;
 
-  /** Standard deviation of a return, as a share of the size and of the way since the last event. */
+  /**
+   * Standard deviation of a return, as a share of the size and of the distance since the last
+   * event.
+   */
   private static final double RETURN_SHARE = 0.25;
 
   private static final long UNDECIDED_US = Math.round(ObjectTrackerFilter.UNDECIDED_S * 1e6);
@@ -65,9 +68,9 @@ final class ObjectTracker {
   /**
    * A tracker in its initial state.
    *
-   * @param listener takes each row
-   * @param ticked told the time after the rows of a report
-   * @param isWatched whether rows are wanted
+   * @param listener receives each row
+   * @param ticked receives the time after the rows of a report
+   * @param isWatched whether rows are requested
    */
   ObjectTracker(
       SensorGeometry geometry,
@@ -109,7 +112,7 @@ final class ObjectTracker {
     relations.apply(model);
   }
 
-  /** Forgets all but the identities that were given out. */
+  /** Removes all objects; assigned identities are not reused. */
   void reset() {
     clutter.reset();
     births.reset();
@@ -123,7 +126,7 @@ final class ObjectTracker {
     ticks = 0;
   }
 
-  /** The next identity is the first one again. */
+  /** Restarts identities from the first one. */
   void restartIdentities() {
     ids = 0;
   }
@@ -162,7 +165,7 @@ final class ObjectTracker {
     }
   }
 
-  /** Ends the stream: no more evidence comes, so what is undecided is decided. */
+  /** Ends the stream: pending identities are decided. */
   void finish() {
     if (isStarted) {
       update(tickStartUs + TICK_US);
@@ -250,10 +253,10 @@ final class ObjectTracker {
   }
 
   /**
-   * The object that rests or is lost and comes back with a component, or null: odds of a normal
-   * density about its place, which widens with time as it was fast and is large, against a new
-   * object anywhere in the picture. The rate of new ones has a Gamma prior of shape 1, as clutter
-   * has; what comes back goes no further than before it stops again.
+   * The resting or lost object that returns with a component, or null: odds of a normal density
+   * about its position, whose width grows with time, speed and size, against a new object anywhere
+   * in the picture. The rate of new ones has a Gamma prior of shape 1, as clutter; a returning
+   * object moves for the mean duration of a motion at most.
    */
   private TrackedObject returned(Component component, long nowUs) {
     TrackedObject best = null;
@@ -284,14 +287,14 @@ final class ObjectTracker {
               - (motion.coasts() ? object.unlike(component) : 0);
       if (log > most) {
         most = log;
-        // beside one that moves it is compared with that one
+        // near a moving object the component is compared with that one
         best = isMoving ? null : object;
       }
     }
     return best;
   }
 
-  /** An object goes on, moved to where the component that was seen lies within it. */
+  /** Continues an object, moved so that the observed component lies within it. */
   private void takeUp(TrackedObject object, Component seen, long nowUs) {
     object.shift(
         into(seen.middleX() - object.middleX(), object.halfX() - seen.shape.halfX),
@@ -326,7 +329,7 @@ final class ObjectTracker {
     free.push(seen);
   }
 
-  /** How far an interval is to be moved until a place is within it. */
+  /** Displacement of an interval until it contains a position. */
   private static double into(double distance, double reach) {
     return Math.signum(distance) * ObjectRelations.outside(distance, Math.max(0, reach));
   }
@@ -451,7 +454,7 @@ final class ObjectTracker {
       if (!isApart(object)) {
         object.apartUs = nowUs;
       }
-      // one slip is in all displacements over a window, so that it must not decide
+      // a single error is in all displacements over a window and must not be decisive
       int window = object.apartUs > object.bornUs ? object.components.get(0).window : 0;
       double watchS = Math.max(settings.confirmS(), window * TICK_S);
       if ((nowUs - object.apartUs) * 1e-6 >= watchS && isEvident(object)) {
@@ -460,7 +463,7 @@ final class ObjectTracker {
     }
   }
 
-  /** Components without events go along with the others, and end after a while. */
+  /** Moves components without events with the others, and ends them after a while. */
   private void goAlong(TrackedObject object, long nowUs) {
     double vx = object.vx();
     double vy = object.vy();
@@ -494,7 +497,7 @@ final class ObjectTracker {
     return true;
   }
 
-  /** Gives an object its identity, and all its rows since it began. */
+  /** Decides the identity of an object, and publishes all its rows since its start. */
   private void decide(TrackedObject object) {
     object.id = ++ids;
     decided++;

@@ -18,21 +18,21 @@ import java.util.Comparator;
 import java.util.Locale;
 
 /**
- * Tracks what moves, of any shape: an object is one track from its first to its last event, also
- * through stops, gaps and encounters. Lets all events through. It needs no noise filter before it.
- * {@code docs/objects.md} has the model and its sources. Publishes
+ * Tracks moving objects of any shape: an object is one track from its first to its last event, also
+ * through stops, gaps and encounters. Passes all events. A noise filter is not required. {@code
+ * docs/objects.md} has the model and its sources. Publishes
  *
  * <ul>
  *   <li>{@code objects}: an {@link ObjectTrack} for each object at each report, from events before
- *       that time only. When an identity is decided, the rows since the object began come at once,
- *       at most two seconds of them; the rows of one object are in order of their times;
+ *       that time only. When an identity is decided, the rows since the object's start are
+ *       published at once, at most two seconds of them, in order of time;
  *   <li>{@code object-snapshot}: an {@link TrailSnapshot} at each report.
  * </ul>
  *
  * <p>Thread rule: as {@link haltere.core.chain.EventFilter}.
  */
 public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSettings> {
-  /** How much older than the latest row those of an identity may be that is decided, seconds. */
+  /** Maximum age of the rows of a newly decided identity, seconds. */
   public static final double UNDECIDED_S = 2;
 
   private final Outlet<ObjectTrack> tracks =
@@ -51,8 +51,8 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
   /**
    * A filter in its initial state.
    *
-   * @param geometry the sensor whose events it will see
-   * @param settings what to do
+   * @param geometry the sensor
+   * @param settings of the filter
    */
   public ObjectTrackerFilter(SensorGeometry geometry, ObjectTrackerSettings settings) {
     tracker =
@@ -75,7 +75,7 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
     trails.clear();
   }
 
-  /** {@inheritDoc} Identities begin anew. */
+  /** {@inheritDoc} Identities restart. */
   @Override
   public void rewind() {
     reset();
@@ -90,7 +90,7 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
     super.notified(notification);
   }
 
-  /** Time goes on over a gap in the data, and objects are remembered for as long anyway. */
+  /** Time continues over a gap in the data, with the usual memory of objects. */
   @Override
   public boolean bridgesGaps() {
     return true;
@@ -122,7 +122,7 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
   }
 
   /**
-   * Takes what is known of how objects move, from the next packet on.
+   * Applies a motion model from the next packet on.
    *
    * @param model such as that of a road
    */
@@ -152,9 +152,9 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
     }
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<ObjectTrackerSettings> {
-    /** Found by its name in the list of services. */
+    /** Called by the service loader. */
     public Provider() {
       super(
           "object-tracker",

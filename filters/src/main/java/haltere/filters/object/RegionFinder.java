@@ -13,7 +13,7 @@ final class RegionFinder {
   /** Least share of the events of the extent for a region. */
   private static final double MIN_SHARE = 0.1;
 
-  /** Checks after the first one in which regions stay separate until they are components. */
+  /** Number of further checks in which regions must stay separate to become components. */
   private static final int CHECKS = 2;
 
   /** Ticks between two checks: a sixth of the memory of a shape. */

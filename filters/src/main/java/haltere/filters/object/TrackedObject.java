@@ -218,7 +218,7 @@ final class TrackedObject {
       rate += c.activeRate();
       cell = Math.max(cell, c.shape.cellPx);
     }
-    // The sides of the extent are known to a cell of the template.
+    // the sides of the extent are known to a cell of the template
     double side = cell * cell / 4;
     Ellipse ellipse = ellipse();
     return new ObjectTrack(

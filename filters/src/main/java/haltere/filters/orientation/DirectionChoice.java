@@ -12,7 +12,7 @@ import java.util.List;
  * </pre>
  *
  * <p>v̂ is the direction of travel, tilted up by up to 45°, since insects fly with their heads up.
- * Unknown terms are left out. In Straw et al. w = min(0.9, 0.5 · speed in m/s), which is near 0 for
+ * Unknown terms are omitted. In Straw et al. w = min(0.9, 0.5 · speed in m/s), which is near 0 for
  * slow bodies; the default is {@link #weightOf} a speed and its standard deviation.
  */
 final class DirectionChoice {

@@ -14,13 +14,13 @@ final class PixelMeasurement implements MeasurementModel {
   private final double[] jacobian = new double[6];
   private CameraModel camera;
 
-  /** A measurement that needs {@link #turnTo} first. */
+  /** A measurement that requires {@link #turnTo}. */
   PixelMeasurement(double pixelSd, double gateSigmas) {
     variance = pixelSd * pixelSd;
     gate = Gate.sigmas(gateSigmas);
   }
 
-  /** Sets the camera and the position; false if it does not see the position. */
+  /** Sets the camera and the position; false if the position is not visible. */
   boolean turnTo(CameraModel newCamera, double x, double y, double z) {
     camera = newCamera;
     point[0] = x;

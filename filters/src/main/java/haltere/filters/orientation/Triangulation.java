@@ -11,7 +11,7 @@ import org.ejml.dense.row.CommonOps_DDRM;
 /**
  * Triangulation of a point: the point nearest to all lines of sight, refined by least squares in
  * the pictures (Gauss-Newton; Hartley and Zisserman 2004, section 12.5), with its covariance. With
- * three or more cameras, one that contradicts the others is left out.
+ * three or more cameras, one that contradicts the others is excluded.
  */
 final class Triangulation {
   private static final double MIN_LIMIT_PX = 5;

@@ -39,8 +39,8 @@ public final class Homography implements PlaneMapping {
   /**
    * The map through four points.
    *
-   * @param points four pixels and what they see, no three of them on a line, and all of them on the
-   *     same side of the horizon
+   * @param points four pixels and their positions, no three collinear, all on the same side of the
+   *     horizon
    * @throws IllegalArgumentException if they determine no such map
    */
   public Homography(List<PointPair> points) {

@@ -4,8 +4,8 @@ import haltere.core.sink.Column;
 import haltere.filters.estimation.GaussianState;
 
 /**
- * Where an object is on a plane at one time, from events before that time only. On a road x is
- * across it to the right and y along it away from the camera, see {@link RoadMapping}.
+ * Position and velocity of an object on a plane at one time, from events before that time only. On
+ * a road x is across it to the right and y along it away from the camera, see {@link RoadMapping}.
  *
  * @param timeUs time on the clock of the events, microseconds
  * @param id identity of the track

@@ -29,7 +29,7 @@ public final class RoadMapping implements PlaneMapping {
   /**
    * The mapping of a camera.
    *
-   * @param settings where it stands and looks
+   * @param settings its position and view
    * @param sensor its pixels, at least two rows unless the vanishing point is marked
    */
   public RoadMapping(RoadViewSettings settings, SensorGeometry sensor) {
@@ -48,7 +48,7 @@ public final class RoadMapping implements PlaneMapping {
 
   @Override
   public boolean seesPlane(double xPx, double yPx) {
-    // A row below the sensor sees the road as far as it looks ahead.
+    // a row below the sensor sees the road if it looks ahead
     return yPx < vanishingY && angle(yPx) < Math.PI / 2 && !Double.isNaN(xPx);
   }
 

@@ -1,6 +1,6 @@
 /**
  * Maps from pixels to a plane in the scene and back: a road seen from a bridge, an arena, a belt.
- * Trackers that state positions in metres stand on it.
+ * Trackers with positions in metres use it.
  *
  * @since 0.1
  */

@@ -95,7 +95,7 @@ public final class RoadMotion extends MotionModel {
       transition.set(i + 2, i + 2, back.y(here.xv(), here.yv()));
     }
     state.transform(transition);
-    // any acceleration up to that of braking is as likely; across it is a drift that comes and goes
+    // along: uniform prior of accelerations up to braking; across: a drift that comes and goes
     double along = 2 * prior.brakingMS2() * prior.brakingMS2() / 3 * Vehicle.LASTS_S;
     double across = 2 * prior.driftMS() * prior.driftMS() / Vehicle.LASTS_S;
     state.addAcceleration(0, 0, back.xx(across, 0, along), dtS);

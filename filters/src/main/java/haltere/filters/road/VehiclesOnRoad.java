@@ -9,9 +9,9 @@ import java.util.Optional;
 import java.util.function.Function;
 
 /**
- * Takes the objects before a camera that looks along a road for vehicles, and tells where the
- * nearer end of each is and how fast it moves, from rows up to the present one. Rows of one object
- * come in the order of their times. The place is empty until the extent of the vehicle is known.
+ * Maps the objects of a camera that looks along a road to vehicles: position and velocity of the
+ * nearer end, from rows up to the present one. Rows of one object must be in order of time. The
+ * result is empty until the extent of the vehicle is known.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  */
@@ -21,10 +21,10 @@ public final class VehiclesOnRoad implements Function<ObjectTrack, Optional<Plan
   private final Map<Integer, Vehicle> vehicles = LineCounter.recent();
 
   /**
-   * A road that has seen nothing.
+   * A road without vehicles.
    *
    * @param mapping pixels to the road
-   * @param prior what is usual on it
+   * @param prior prior of vehicles
    */
   public VehiclesOnRoad(RoadMapping mapping, VehiclePrior prior) {
     this.mapping = Objects.requireNonNull(mapping, "mapping");

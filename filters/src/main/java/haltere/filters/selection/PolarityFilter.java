@@ -24,7 +24,7 @@ final class PolarityFilter implements ConfigurableFilter<PolaritySettings> {
 
   @Override
   public void reset() {
-    // Nothing is remembered.
+    // stateless
   }
 
   @Override
@@ -42,9 +42,9 @@ final class PolarityFilter implements ConfigurableFilter<PolaritySettings> {
     polarity.apply(settings);
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<PolaritySettings> {
-    /** Found by its name in the list of services. */
+    /** Called by the service loader. */
     public Provider() {
       super(
           "polarity",

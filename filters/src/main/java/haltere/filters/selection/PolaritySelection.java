@@ -24,7 +24,7 @@ public final class PolaritySelection {
   }
 
   /**
-   * What it does.
+   * The settings.
    *
    * @return the settings in force
    */
@@ -33,7 +33,7 @@ public final class PolaritySelection {
   }
 
   /**
-   * Does something else from the next packet on.
+   * Applies settings from the next packet on.
    *
    * @param newSettings the settings to use
    */
@@ -44,7 +44,7 @@ public final class PolaritySelection {
   /**
    * Removes the events of the other polarity.
    *
-   * @param packet worked on in place
+   * @param packet filtered in place
    */
   public void filter(EventPacket packet) {
     if (settings.keep() == PolaritySettings.Keep.BOTH) {

@@ -21,13 +21,13 @@ public record PolaritySettings(
     OFF
   }
 
-  /** Checks that the choice is there. */
+  /** Checks that the choice is not null. */
   public PolaritySettings {
     SettingsSchema.validate(PolaritySettings.class, keep);
   }
 
   /**
-   * The settings to start from.
+   * The default settings.
    *
    * @return both polarities
    */

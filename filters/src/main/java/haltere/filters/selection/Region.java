@@ -24,7 +24,7 @@ public final class Region {
   }
 
   /**
-   * What it does.
+   * The settings.
    *
    * @return the settings in force
    */
@@ -33,7 +33,7 @@ public final class Region {
   }
 
   /**
-   * Does something else from the next packet on.
+   * Applies settings from the next packet on.
    *
    * @param newSettings the settings to use
    */
@@ -42,9 +42,9 @@ public final class Region {
   }
 
   /**
-   * Removes the events on the wrong side.
+   * Removes the events on the other side.
    *
-   * @param packet worked on in place
+   * @param packet filtered in place
    */
   public void filter(EventPacket packet) {
     int left = settings.leftPx();

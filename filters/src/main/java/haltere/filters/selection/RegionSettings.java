@@ -29,7 +29,7 @@ public record RegionSettings(
         int heightPx,
     @Help(value = "Events inside or outside of the rectangle pass.", label = "Passing events")
         Keep keep) {
-  /** More than any sensor has. */
+  /** Largest size, above that of any sensor. */
   static final int LARGEST_PX = 32_768;
 
   /** Which events pass. */
@@ -46,9 +46,9 @@ public record RegionSettings(
   }
 
   /**
-   * The settings to start from.
+   * The default settings.
    *
-   * @return the inside of a rectangle that holds any sensor
+   * @return the inside of a rectangle that contains any sensor
    */
   public static RegionSettings defaults() {
     return new RegionSettings(0, 0, LARGEST_PX, LARGEST_PX, Keep.INSIDE);

@@ -1,2 +1,2 @@
-/** Filters that select events by where they are or by their polarity. */
+/** Filters that select events by position or polarity. */
 package haltere.filters.selection;

@@ -20,10 +20,10 @@ import java.util.function.LongConsumer;
  * Kalman filters on clusters: J. Cardinale (2006), "Tracking objects and wing beat analysis methods
  * of a fruit fly with the event-based silicon retina", part I, section 2.
  *
- * <p>A track starts at a visible cluster once enough events have come in, and is updated by its
- * location whenever so many have come in again. Its identity follows that of the cluster. Without a
- * visible cluster it coasts on its prediction; new clusters inside the gates of coasting tracks are
- * assigned to them all at once, by least squared Mahalanobis distance.
+ * <p>A track starts at a visible cluster after a number of events, and is updated by its location
+ * after the same number again. Its identity follows that of the cluster. Without a visible cluster
+ * it coasts on its prediction; new clusters inside the gates of coasting tracks are assigned to
+ * them all at once, by least squared Mahalanobis distance.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  */
@@ -98,7 +98,7 @@ final class KalmanTracks {
     showing = false;
   }
 
-  /** The next identity is the first one again. */
+  /** Restarts identities from the first one. */
   public void restartIdentities() {
     clusters.restartIdentities();
     lastId = 0;
@@ -110,8 +110,8 @@ final class KalmanTracks {
   }
 
   /**
-   * Takes new settings from the next packet on. Tracks and clusters go on, unless the road changes:
-   * then tracks restart.
+   * Applies new settings from the next packet on. Tracks and clusters continue unless the road
+   * changes: then tracks restart.
    */
   public void apply(KalmanTracksSettings newSettings) {
     if (settings == null || !settings.road().equals(newSettings.road())) {
@@ -124,7 +124,7 @@ final class KalmanTracks {
     settings = newSettings;
     prediction = new TrackPrediction(mapping, settings);
     int maxClusters = settings.clusters().output().maxClusters();
-    // As many may coast as there may be clusters.
+    // as many tracks may coast as there may be clusters
     maxTracks = 2 * maxClusters;
     tracks.subList(Math.min(maxTracks, tracks.size()), tracks.size()).clear();
     assignment = new Assignment(maxTracks, maxClusters);
@@ -132,12 +132,12 @@ final class KalmanTracks {
     clusters.apply(settings.clusters());
   }
 
-  /** Takes events; a packet is only read, unless events outside clusters are to be removed. */
+  /** Processes events; a packet is only read, unless events outside clusters are to be removed. */
   public void track(EventPacket packet) {
     clusters.track(packet);
   }
 
-  /** Gives each track in the picture, predicted to a time. */
+  /** Passes on each track in the picture, predicted to a time. */
   void forEach(long timeUs, Consumer<TrackPrediction> action) {
     for (Track track : tracks) {
       if (prediction.predict(track, timeUs) && isInPicture()) {
@@ -153,7 +153,7 @@ final class KalmanTracks {
         && prediction.yPx <= geometry.height() - 0.5;
   }
 
-  /** Looks at the clusters: assigns, starts, updates and ends tracks. Allocates for births only. */
+  /** Assigns, starts, updates and ends tracks of the clusters. Allocates for births only. */
   private void look(long timeUs) {
     unassigned.clear();
     for (int i = 0; i < tracks.size(); i++) {
@@ -194,7 +194,7 @@ final class KalmanTracks {
     }
   }
 
-  /** Whether a cluster has a track, which then sees it. */
+  /** Whether a cluster has a track, which is then marked as visible. */
   private boolean isFollowed(Cluster cluster, long timeUs) {
     for (int i = 0; i < tracks.size(); i++) {
       Track track = tracks.get(i);
@@ -248,7 +248,7 @@ final class KalmanTracks {
     }
   }
 
-  /** Whether a track has been without a cluster for too long, or has left the plane or picture. */
+  /** Whether a track has coasted for too long, or has left the plane or picture. */
   private boolean isOver(Track track, long timeUs) {
     boolean isSeen = prediction.predict(track, timeUs);
     boolean isLost = timeUs - track.seenUs > 1e6 * settings.life().coastTimeS();

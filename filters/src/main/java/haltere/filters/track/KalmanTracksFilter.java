@@ -107,7 +107,7 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
     tracks.restartIdentities();
   }
 
-  /** Time continues over a gap in the data, and tracks coast for as long as they do anyway. */
+  /** Time continues over a gap in the data, with the usual coasting of tracks. */
   @Override
   public boolean bridgesGaps() {
     return true;
@@ -123,9 +123,9 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
     tracks.apply(settings);
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<KalmanTracksSettings> {
-    /** Found by its name in the list of services. */
+    /** Called by the service loader. */
     public Provider() {
       super(
           "kalman-tracks",

@@ -81,7 +81,7 @@ public record KalmanTracksSettings(
     names.put("motion.noise", "filter.noise");
     names.put("motion.launchSpeedPxS", "filter.launchSpeedPxS");
     names.put("measurement.dynamicVariances", "filter.dynamicVariances");
-    // They were those of one of three motions, and of one of three measurements.
+    // settings of one of three motions, and of one of three measurements
     names.put("motion.minProcessVariance", "use filter.minProcessVariance");
     names.put("measurement.maxMeasurementVariance", "use filter.maxMeasurementVariance");
     names.put("measurement.eventsTillTrack", "life.eventsTillTrack");
@@ -91,7 +91,7 @@ public record KalmanTracksSettings(
     names.put("life.updatesTillShown", "use life.eventsTillTrack");
     names.put("life.mostTracks", "use clusters.output.maxClusters");
     names.put("life.pathS", "use clusters.output.pathPoints");
-    // What else was in these groups.
+    // the other settings of these groups
     for (String name : List.of("motion", "measurement", "things", "life.restTimeS")) {
       names.put(name, "left to object-tracker");
     }

@@ -14,16 +14,16 @@ final class Track {
   /** Time of the belief, microseconds. */
   long timeUs;
 
-  /** How far dynamic variances are from their ends: 1 at the start, falling at each update. */
+  /** Share of the initial dynamic variances: 1 at the start, decreasing at each update. */
   double youth = 1;
 
   /** Identity of the cluster that it follows. */
   int clusterId;
 
-  /** That cluster as long as it is visible, else null. */
+  /** That cluster while it is visible, else null. */
   Cluster cluster;
 
-  /** When the cluster was visible last, microseconds. */
+  /** Last time at which the cluster was visible, microseconds. */
   long seenUs;
 
   /** Events of all its clusters. */

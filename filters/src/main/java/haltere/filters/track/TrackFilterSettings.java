@@ -33,11 +33,11 @@ public record TrackFilterSettings(
         @Range(min = 1, max = 1e5, logarithmic = true)
         @Unit("px/s")
         double launchSpeedPxS) {
-  /** How the process noise grows. */
+  /** Growth of the process noise. */
   public enum Noise {
     /** White acceleration of a density per second, integrated over each step. */
     DENSITY,
-    /** The same variance of each state at each update, however long the step is. */
+    /** The same variance of each state at each update, independent of the step. */
     PER_UPDATE
   }
 

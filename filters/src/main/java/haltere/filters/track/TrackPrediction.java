@@ -11,7 +11,7 @@ import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
  * The Kalman filter of tracks: a track predicted to a time, on the plane and in the picture, and
- * its correction, in pixels, by the location z of its cluster. Used again for each prediction.
+ * its correction, in pixels, by the location z of its cluster. Reused.
  *
  * <pre>
  * predict   x⁻ = F x           P⁻ = F P Fᵀ + Q            F, Q: constant velocity
@@ -80,7 +80,7 @@ final class TrackPrediction {
     born.count();
   }
 
-  /** Predicts a track; false if no camera would see it there. The track stays as it is. */
+  /** Predicts a track; false if it is not visible there. The track is not changed. */
   boolean predict(Track predicted, long predictedUs) {
     track = predicted;
     timeUs = predictedUs;

@@ -29,7 +29,7 @@ public record Ellipse(double majorPx, double minorPx, double angleRad) {
   }
 
   /**
-   * {@return the same ellipse with half axes times a factor}
+   * {@return the ellipse with half axes times a factor}
    *
    * @param factor more than 0
    */

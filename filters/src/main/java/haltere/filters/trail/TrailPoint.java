@@ -1,6 +1,6 @@
 package haltere.filters.trail;
 
-/** A row of a tracker: where an object is in the picture at one time, and how fast it moves. */
+/** A row of a tracker: position and velocity of an object in the picture at one time. */
 public interface TrailPoint {
   /** {@return time on the clock of the events, microseconds} */
   long timeUs();

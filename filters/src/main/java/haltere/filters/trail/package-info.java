@@ -1,6 +1,6 @@
 /**
- * What trackers draw: objects with their paths, outlines and velocities, alike for clusters, Kalman
- * tracks and objects.
+ * Drawing of tracked objects with their paths, outlines and velocities, for clusters, Kalman tracks
+ * and objects.
  *
  * @since 0.1
  */

@@ -4,7 +4,7 @@ package haltere.filters.wing;
  * A manual change of a number of a running Kalman filter.
  *
  * @param part the wing, or the edge with a filter for each edge
- * @param table what is changed
+ * @param table the table
  * @param row from 0
  * @param column from 0; used for the covariance only
  * @param value the new number, in the units of {@link WingFilterState}; NaN returns noise to the

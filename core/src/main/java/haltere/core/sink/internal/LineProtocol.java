@@ -10,18 +10,18 @@ import java.util.function.Consumer;
  * <p>Thread rule: any thread.
  */
 interface LineProtocol {
-  /** The bytes of a line as receivers get them. */
+  /** The bytes of a line as sent to receivers. */
   byte[] frame(byte[] topic, byte[] line);
 
-  /** One who has just connected. */
+  /** A newly connected client. */
   Peer meet(Socket socket) throws IOException;
 
-  /** What may be sent to one that is turned away, before the connection is closed. */
+  /** Message to a refused client before the connection is closed. */
   byte[] refusal(String why);
 
   /** The other end of a connection. */
   interface Peer {
-    /** Exchanges the data before the first line; throws for a peer that is no receiver. */
+    /** Exchanges the data before the first line; throws for a peer that is not a receiver. */
     void greet() throws IOException;
 
     /**
@@ -32,7 +32,7 @@ interface LineProtocol {
     default void listen(Consumer<byte[]> answers) throws IOException {}
 
     /**
-     * Whether there is anything to listen to.
+     * Whether the peer sends data.
      *
      * @return the same at all times
      */
@@ -43,8 +43,8 @@ interface LineProtocol {
     /**
      * Whether lines on a topic are for this peer.
      *
-     * @param topic as it goes over the connection
-     * @return whether it asked for them
+     * @param topic as sent over the connection
+     * @return whether it subscribed to them
      */
     default boolean wants(byte[] topic) {
       return true;
@@ -53,7 +53,7 @@ interface LineProtocol {
     /**
      * Whether any lines are for this peer.
      *
-     * @return whether it asked for some
+     * @return whether it has a subscription
      */
     default boolean receives() {
       return true;

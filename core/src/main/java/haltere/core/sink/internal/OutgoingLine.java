@@ -1,10 +1,10 @@
 package haltere.core.sink.internal;
 
 /**
- * What waits for a receiver.
+ * Data queued for a receiver.
  *
- * @param bytes as they go over the connection; not changed by anyone
- * @param counted whether it is missed if it is not sent: a line is, an answer of the protocol is
- *     not
+ * @param bytes as sent over the connection; immutable
+ * @param counted whether it counts as lost if it is not sent: true for a line, false for an answer
+ *     of the protocol
  */
 record OutgoingLine(byte[] bytes, boolean counted) {}

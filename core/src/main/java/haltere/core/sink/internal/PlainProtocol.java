@@ -4,7 +4,7 @@ import haltere.core.sink.LiveMessages;
 import java.net.Socket;
 import java.time.Clock;
 
-/** Every line as it is, to each who connects. */
+/** Sends every line unchanged to each client. */
 final class PlainProtocol implements LineProtocol {
   private static final Peer RECEIVER = () -> {};
 

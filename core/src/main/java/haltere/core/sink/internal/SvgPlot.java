@@ -12,23 +12,23 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * A plot of a few lines, bands and dots as SVG. The same numbers give the same bytes on any
- * machine, whatever its fonts. Points that are not numbers are left out.
+ * A plot of a few lines, bands and dots as SVG. The same numbers result in the same bytes on any
+ * machine, independent of its fonts. NaN points are omitted.
  *
  * <p>Thread rule: one thread at a time.
  */
 public final class SvgPlot {
-  /** Round numbers on an axis at most. */
+  /** Maximum number of ticks on an axis. */
   private static final int MAX_TICKS = 11;
 
   private static final int WIDTH = 640;
   private static final int HEIGHT = 300;
   private static final int MIN_LEFT = 60;
 
-  /** Room for the vertical label and the gaps beside the numbers. */
+  /** Space for the vertical label and the gaps beside the numbers. */
   private static final int LEFT_GAPS = 24;
 
-  /** Of a usual sans-serif font. */
+  /** Width of a digit in a usual sans-serif font. */
   private static final int DIGIT_WIDTH = 7;
 
   private static final int RIGHT = 12;
@@ -73,7 +73,7 @@ public final class SvgPlot {
    * A plot whose range holds all points, with a margin of a twentieth above and below.
    *
    * @param x finite, at least one
-   * @param ys of several lines; entries that are not finite are left out
+   * @param ys of several lines; entries that are not finite are omitted
    * @return an empty plot
    */
   public static SvgPlot around(double[] x, double[]... ys) {
@@ -184,9 +184,9 @@ public final class SvgPlot {
   }
 
   /**
-   * Writes the plot, over a file that is there.
+   * Writes the plot; an existing file is replaced.
    *
-   * @param file in a folder that is made if need be
+   * @param file its folder is created if necessary
    * @param title above the plot
    * @param xLabel quantity and unit
    * @param yLabel quantity and unit
@@ -262,7 +262,7 @@ public final class SvgPlot {
     svg.append("</g>\n").append(labels);
   }
 
-  /** What the numbers below the plot count from: a round number where they are too long from 0. */
+  /** Origin of the numbers below the plot: a round number if they are too long from 0. */
   private double originX() {
     if (Ticks.of(fromX, toX, MAX_TICKS).label(toX).length() <= MAX_DIGITS) {
       return 0;
@@ -305,10 +305,10 @@ public final class SvgPlot {
   }
 
   /**
-   * Words as they stand in SVG and HTML, also between quotes.
+   * Escapes a text for SVG and HTML, also in attributes.
    *
    * @param words any text
-   * @return the text without characters that mean something there
+   * @return the text with special characters escaped
    */
   public static String escaped(String words) {
     return words

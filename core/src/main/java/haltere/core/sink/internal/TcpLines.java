@@ -15,11 +15,11 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Listens, and sends every line to each who connects. Each receiver has room of its own for lines
- * that wait, so that a slow one costs only itself.
+ * Listens, and sends every line to each client. Each receiver has its own queue, so that a slow one
+ * does not affect others.
  */
 final class TcpLines implements LineOutput {
-  /** Each receiver has a thread and room for some 2 MB of lines. */
+  /** Each receiver has a thread and a queue of about 2 MB. */
   static final int MAX_RECEIVERS = 64;
 
   private static final long PATIENCE_MS = 1000;
@@ -62,7 +62,7 @@ final class TcpLines implements LineOutput {
           refuse(socket);
         }
       } catch (IOException ignored) {
-        // it has gone again, this output is being closed, or there are no more sockets for now
+        // the client has disconnected, this output is being closed, or no socket is free
         LockSupport.parkNanos(REST_NANOS);
       }
     }
@@ -136,7 +136,7 @@ final class TcpLines implements LineOutput {
     try {
       server.close();
     } catch (IOException ignored) {
-      // nobody can connect any more
+      // no client can connect any more
     }
     receivers.forEach(TcpReceiver::finish);
     try {
@@ -147,7 +147,7 @@ final class TcpLines implements LineOutput {
     receivers.forEach(TcpReceiver::abandon);
   }
 
-  /** Waits for as long as any receiver takes anything. */
+  /** Waits while any receiver accepts data. */
   private void await() throws InterruptedException {
     long before;
     long now = Long.MAX_VALUE;

@@ -5,7 +5,7 @@ import haltere.core.sink.LineOutput;
 import haltere.core.sink.LineOutputProvider;
 import java.io.IOException;
 
-/** Listens at {@code tcp://host:port} and sends every line to each who connects. */
+/** Listens at {@code tcp://host:port} and sends every line to each client. */
 public final class TcpLinesProvider implements LineOutputProvider {
   /** Called by the service loader. */
   public TcpLinesProvider() {}

@@ -13,12 +13,12 @@ import java.util.concurrent.BlockingQueue;
 import java.util.function.Consumer;
 
 /**
- * One who receives lines over TCP, with the lines that wait for it and the thread that writes them.
+ * A receiver of lines over TCP, with its queue and writing thread.
  *
  * <p>Thread rule: one thread offers lines; the rest may be called from any.
  */
 final class TcpReceiver {
-  /** Lines that wait for a receiver at the most: about 2 MB. */
+  /** Maximum number of queued lines: about 2 MB. */
   static final int ROOM_LINES = 8192;
 
   static final byte[] NOTIFICATION = "notification".getBytes(StandardCharsets.US_ASCII);
@@ -35,9 +35,9 @@ final class TcpReceiver {
   private final Thread thread;
   private final Object counts = new Object();
   private long lost;
-  private long untold;
+  private long unreported;
 
-  /** Lines that were taken out of the queue and not yet by the system. */
+  /** Lines taken from the queue that the system has not yet accepted. */
   private volatile long underway;
 
   private volatile boolean ending;
@@ -53,48 +53,49 @@ final class TcpReceiver {
     thread = Daemon.thread(this::work, "haltere-publish-" + socket.getRemoteSocketAddress());
   }
 
-  /** Begins to write. */
+  /** Starts writing. */
   void start() {
     thread.start();
   }
 
-  /** Whether lines on a topic are for this one. */
+  /** Whether lines on a topic are for this receiver. */
   boolean wants(byte[] topic) {
     return peer.wants(topic);
   }
 
-  /** Whether any lines are for this one. */
+  /** Whether any lines are for this receiver. */
   boolean receives() {
     return peer.receives();
   }
 
-  /** Takes a line if there is room for it, and counts it if not. */
+  /** Queues a line, or counts it as lost if the queue is full. */
   void offer(OutgoingLine line) {
     synchronized (counts) {
-      // what is missing is told before anything newer
-      if (untold > 0 && waiting.remainingCapacity() > 1) {
-        waiting.add(new OutgoingLine(takeNotice(), false));
+      // losses are reported before newer lines
+      if (unreported > 0 && waiting.remainingCapacity() > 1) {
+        waiting.add(new OutgoingLine(takeLossMessage(), false));
       }
-      if (untold > 0 || !waiting.offer(line)) {
+      if (unreported > 0 || !waiting.offer(line)) {
         lost++;
-        untold++;
+        unreported++;
       }
     }
   }
 
-  private byte[] takeNotice() {
+  private byte[] takeLossMessage() {
     synchronized (counts) {
-      boolean told = untold > 0 && peer.wants(NOTIFICATION);
-      byte[] notice =
-          told
-              ? protocol.frame(NOTIFICATION, messages.lost(untold, "this receiver was too slow"))
+      boolean isReported = unreported > 0 && peer.wants(NOTIFICATION);
+      byte[] message =
+          isReported
+              ? protocol.frame(
+                  NOTIFICATION, messages.lost(unreported, "this receiver was too slow"))
               : END.bytes();
-      untold = 0;
-      return notice;
+      unreported = 0;
+      return message;
     }
   }
 
-  /** Lines for which there was no room. */
+  /** Lines lost because the queue was full. */
   long lost() {
     synchronized (counts) {
       return lost;
@@ -109,7 +110,7 @@ final class TcpReceiver {
       }
       write(socket.getOutputStream());
     } catch (IOException | InterruptedException ignored) {
-      // it does not want any more, or is not waited for
+      // the receiver has disconnected, or is not waited for
     } finally {
       left.accept(this);
     }
@@ -123,7 +124,7 @@ final class TcpReceiver {
       OutgoingLine line = batch.size() < BATCH_BYTES ? waiting.poll() : null;
       if (line == null && batch.size() == 0) {
         if (nothingFollows) {
-          out.write(takeNotice());
+          out.write(takeLossMessage());
           return;
         }
         line = waiting.take();

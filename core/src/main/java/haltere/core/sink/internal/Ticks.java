@@ -11,12 +11,12 @@ import java.util.Locale;
  * @param values the ticks within the range, ascending
  */
 public record Ticks(double step, List<Double> values) {
-  /** Keeps the values as they are now. */
+  /** Copies the values. */
   public Ticks {
     values = List.copyOf(values);
   }
 
-  /** Ticks of a range, at most so many; none where the range is empty or not finite. */
+  /** Ticks of a range, at most a number; none if the range is empty or not finite. */
   public static Ticks of(double from, double to, int most) {
     if (!(to > from) || Double.isInfinite(to - from)) {
       return new Ticks(1, List.of());

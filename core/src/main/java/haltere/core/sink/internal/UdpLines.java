@@ -8,8 +8,8 @@ import java.nio.ByteBuffer;
 import java.nio.channels.DatagramChannel;
 
 /**
- * Sends each line as a datagram. Nobody need be there to receive it; a line for which the system
- * has no room is counted as lost.
+ * Sends each line as a datagram. A receiver is not required; a line that the system cannot buffer
+ * is counted as lost.
  */
 final class UdpLines implements LineOutput {
   private final LineAddress address;
@@ -41,7 +41,7 @@ final class UdpLines implements LineOutput {
     try {
       sent = channel.send(ByteBuffer.wrap(line), target);
     } catch (IOException ignored) {
-      // as lost as a datagram on its way
+      // lost, as a datagram in transit may be
     }
     if (sent == 0) {
       lost++;

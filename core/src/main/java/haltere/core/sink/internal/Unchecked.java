@@ -15,7 +15,7 @@ public final class Unchecked {
   /**
    * Reads something.
    *
-   * @param <T> what is read
+   * @param <T> type of the result
    */
   @FunctionalInterface
   public interface Reading<T> {
@@ -36,7 +36,7 @@ public final class Unchecked {
    * Reads something.
    *
    * @param reading reads it
-   * @param <T> what is read
+   * @param <T> type of the result
    * @return what was read
    */
   public static <T> T read(Reading<T> reading) {
@@ -50,7 +50,7 @@ public final class Unchecked {
   /**
    * The text of a resource in UTF-8.
    *
-   * @param resource closed behind its end
+   * @param resource closed at its end
    * @return the whole text
    */
   public static String text(InputStream resource) {

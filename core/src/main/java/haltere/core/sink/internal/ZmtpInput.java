@@ -12,7 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Input of a ZMTP peer. A frame that states more than {@value #MAX_FRAME_BYTES} bytes is refused
+ * Input of a ZMTP peer. A frame that states more than {@value #MAX_FRAME_BYTES} bytes is rejected
  * before memory is allocated for it.
  *
  * <p>Thread rule: one thread.
@@ -25,7 +25,7 @@ final class ZmtpInput {
    * A frame.
    *
    * @param command the name of the command; empty for part of a message
-   * @param data the bytes of the message, or those behind the command's name
+   * @param data the bytes of the message, or those after the command's name
    */
   record Frame(String command, byte[] data) {}
 
@@ -34,7 +34,7 @@ final class ZmtpInput {
   private final long deadlineNanos;
   private boolean unlimited;
 
-  /** Reads until a time limit, unless it is removed. */
+  /** Input with a time limit for reads until it is removed. */
   ZmtpInput(Socket socket, int limitMs) throws IOException {
     this.socket = socket;
     in = new BufferedInputStream(socket.getInputStream());
@@ -64,7 +64,7 @@ final class ZmtpInput {
     return new Frame(command, data);
   }
 
-  /** Takes a text of so many bytes. */
+  /** Reads a text of a number of bytes. */
   static String text(ByteBuffer from, int bytes) throws ProtocolException {
     if (bytes < 0 || bytes > from.remaining()) {
       throw new ProtocolException("a text of " + bytes + " bytes where there are fewer");
@@ -74,7 +74,7 @@ final class ZmtpInput {
     return new String(text, StandardCharsets.ISO_8859_1);
   }
 
-  /** Reads so many bytes. */
+  /** Reads a number of bytes. */
   byte[] read(int bytes) throws IOException {
     byte[] all = new byte[bytes];
     for (int i = 0; i < bytes; i++) {

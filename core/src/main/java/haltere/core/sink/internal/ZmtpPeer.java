@@ -17,7 +17,7 @@ import java.util.function.Consumer;
  * <p>Thread rule: one thread greets, and then one listens; the rest may be called from any.
  */
 final class ZmtpPeer implements LineProtocol.Peer {
-  /** Far more than there are outlets. */
+  /** Limit far above the number of outlets. */
   static final int MAX_SUBSCRIPTIONS = 1024;
 
   private static final int GREETING_BYTES = 64;

@@ -38,7 +38,7 @@ final class ZmtpProtocol implements LineProtocol {
     return message.array();
   }
 
-  /** A command: its name and what belongs to it. */
+  /** A command: its name and data. */
   static byte[] command(String name, byte[] data) {
     ByteBuffer body = ByteBuffer.allocate(1 + name.length() + data.length);
     body.put((byte) name.length()).put(name.getBytes(StandardCharsets.US_ASCII)).put(data);

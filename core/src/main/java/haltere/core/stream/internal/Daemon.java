@@ -8,7 +8,7 @@ public final class Daemon {
    * A thread that has not started.
    *
    * @param work what it does
-   * @param name by which a stack trace tells it
+   * @param name name in stack traces
    * @return the thread
    */
   public static Thread thread(Runnable work, String name) {

@@ -5,8 +5,8 @@ import haltere.filters.estimation.Require;
 import org.ejml.data.DMatrixRMaj;
 
 /**
- * Several axes that move alike and independently, each a chain of integrators driven by white
- * noise: the state is (s, v, …) of the first axis, then of the second.
+ * Several independent axes with the same model, each a chain of integrators driven by white noise:
+ * the state is (s, v, …) of the first axis, then of the second.
  *
  * <pre>
  * F = [1 Δt Δt²/2; 0 1 Δt; 0 0 1], or its first two rows and columns
@@ -19,7 +19,7 @@ public final class AxisMotion implements ProcessModel {
   private final int axes;
   private final int order;
 
-  /** Integrators that the noise passes; 0 for noise that is the same at every step. */
+  /** Number of integrators after the noise; 0 for constant noise per step. */
   private final int driven;
 
   private final double density;
@@ -44,12 +44,11 @@ public final class AxisMotion implements ProcessModel {
   }
 
   /**
-   * State (s, v, a) per axis; the acceleration is a constant to be found, and white acceleration
-   * comes on top of it: gravity with gusts. With a density of 0 the filter is the least-squares
-   * parabola.
+   * State (s, v, a) per axis; a constant unknown acceleration plus white acceleration: gravity with
+   * gusts. With a density of 0 the filter is the least-squares parabola.
    *
    * @param axes at least 1
-   * @param density q, spectral density of the acceleration beside the constant one, in unit²/s³
+   * @param density q, spectral density of the white acceleration, in unit²/s³
    * @return the model
    */
   public static AxisMotion constantAcceleration(int axes, double density) {
@@ -57,8 +56,8 @@ public final class AxisMotion implements ProcessModel {
   }
 
   /**
-   * State (s, v, a) per axis; the acceleration wanders, driven by white jerk (Wiener process
-   * acceleration, eq. 6.2.3-5 and 6.2.3-7).
+   * State (s, v, a) per axis; the acceleration is a random walk, driven by white jerk (Wiener
+   * process acceleration, eq. 6.2.3-5 and 6.2.3-7).
    *
    * @param axes at least 1
    * @param density q, spectral density of the jerk, in unit²/s⁵: in a second the acceleration
@@ -70,8 +69,8 @@ public final class AxisMotion implements ProcessModel {
   }
 
   /**
-   * The same motion with Q = q I at every step, however long it is. Its tuning depends on the rate
-   * of updates; prefer a density.
+   * The same motion with Q = q I at every step, independent of its length. Its tuning depends on
+   * the rate of updates; prefer a density.
    *
    * @param variance q, added to each entry's variance, in the square of its unit
    * @return another model
@@ -99,7 +98,7 @@ public final class AxisMotion implements ProcessModel {
     }
   }
 
-  /** {@inheritDoc} It is the same at every state. */
+  /** {@inheritDoc} It does not depend on the state. */
   @Override
   public void jacobian(DMatrixRMaj x, double dtS, DMatrixRMaj f) {
     f.zero();
@@ -112,7 +111,7 @@ public final class AxisMotion implements ProcessModel {
     }
   }
 
-  /** {@inheritDoc} It is the same at every state. */
+  /** {@inheritDoc} It does not depend on the state. */
   @Override
   public void noise(DMatrixRMaj x, double dtS, DMatrixRMaj q) {
     q.zero();

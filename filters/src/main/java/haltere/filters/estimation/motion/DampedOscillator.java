@@ -5,15 +5,15 @@ import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 
 /**
- * A damped harmonic oscillator whose damping and frequency are to be found, without process noise:
- * state (s, v, ζ, ω).
+ * A damped harmonic oscillator with unknown damping and frequency, without process noise: state (s,
+ * v, ζ, ω).
  *
  * <pre>
  * ds/dt = v     dv/dt = a = −ω² s − 2 ζ ω v     dζ/dt = 0     dω/dt = 0
  * </pre>
  *
- * <p>State and Jacobian go together through Runge-Kutta 4, dF/dt = J(x) F, in as many steps as the
- * oscillation needs; so F is the exact Jacobian of the state as it is computed.
+ * <p>State and Jacobian are integrated together by Runge-Kutta 4, dF/dt = J(x) F, with steps by the
+ * frequency, so that F is the exact Jacobian of the computed state.
  *
  * <p>Thread rule: holds workspaces; not safe for use by two threads at a time.
  */

@@ -6,7 +6,7 @@ import java.util.function.BiConsumer;
 
 /**
  * The classical Runge-Kutta method of fourth order: Kutta (1901); Press et al., "Numerical
- * Recipes", eq. 16.1.3. A step's error falls with the fifth power of its length.
+ * Recipes", eq. 16.1.3. The error of a step is of fifth order in its length.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  */
@@ -34,11 +34,11 @@ public final class RungeKutta4 {
   }
 
   /**
-   * Goes forward in equal steps.
+   * Integrates in equal steps.
    *
    * @param x state, replaced by that at the end
    * @param dtS seconds in all
-   * @param steps how many, at least 1
+   * @param steps their number, at least 1
    */
   public void integrate(double[] x, double dtS, int steps) {
     double h = dtS / Require.atLeast("steps", 1, steps);

@@ -5,7 +5,7 @@ import haltere.core.event.SensorGeometry;
 import java.util.Arrays;
 
 /**
- * Runs of events of one polarity on a pixel, as a passing edge makes them: the first one has the
+ * Runs of events of one polarity on a pixel, as caused by a passing edge: the first one has the
  * time of the edge.
  */
 public final class PolarityRuns {
@@ -13,12 +13,12 @@ public final class PolarityRuns {
   public static final int LONGEST_RUN_US = 2500;
 
   /**
-   * A pixel that is quiet for so long after an ON event is no longer passed: less than half of the
-   * shortest beat of a wing, 1.25 ms at 400 Hz, for which it is quiet between two passages.
+   * Silence after an ON event that ends a passage: less than half of the shortest wing beat, 1.25
+   * ms at 400 Hz, which is the silence between two passages.
    */
   private static final int QUIET_US = 1000;
 
-  /** Passages are seen at every fourth pixel of every fourth row, enough for a median. */
+  /** Passages are observed at every fourth pixel of every fourth row, enough for a median. */
   private static final int LEFT_OUT = EventAddress.pack(3, 3, 0);
 
   private static final int LEFT_OUT_BITS = 2;
@@ -29,20 +29,16 @@ public final class PolarityRuns {
   private final long[] lastOfPixel;
   private final int passageColumns;
 
-  /** First OFF event of the passage of a pixel that is not left out. */
+  /** First OFF event of the passage of an observed pixel. */
   private final long[] openedUs;
 
-  /** Its last ON event, were its run of ON events as long as its first run of OFF events. */
+  /** Its last ON event if its run of ON events were as long as its first run of OFF events. */
   private final long[] answeredUs;
 
   private boolean hasPassed;
   private long resolvedUs;
 
-  /**
-   * No event has come.
-   *
-   * @param geometry the sensor
-   */
+  /** A state without events. @param geometry the sensor */
   public PolarityRuns(SensorGeometry geometry) {
     width = geometry.width();
     lastOfPixel = new long[geometry.pixels()];
@@ -56,7 +52,7 @@ public final class PolarityRuns {
     return (pixels - 1 >> LEFT_OUT_BITS) + 1;
   }
 
-  /** Forgets all events. */
+  /** Removes all events. */
   public void clear() {
     Arrays.fill(lastOfPixel, NO_EVENT);
     Arrays.fill(openedUs, NO_EVENT);
@@ -65,17 +61,17 @@ public final class PolarityRuns {
   }
 
   /**
-   * {@return whether the event last taken begins a passage and {@link #resolvedUs} tells of the one
-   * before}
+   * {@return whether the last event begins a passage, so that {@link #resolvedUs} is of the
+   * previous one}
    */
   public boolean hasPassed() {
     return hasPassed;
   }
 
   /**
-   * What the last passage showed between its edges: time from its first to its last ON event less
-   * the duration of its first run of OFF events. About 0 for a uniform shadow. A vein that leaves
-   * makes the first ON event earlier than the trailing edge by this time.
+   * Resolved structure of the last passage: time from its first to its last ON event minus the
+   * duration of its first run of OFF events. About 0 for a uniform shadow. After a vein the first
+   * ON event is earlier than the trailing edge by this time.
    *
    * @return microseconds
    */
@@ -84,11 +80,11 @@ public final class PolarityRuns {
   }
 
   /**
-   * Takes an event. Times stand in the upper bits and the polarity in the last one, so that the
-   * difference to the event before, turned by a bit, is half of it where the polarities are alike,
-   * and beyond any time where they are not.
+   * Processes an event. Times are in the upper bits and the polarity in the last one, so that the
+   * difference to the previous event, rotated by a bit, is half of it for equal polarities, and
+   * larger than any time otherwise.
    *
-   * @param timeUs when, microseconds
+   * @param timeUs time, microseconds
    * @param address packed, on the sensor
    * @return whether it is the first of a run
    */

@@ -26,7 +26,7 @@ import java.util.Set;
  * multi_camera_reconstructor} ({@link CameraXml}).
  *
  * @param cameras the cameras, in the order of the file
- * @param minEccentricity smallest ratio of the axes that the calibration asks for, 0 for any
+ * @param minEccentricity smallest ratio of the axes in the calibration, 0 for any
  */
 public record CameraFile(List<CameraModel> cameras, double minEccentricity) {
   public CameraFile {
@@ -37,8 +37,8 @@ public record CameraFile(List<CameraModel> cameras, double minEccentricity) {
    * Reads a file.
    *
    * @param file JSON or XML
-   * @return at least one camera; those that see nothing say so
-   * @throws JsonProblem if it is neither, or not of cameras; the message names the file
+   * @return at least one camera; invalid ones have a {@linkplain CameraModel#problem problem}
+   * @throws JsonProblem if it is neither, or has no cameras; the message names the file
    * @throws IOException if it cannot be read
    */
   public static CameraFile read(Path file) throws IOException {

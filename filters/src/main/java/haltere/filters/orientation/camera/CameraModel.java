@@ -8,16 +8,16 @@ import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
  * A calibrated camera: a point X of the world is seen at (h₀/h₂, h₁/h₂), h = C (X, 1), with C the 3
- * x 4 matrix, and then moved by the lens.
+ * x 4 matrix, then distorted by the lens.
  *
- * <p>A line on a body at A, with the direction u, is seen at the angle
+ * <p>A line on a body with the direction u is seen at the angle
  *
  * <pre>
  * θ = atan(n₁·u / n₀·u) (mod π),   n₀ = h₂ m₀ − h₀ m₂,   n₁ = h₂ m₁ − h₁ m₂
  * </pre>
  *
- * <p>with m the rows of the left 3 x 3 part of C: the derivative of the projection, in one short
- * expression. Thread rule: immutable.
+ * <p>with m the rows of the left 3 x 3 part of C: the derivative of the projection. Thread rule:
+ * immutable.
  */
 public final class CameraModel {
   /** Relative depth below which a point is in the plane of the camera's centre. */
@@ -48,15 +48,15 @@ public final class CameraModel {
   }
 
   /**
-   * A camera with the lens that its matrix and five numbers tell: the matrix is taken apart into a
-   * triangle with a positive diagonal and a rotation (which may mirror).
+   * A camera with a lens by its matrix and five numbers: the matrix is decomposed into a triangular
+   * matrix with a positive diagonal and a rotation (which may mirror).
    *
    * @param id its name
    * @param matrix twelve numbers, row by row
    * @param distortion k1, k2, p1, p2, k3; empty for none
    * @param widthPx columns of its sensor, 0 if unknown
    * @param heightPx rows of its sensor, 0 if unknown
-   * @return a camera; one whose matrix sees nothing has a {@link #problem}
+   * @return a camera; one with a degenerate matrix has a {@link #problem}
    */
   public static CameraModel of(
       String id, double[] matrix, double[] distortion, int widthPx, int heightPx) {
@@ -91,7 +91,7 @@ public final class CameraModel {
     return new CameraModel(id, own, lens, widthPx, heightPx, null);
   }
 
-  /** A camera whose lens is known by itself; the matrix is to pixels without distortion. */
+  /** A camera with a known lens; the matrix maps to undistorted pixels. */
   static CameraModel of(String id, double[] matrix, Lens lens, int widthPx, int heightPx) {
     double[] own = normalised(matrix);
     return new CameraModel(
@@ -158,7 +158,7 @@ public final class CameraModel {
     return heightPx;
   }
 
-  /** {@return where it stands, metres; NaN for a camera with a problem} */
+  /** {@return its centre, metres; NaN for a camera with a problem} */
   public double[] centre() {
     return problem == null ? centre.clone() : new double[] {Double.NaN, Double.NaN, Double.NaN};
   }
@@ -169,11 +169,11 @@ public final class CameraModel {
   }
 
   /**
-   * Where a point is seen, the lens left out.
+   * Projects a point without lens distortion.
    *
    * @param point metres
-   * @param pixel gets column and row
-   * @return false if it is seen nowhere: in the plane of the camera's centre
+   * @param pixel receives column and row
+   * @return false if it has no projection: in the plane of the camera's centre
    */
   public boolean projectIdeal(double[] point, double[] pixel) {
     double h2 = row(2, point);
@@ -188,11 +188,11 @@ public final class CameraModel {
   }
 
   /**
-   * Where a point is seen, through the lens.
+   * Projects a point with lens distortion.
    *
    * @param point metres
-   * @param pixel gets column and row
-   * @return false if it is seen nowhere
+   * @param pixel receives column and row
+   * @return false if it has no projection
    */
   public boolean project(double[] point, double[] pixel) {
     if (!projectIdeal(point, pixel)) {
@@ -203,11 +203,11 @@ public final class CameraModel {
   }
 
   /**
-   * In which direction an axis on a body points in the picture, through the lens.
+   * Direction of an axis on a body in the picture, with lens distortion.
    *
-   * @param point where the body is, metres
+   * @param point position of the body, metres
    * @param axis of any length but 0
-   * @return radians from +x towards +y; NaN where none is seen
+   * @return radians from +x towards +y; NaN if it is undefined
    */
   public double heading(double[] point, double[] axis) {
     double[] n = new double[6];
@@ -221,7 +221,7 @@ public final class CameraModel {
     if (!(length > 1e-12 * Vectors.length(axis))) {
       return Double.NaN;
     }
-    // The derivative of the lens along the line, from both sides; its third order is far below.
+    // central difference of the lens along the line, with a negligible third order
     double stepX = DIFFERENCE_PX * vx / length;
     double stepY = DIFFERENCE_PX * vy / length;
     double[] ahead = {pixel[0] + stepX, pixel[1] + stepY};
@@ -232,12 +232,12 @@ public final class CameraModel {
   }
 
   /**
-   * The two vectors that a line's angle comes from: tan θ = n₁·u / n₀·u, the lens left out; scaled
-   * so that the longer one is about 1.
+   * The two vectors of a line's angle, tan θ = n₁·u / n₀·u, without lens distortion; scaled so that
+   * the longer one is about 1.
    *
-   * @param point where the body is, metres
-   * @param n gets n₀ and n₁, six numbers
-   * @return false where no angle is defined: at the camera's centre or in its plane
+   * @param point position of the body, metres
+   * @param n receives n₀ and n₁, six numbers
+   * @return false if the angle is undefined: at the camera's centre or in its plane
    */
   public boolean lineNormals(double[] point, double[] n) {
     double h0 = row(0, point);
@@ -264,11 +264,11 @@ public final class CameraModel {
   }
 
   /**
-   * The line of sight of a point of the picture, the lens left out.
+   * The line of sight of an undistorted point of the picture.
    *
    * @param xPx column
    * @param yPx row
-   * @param direction gets a unit vector of the world, to the front or to the back
+   * @param direction receives a unit vector of the world, to the front or to the back
    * @return false for a camera with a problem or a point that is not finite
    */
   public boolean sight(double xPx, double yPx, double[] direction) {
@@ -281,10 +281,10 @@ public final class CameraModel {
   }
 
   /**
-   * Takes the lens out of what was seen.
+   * Undistorts an observation.
    *
    * @param line column, row, angle (NaN for none); replaced
-   * @return false where the lens shows nothing, or with a problem
+   * @return false outside the image of the lens, or with a problem
    */
   public boolean straighten(double[] line) {
     return problem == null && lens.straighten(line);
@@ -294,8 +294,8 @@ public final class CameraModel {
    * The derivative of {@link #projectIdeal} by the point.
    *
    * @param point metres
-   * @param pixel where it is seen without the lens
-   * @param jacobian gets two rows of three
+   * @param pixel its undistorted projection
+   * @param jacobian receives two rows of three
    */
   public void pixelByPoint(double[] point, double[] pixel, double[] jacobian) {
     double h2 = row(2, point);

@@ -13,11 +13,11 @@ import javax.xml.stream.XMLStreamReader;
 
 /**
  * Cameras of a {@code multi_camera_reconstructor}, as Flydra and Braid write them: for each {@code
- * single_camera_calibration} its {@code cam_id}, {@code calibration_matrix} (rows parted by
+ * single_camera_calibration} its {@code cam_id}, {@code calibration_matrix} (rows separated by
  * semicolons), {@code resolution} and {@code non_linear_parameters}, of which fc1, fc2, cc1, cc2
- * and alpha_c take a pixel to the lens' own coordinates, k1, k2, p1, p2 (and k3) are its
- * distortion, and fc1p, fc2p, cc1p, cc2p, where they are there, must be the same: then the matrix
- * is that of the picture without distortion.
+ * and alpha_c map a pixel to normalised coordinates, k1, k2, p1, p2 (and k3) are the distortion,
+ * and fc1p, fc2p, cc1p, cc2p, if present, must be the same: the matrix is then that of the
+ * undistorted picture.
  */
 final class CameraXml {
   private static final String CAMERA = "single_camera_calibration";

@@ -14,7 +14,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Detections of a Flydra (HDF5) or Braid ({@code .braidz}) recording, put together from its tables:
+ * Detections of a Flydra (HDF5) or Braid ({@code .braidz}) recording, joined from its tables:
  *
  * <ul>
  *   <li>{@code data2d_distorted}: each detection with {@code camn}, {@code frame}, {@code x},
@@ -22,16 +22,16 @@ import java.util.regex.Pattern;
  *       seconds since 1970); optionally {@code cam_received_timestamp}, {@code area}, {@code
  *       eccentricity}, {@code frame_pt_idx}, {@code obj_id}.
  *   <li>{@code cam_info}: the name {@code cam_id} of each {@code camn}; without it, {@code camn} is
- *       the number that a camera's name ends in.
- *   <li>which detection belongs to which body: {@code data_association} (Braid), {@code
- *       ML_estimates} or {@code kalman_observations} with the lists {@code …_2d_idxs} (Flydra), or
- *       {@code obj_id} of the detection.
+ *       the number at the end of a camera's name.
+ *   <li>assignment of detections to bodies: {@code data_association} (Braid), {@code ML_estimates}
+ *       or {@code kalman_observations} with the lists {@code …_2d_idxs} (Flydra), or {@code obj_id}
+ *       of the detection.
  * </ul>
  *
  * <p>The angle of a line is the arc tangent of its slope; an infinite slope is a vertical line.
  * Frames of all cameras with the same number are of the same time: that of the trigger, or else of
- * the first picture that was received. A detection of no body and a frame without a detection
- * (Flydra writes NaN) are left out. Memory grows with the associated detections.
+ * the first received picture. A detection of no body and a frame without a detection (Flydra writes
+ * NaN) are skipped. Memory grows with the associated detections.
  */
 final class FlydraDetections {
   private static final String DETECTIONS = "data2d_distorted";
@@ -92,7 +92,7 @@ final class FlydraDetections {
     return frames;
   }
 
-  /** Hands out what was read, in order of time. */
+  /** Passes on the detections, in order of time. */
   void handOut() {
     detections.sort(Comparator.comparingLong(each -> timeUs(times.get(each.frame()))));
     for (Detection each : detections) {

@@ -1,8 +1,8 @@
 package haltere.filters.orientation.camera;
 
 /**
- * What a lens does to the picture of an ideal camera: radial and tangential distortion (Brown 1966;
- * the same five numbers, in the same order, as in most calibration programs).
+ * Lens distortion: radial and tangential (Brown 1966; the same five numbers, in the same order, as
+ * in most calibration programs).
  *
  * <p>In normalised coordinates, x = (x_px − c_x − s y) / f_x, y = (y_px − c_y) / f_y, r² = x² + y²:
  *
@@ -46,7 +46,7 @@ record Lens(
     return k1 == 0 && k2 == 0 && p1 == 0 && p2 == 0 && k3 == 0;
   }
 
-  /** Replaces a point of the ideal picture, column and row, by where it is seen. */
+  /** Distorts a point, column and row. */
   void distort(double[] point) {
     if (isStraight()) {
       return;
@@ -62,8 +62,8 @@ record Lens(
   }
 
   /**
-   * Replaces a line that is seen (column, row, angle or NaN) by where it would be in the ideal
-   * picture; false, and as it was, where no point of the ideal picture is seen there.
+   * Undistorts a line (column, row, angle or NaN); false without a change outside the image of the
+   * lens.
    */
   boolean straighten(double[] line) {
     if (isStraight()) {
@@ -84,7 +84,7 @@ record Lens(
       double jyy = radial + 2 * y * y * slope + 6 * p1 * y + 2 * p2 * x;
       double determinant = jxx * jyy - jxy * jxy;
       if (!(determinant > 1e-6 && jxx > 0)) {
-        return false; // beyond the fold, where the lens shows nothing
+        return false; // beyond the fold of the distortion
       }
       if (missX * missX + missY * missY < 1e-28) {
         double alongY = Math.sin(line[2]) / fy;

@@ -1,15 +1,14 @@
 package haltere.filters.orientation.camera;
 
 /**
- * What one camera saw of one body at one time. What is not known is NaN.
+ * Observation of one body by one camera at one time. Unknown values are NaN.
  *
  * @param camera index of the camera, from 0
- * @param xPx column of its middle, pixels of this camera, as seen through the lens
+ * @param xPx column of its middle, distorted pixels of this camera
  * @param yPx row of its middle, pixels of this camera
  * @param angleRad atan2(Δy, Δx) of its line in the same coordinates, known modulo π
- * @param areaPx how large it was, square pixels
- * @param eccentricity how long against its width: from 1 on the ratio of the axes, below 1 the
- *     eccentricity of the ellipse
+ * @param areaPx its area, square pixels
+ * @param eccentricity ratio of the axes if at least 1, below 1 the eccentricity of the ellipse
  */
 public record LineObservation(
     int camera, double xPx, double yPx, double angleRad, double areaPx, double eccentricity) {

@@ -10,29 +10,29 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What several cameras saw of bodies, from a file of one of three kinds, by content: a table of
- * text ({@code t_us,camera,object,x_px,y_px,angle_rad,area_px,eccentricity}), a {@code .braidz}
+ * Observations of bodies by several cameras, from a file of one of three kinds, by content: a text
+ * table ({@code t_us,camera,object,x_px,y_px,angle_rad,area_px,eccentricity}), a {@code .braidz}
  * file of Braid, or HDF5 with the tables of Flydra.
  *
  * <p>Thread rule: one thread.
  */
 public final class ObservationFile {
-  /** Takes what cameras saw of bodies, in order of time. */
+  /** Receives observations in order of time. */
   public interface Listener {
     /**
      * An observation.
      *
      * @param timeUs microseconds, not before that of the last one
      * @param object name of the body
-     * @param line what was seen
+     * @param line the observation
      */
     void seen(long timeUs, String object, LineObservation line);
 
     /**
-     * A row that was left out.
+     * A skipped row.
      *
      * @param where line or row of the file, for users
-     * @param why what is wrong with it
+     * @param why the reason
      */
     void bad(String where, String why);
 
@@ -70,8 +70,8 @@ public final class ObservationFile {
    *
    * @param file the observations
    * @param calibration the cameras; may be empty for a {@code .braidz} file, which has its own
-   * @return a file of which nothing is read yet
-   * @throws RecordingProblem if there are no cameras; the message names the file
+   * @return an open file, not yet read @throws RecordingProblem if there are no cameras; the
+   *     message names the file
    * @throws IOException if a file cannot be read
    */
   public static ObservationFile open(Path file, Optional<Path> calibration) throws IOException {
@@ -79,7 +79,7 @@ public final class ObservationFile {
   }
 
   /**
-   * Whether a file has cameras of its own.
+   * Whether a file contains cameras.
    *
    * @param file any file
    * @return true for a {@code .braidz} file
@@ -89,15 +89,12 @@ public final class ObservationFile {
     return BraidzTables.isZip(file);
   }
 
-  /** {@return the cameras of the calibration that was given, else the file's own} */
+  /** {@return the cameras of the given calibration, else of the file} */
   public CameraFile cameras() {
     return cameras;
   }
 
-  /**
-   * {@return whether observations have the number of the picture that they were made in, as in
-   * {@code .braidz} files and HDF5}
-   */
+  /** {@return whether observations have frame numbers, as in {@code .braidz} files and HDF5} */
   public boolean hasFrames() {
     return isBraidz || isHdf5;
   }
@@ -106,7 +103,7 @@ public final class ObservationFile {
    * Reads all observations.
    *
    * @param listener receives them, in order of time
-   * @throws RecordingProblem if it is no such file, or damaged; the message names it
+   * @throws RecordingProblem if it is invalid or damaged; the message names it
    * @throws IOException if it cannot be read
    */
   public void read(ObservationFile.Listener listener) throws IOException {
@@ -123,9 +120,9 @@ public final class ObservationFile {
   }
 
   /**
-   * The number of the pictures of a time.
+   * The frame number of a time.
    *
-   * @param timeUs microseconds, a time that was handed out
+   * @param timeUs microseconds, a time of an observation
    * @return the frame
    * @throws IllegalArgumentException if the file has none of that time
    */

@@ -13,10 +13,10 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Reads what cameras saw from a table with the columns {@code
- * t_us,camera,object,x_px,y_px,angle_rad,area_px,eccentricity}, in any order, others beside them. A
- * row is one body in one camera; rows ascend in time; an empty field is unknown. A row that cannot
- * be understood is reported to the listener and left out.
+ * Reads observations from a table with the columns {@code
+ * t_us,camera,object,x_px,y_px,angle_rad,area_px,eccentricity}, in any order, among others. A row
+ * is one body in one camera; rows ascend in time; an empty field is unknown. An invalid row is
+ * reported to the listener and skipped.
  */
 final class ObservationTable {
   private static final List<String> COLUMNS =

@@ -1,8 +1,8 @@
 package haltere.filters.orientation.camera;
 
 /**
- * Vectors of three numbers, and the 3 x 3 systems that they lead to. Matrices are nine numbers, row
- * by row. Units are the caller's; nothing is allocated but where an array comes back; any thread.
+ * Vectors of three numbers and 3 x 3 matrices of nine numbers, row by row. Only methods that return
+ * an array allocate; any thread.
  */
 public final class Vectors {
   private Vectors() {}
@@ -33,7 +33,7 @@ public final class Vectors {
    *
    * @param a three numbers
    * @param b three numbers
-   * @param out gets a × b; may be one of the two
+   * @param out receives a × b; may be one of the two
    */
   public static void cross(double[] a, double[] b, double[] out) {
     double x = a[1] * b[2] - a[2] * b[1];
@@ -45,10 +45,10 @@ public final class Vectors {
   }
 
   /**
-   * Makes the length 1.
+   * Normalises a vector.
    *
    * @param a three numbers; replaced
-   * @return false, and nothing done, if it has no length
+   * @return false, without a change, for a zero vector
    */
   public static boolean normalise(double[] a) {
     double length = length(a);
@@ -109,7 +109,7 @@ public final class Vectors {
    *
    * @param m nine numbers
    * @param v three numbers
-   * @param out gets the product; another array than v
+   * @param out receives the product; another array than v
    */
   public static void multiply(double[] m, double[] v, double[] out) {
     for (int i = 0; i < 3; i++) {

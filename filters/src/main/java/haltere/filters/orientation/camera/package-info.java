@@ -1,7 +1,7 @@
 /**
- * Cameras that see a body in space, and what they saw: the model of a camera and its lens, and the
- * files in which calibrations and observations are exchanged. World units are metres, image units
- * pixels, angles radians.
+ * Calibrated cameras and their observations of bodies: the model of a camera and its lens, and
+ * files of calibrations and observations. World units are metres, image units pixels, angles
+ * radians.
  *
  * @since 0.1
  */

@@ -4,7 +4,8 @@ import haltere.core.sink.Column;
 import haltere.filters.orientation.camera.LineObservation;
 
 /**
- * An elongated body in the picture of one camera at one time, from events before that time only.
+ * Line of an elongated body in the picture of one camera at one time, from events before that time
+ * only.
  *
  * @param timeUs time on the clock of the events, microseconds
  * @param xPx column of its middle
@@ -27,9 +28,9 @@ public record BodyLine(
     @Column(decimals = 2) double vyPxS,
     int events) {
   /**
-   * What {@link haltere.filters.orientation.BodyOrientationEstimator} takes.
+   * The observation for {@link haltere.filters.orientation.BodyOrientationEstimator}.
    *
-   * @param camera index of the camera whose events these are
+   * @param camera index of the camera
    * @return the same without the time
    */
   public LineObservation observation(int camera) {

@@ -7,9 +7,9 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 
 /**
- * {@link BodyLineTracker} as a stage of a chain. Lets all events through; publishes a {@link
- * BodyLine} at each report, which {@link haltere.filters.orientation.BodyOrientationEstimator}
- * takes from two cameras and more.
+ * {@link BodyLineTracker} as a stage of a chain. Passes all events; publishes a {@link BodyLine} at
+ * each report, for {@link haltere.filters.orientation.BodyOrientationEstimator} with two or more
+ * cameras.
  */
 final class BodyLineFilter extends PublishingFilter<BodyLineSettings> {
   private final Outlet<BodyLine> lines =
@@ -44,9 +44,9 @@ final class BodyLineFilter extends PublishingFilter<BodyLineSettings> {
     tracker.apply(settings);
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<BodyLineSettings> {
-    /** Found by its name in the list of services. */
+    /** Called by the service loader. */
     public Provider() {
       super(
           "body-line",

@@ -5,9 +5,7 @@ import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.Overlay;
 import haltere.core.overlay.OverlayCanvas;
 
-/**
- * Draws the body's outline as an ellipse, its line, and where it would be in a tenth of a second.
- */
+/** Draws the body's outline as an ellipse, its line, and its position predicted by 0.1 s. */
 final class BodyLineOverlay implements Overlay<BodyLine> {
   private static final double VELOCITY_S = 0.1;
 

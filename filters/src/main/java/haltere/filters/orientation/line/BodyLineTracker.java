@@ -8,12 +8,12 @@ import java.util.Objects;
 import java.util.function.Consumer;
 
 /**
- * Follows one elongated body in the events of a camera by their second moments: position, angle,
+ * Tracks one elongated body in the events of a camera by their second moments: position, angle,
  * length and width of an ellipse.
  *
- * <p>A body that moves makes events of one polarity in front and of the other behind. Along the
- * outline their density goes with how much of it is across the motion; for an ellipse with the
- * matrix S (points p with pᵀ S⁻¹ p = 1) that moves in any direction, the covariance W of one
+ * <p>A moving body causes events of one polarity in front and of the other behind. Along the
+ * outline their density is proportional to its projection across the motion; for an ellipse with
+ * the matrix S (points p with pᵀ S⁻¹ p = 1) that moves in any direction, the covariance W of one
  * polarity about its own mean, and the difference δ of the two means, then satisfy
  *
  * <pre>
@@ -21,14 +21,14 @@ import java.util.function.Consumer;
  * </pre>
  *
  * <p>(a circle has E cos² = 2/3, E sin² = 1/3 and E |cos| = π/4 under the density |cos|; any
- * ellipse is an affine picture of it, and the density goes along). Plain second moments, W + δ δᵀ /
- * 4, would turn the line towards the motion. Which polarity is in front does not matter.
+ * ellipse is an affine image of it, with its density). Plain second moments, W + δ δᵀ / 4, would be
+ * biased towards the motion. The order of the polarities is irrelevant.
  *
- * <p>Moments are taken in a frame that moves with the body, and forget with its own events. Without
- * a body, one starts where many events come within 48 x 48 pixels.
+ * <p>Moments are computed in a frame that moves with the body, with a memory in events. Without a
+ * body, one starts at many events within 48 x 48 pixels.
  *
  * <p>Thread rule: one thread at a time. Nothing is allocated per event, and results do not depend
- * on how the stream is cut into packets.
+ * on the packets.
  */
 public final class BodyLineTracker {
   /** Factor of δ δᵀ. */
@@ -64,7 +64,7 @@ public final class BodyLineTracker {
   private double vx;
   private double vy;
 
-  /** By polarity: mean and covariance in the moving frame, events seen. */
+  /** By polarity: mean and covariance in the moving frame, number of events. */
   private final double[] meanX = new double[2];
 
   private final double[] meanY = new double[2];
@@ -87,8 +87,8 @@ public final class BodyLineTracker {
    * A tracker without a body.
    *
    * @param geometry the sensor
-   * @param settings what to do
-   * @param listener takes each report
+   * @param settings of the tracker
+   * @param listener receives each report
    */
   public BodyLineTracker(
       SensorGeometry geometry, BodyLineSettings settings, Consumer<? super BodyLine> listener) {
@@ -103,14 +103,14 @@ public final class BodyLineTracker {
     return settings;
   }
 
-  /** Takes new settings; a body that is followed stays. */
+  /** Applies new settings; a tracked body is kept. */
   void apply(BodyLineSettings newSettings) {
     settings = newSettings;
     periodUs = Math.max(1, Math.round(1e6 / newSettings.rateHz()));
     hasTime = false;
   }
 
-  /** Forgets everything. */
+  /** Returns to the initial state. */
   public void reset() {
     hasTime = false;
     lose();
@@ -122,7 +122,7 @@ public final class BodyLineTracker {
   }
 
   /**
-   * Takes events in; they stay as they are.
+   * Processes events, which are not changed.
    *
    * @param packet events in order of time
    */
@@ -188,7 +188,7 @@ public final class BodyLineTracker {
     double middleY = 0.5 * (meanY[0] + meanY[1]);
     x += middleX;
     y += middleY;
-    // The means are those of some time ago, so what they say of the velocity is spread over it.
+    // the means lag, so that the correction of the velocity is spread over the lag
     double perS = VELOCITY_GAIN * 1e6 / periodUs * Math.min(1, sinceReport * gain);
     vx += perS * middleX;
     vy += perS * middleY;
@@ -243,7 +243,7 @@ public final class BodyLineTracker {
   }
 
   private void setGate() {
-    // A margin of a pixel, and room for a body that turns.
+    // a margin of a pixel, and space for rotation
     double wide = settings.gateRadii() * settings.gateRadii();
     double gxx = wide * sxx + 2;
     double gyy = wide * syy + 2;
@@ -252,7 +252,7 @@ public final class BodyLineTracker {
     gateXx = gyy / determinant;
     gateXy = -gxy / determinant;
     gateYy = gxx / determinant;
-    // Ramanujan's first term is enough for the number of pixels along the outline.
+    // Ramanujan's first term is sufficient for the number of pixels along the outline
     double mean = 0.5 * (sxx + syy);
     double outline = 2 * Math.PI * Math.sqrt(mean);
     gain = 1 / Math.max(8, 0.5 * settings.turns() * outline);

@@ -5,7 +5,7 @@ import haltere.filters.trail.Ellipse;
 import java.util.Objects;
 
 /**
- * How an object is drawn at its position.
+ * Drawing of an object at its position.
  *
  * @param role meaning of the outline
  * @param outline its half axes and direction

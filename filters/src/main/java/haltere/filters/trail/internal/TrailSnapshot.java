@@ -17,10 +17,10 @@ public record TrailSnapshot(long timeUs, List<TrailSnapshot.Trail> trails) {
   }
 
   /**
-   * An object and where it has been.
+   * An object and its path.
    *
    * @param path its last rows, oldest first; the last one is the present
-   * @param mark how it is drawn
+   * @param mark its drawing
    */
   public record Trail(List<TrailPoint> path, TrailMark mark) {
     /** Copies the list, which has at least one row; nothing may be null. */

@@ -15,8 +15,8 @@ public final class Trails {
   /**
    * Adds the latest row of an object.
    *
-   * @param row later than those before
-   * @param mark how it is drawn
+   * @param row later than the previous ones
+   * @param mark its drawing
    * @param maxRows rows of a path at most, at least 1
    */
   public void add(TrailPoint row, TrailMark mark, int maxRows) {
@@ -29,7 +29,7 @@ public final class Trails {
   }
 
   /**
-   * Forgets the objects that have no row at a time or after it.
+   * Removes the objects without a row at or after a time.
    *
    * @param timeUs time of a report, microseconds
    * @return the other ones
@@ -43,7 +43,7 @@ public final class Trails {
     return new TrailSnapshot(timeUs, trails);
   }
 
-  /** Forgets all objects. */
+  /** Removes all objects. */
   public void clear() {
     paths.clear();
     marks.clear();

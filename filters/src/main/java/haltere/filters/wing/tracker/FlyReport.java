@@ -143,7 +143,7 @@ final class FlyReport {
             ConstMatrix.column(sd)));
   }
 
-  /** Reports a beat that has ended; the first one has no start and is left out. */
+  /** Reports a beat that has ended; the first one has no start and is omitted. */
   void beat(WingPart side, double timeUs, double periodUs, double leastRad, double mostRad) {
     int own = side.sideNumber();
     if (!(periodUs > 0) || !wings.locked) {

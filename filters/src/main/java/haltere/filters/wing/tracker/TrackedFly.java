@@ -22,8 +22,8 @@ import java.util.Optional;
 /**
  * The fly that is tracked: its geometry, and for each wing a frame and the estimators.
  *
- * <p>A running average beside a filter that follows the hinges has its own position, so its results
- * are those it would have alone. In all other cases both methods share one position.
+ * <p>A running average beside a filter that follows the hinges has its own position, so that its
+ * results are those without the filter. In all other cases both methods share one position.
  */
 final class TrackedFly {
   /** Share of an asymmetry by which the heading is corrected in one check. */
@@ -128,7 +128,7 @@ final class TrackedFly {
   /** Starts a packet. */
   void beginPacket() {
     measures = listener.wants(WingMeasurement.class);
-    // a wing with a filter for each edge tells of its beats as its events come
+    // a wing with a filter for each edge reports beats at its events
     sorts = !measures && !averages && wings.main[0] instanceof WingEstimator;
   }
 

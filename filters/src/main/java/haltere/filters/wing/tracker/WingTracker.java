@@ -30,12 +30,12 @@ import java.util.Set;
  * Tracks the wings of a tethered fly: gathers events, finds the fly in them ({@link FlySearch}),
  * tracks the wings with the method of the settings, and searches again after a loss.
  *
- * <p>Results do not depend on the packets in which events come. Thread rule: one thread at a time.
+ * <p>Results do not depend on the packets. Thread rule: one thread at a time.
  */
 public final class WingTracker {
   private static final int CHECK_US = 10_000;
 
-  /** Interval at which both wings are synchronised, whatever the rate of the estimates. */
+  /** Interval at which both wings are synchronised, independent of the rate of the estimates. */
   private static final int MEET_US = 1000;
 
   /** Outcomes of a search; the other phases are its steps. */
@@ -308,7 +308,7 @@ public final class WingTracker {
       ticks.skipTo(timeUs + 1);
     }
     fly.begin(found, timeUs);
-    // a search that knows nothing of the beat leaves it to the filters to find it
+    // a search without the beat leaves it to the filters
     fly.wings.locked = !TrackerParts.isOriginal(settings);
     nextCheckUs = -Math.floorDiv(-(timeUs + CHECK_US), MEET_US) * MEET_US;
     dueUs = dueAfter(timeUs);

@@ -24,13 +24,13 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * {@link WingTracker} as a stage of a chain. Lets all events through; publishes what it tracks.
+ * {@link WingTracker} as a stage of a chain. Passes all events and publishes the results.
  *
  * <p>Outlets: {@code estimates} of edges and wings, {@code wings} without the edges, {@code
  * averages} of the running average beside the Kalman filter, {@code differences} of both, {@code
- * measurements} (each event that was taken in), {@code variances} of the filters, {@code beats},
- * {@code pairs} of wings, {@code geometry} of the fly, {@code initialisation} step by step, and
- * {@code snapshot} to be drawn.
+ * measurements} (each used event), {@code variances} of the filters, {@code beats}, {@code pairs}
+ * of wings, {@code geometry} of the fly, {@code initialisation} step by step, and {@code snapshot}
+ * to be drawn.
  */
 public final class WingTrackerFilter extends PublishingFilter<WingTrackerSettings> {
   private final Outlet<WingEstimate> estimates = outlet("estimates", WingEstimate.class);
@@ -47,7 +47,7 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
   private final Outlet<WingSnapshot> snapshots =
       drawnOutlet("snapshot", WingSnapshot.class, "wings", new WingOverlay());
 
-  /** Of no chain: nothing is published here but by a person's hand. */
+  /** not part of a chain: publishes only manual changes */
   private final Outlet<WingByHand> byHand = new Outlet<>("by-hand", WingByHand.class);
 
   private final Map<Class<? extends WingResult>, Outlet<? extends WingResult>> byKind =
@@ -68,21 +68,21 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
   /**
    * A filter in its initial state.
    *
-   * @param geometry the sensor whose events it will see
-   * @param settings what to do
+   * @param geometry the sensor
+   * @param settings of the filter
    */
   public WingTrackerFilter(SensorGeometry geometry, WingTrackerSettings settings) {
     tracker = new WingTracker(geometry, settings, new OutletsOfFilter());
   }
 
-  /** {@return the tracker, to ask for settings that place the fly as a person says} */
+  /** {@return the tracker, for settings with manual positions} */
   public WingTracker tracker() {
     return tracker;
   }
 
   /**
-   * {@return the outlet of what a person does to the Kalman filters while they run; not among
-   * {@link #outlets()}, for it is no result}
+   * {@return the outlet of manual changes of running Kalman filters; not among {@link #outlets()},
+   * since it is not a result}
    */
   public Outlet<WingByHand> byHand() {
     return byHand;
@@ -103,7 +103,7 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
     tracker.reset();
   }
 
-  /** Time goes on over a gap in the data; whether the wings are still there will show. */
+  /** Time continues over a gap in the data; a lost wing is detected afterwards. */
   @Override
   public boolean bridgesGaps() {
     return true;
@@ -130,7 +130,7 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
     tracker.apply(settings);
   }
 
-  /** From the tracker to the outlets. */
+  /** Passes results of the tracker to the outlets. */
   private final class OutletsOfFilter implements WingListener {
     @Override
     public boolean wants(Class<? extends WingResult> kind) {
@@ -154,9 +154,9 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
     }
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<WingTrackerSettings> {
-    /** Found by its name in the list of services. */
+    /** Called by the service loader. */
     public Provider() {
       super(
           "wing-tracker",

@@ -1,6 +1,6 @@
 /**
- * The tracker of the wings of a tethered fly: the fly is searched for, then each wing is tracked.
- * To begin with: {@link haltere.filters.wing.tracker.WingTracker}.
+ * The tracker of the wings of a tethered fly: searches the fly, then tracks each wing. Start with
+ * {@link haltere.filters.wing.tracker.WingTracker}.
  *
  * @since 0.1
  */

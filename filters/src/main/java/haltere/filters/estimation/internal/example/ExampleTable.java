@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.IntToDoubleFunction;
 
-/** Columns of numbers by name, all of the same length; not changed once they are handed out. */
+/** Columns of numbers by name, all of the same length; immutable after construction. */
 public final class ExampleTable {
   private final Map<String, double[]> columns = new LinkedHashMap<>();
   private final int rows;

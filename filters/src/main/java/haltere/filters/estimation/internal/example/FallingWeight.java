@@ -17,8 +17,8 @@ import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
  * Displacement, velocity and acceleration of a falling weight: a Kalman filter on the state (s, v,
- * a), with a smoother, a least-squares parabola and finite differences beside it. Start as in
- * Casper (2012): v = 0 ± 5 m/s, a = 2 ± 10 m/s²; s within 1 m of the first measurement. Immutable.
+ * a), compared with a smoother, a least-squares parabola and finite differences. Start as in Casper
+ * (2012): v = 0 ± 5 m/s, a = 2 ± 10 m/s²; s within 1 m of the first measurement. Immutable.
  */
 public final class FallingWeight {
   /**
@@ -27,7 +27,7 @@ public final class FallingWeight {
    */
   private static final double JERK_DENSITY = 1e-4;
 
-  /** Variance of a parabola's parameters before any measurement: none of them is known. */
+  /** Prior variance of a parabola's parameters: unknown. */
   private static final double UNKNOWN = 1e12;
 
   private final MeasurementSeries series;

@@ -4,14 +4,12 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 import org.ejml.data.DMatrixRMaj;
 
-/** Measurements of one motion, with the noise that they themselves show. Immutable. */
+/** Measurements of one motion, with the noise estimated from them. Immutable. */
 public final class MeasurementSeries {
   /** Fewest measurements: twice the unknowns of a weight on a spring. */
   public static final int MIN_SIZE = 8;
 
-  /**
-   * Noise that no instrument goes below, in m or m/s²: a picometre, the size of an atom over 100.
-   */
+  /** Smallest noise of an instrument, in m or m/s²: a picometre, the size of an atom over 100. */
   private static final double MIN_NOISE = 1e-12;
 
   /** Largest noise, above the radius of the earth, 6e6 m. */
@@ -66,12 +64,12 @@ public final class MeasurementSeries {
     return measurements.get(k);
   }
 
-  /** Seconds since the measurement before; 0 of the first. */
+  /** Seconds since the previous measurement; 0 for the first. */
   double dtS(int k) {
     return k == 0 ? 0 : get(k).tS() - get(k - 1).tS();
   }
 
-  /** What was measured at one time: x, or x and a. */
+  /** The measurement at one time: x, or x and a. */
   double[] z(int k) {
     Measurement m = get(k);
     return noise.numRows == 1 ? new double[] {m.xM()} : new double[] {m.xM(), m.aMS2()};

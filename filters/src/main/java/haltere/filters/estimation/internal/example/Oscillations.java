@@ -2,7 +2,7 @@ package haltere.filters.estimation.internal.example;
 
 import haltere.filters.estimation.motion.RungeKutta4;
 
-/** The exact motion of an under-damped oscillator, and how far two integrators are from it. */
+/** The exact motion of an under-damped oscillator, and the errors of two integrators. */
 public final class Oscillations {
   private static final double OMEGA = 2 * Math.PI * 3;
   private static final double ZETA = 0.1;
@@ -39,7 +39,7 @@ public final class Oscillations {
    * @param euler true for Euler
    * @param s0 displacement at time 0
    * @param v0 velocity at time 0
-   * @param steps how many, at least 1
+   * @param steps their number, at least 1
    * @return distance from the exact (s, v)
    */
   public static double error(boolean euler, double s0, double v0, int steps) {

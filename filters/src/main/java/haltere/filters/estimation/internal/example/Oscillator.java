@@ -31,9 +31,9 @@ import org.ejml.dense.row.mult.VectorVectorMult_DDRM;
  * at wrong v, ζ and ω, where ζ and ω seem observable, and its covariance shrinks permanently. Here
  * {@link BatchLeastSquares} over all measurements so far replaces the filter's state and covariance
  * each time their number has grown by a quarter. It begins at the trajectory found before, and also
- * at the start where the residuals of that one are no noise (χ², 95 %); the better fit is taken.
- * (ζ, ω) and (−ζ, −ω) are the same motion; the one with ω ≥ 0 is returned. A state that oscillates
- * or decays faster than once between two measurements is invalid.
+ * at the start if the residuals of that one are not noise (χ², 95 %); the better fit is used. (ζ,
+ * ω) and (−ζ, −ω) are the same motion; the one with ω ≥ 0 is returned. A state that oscillates or
+ * decays faster than once between two measurements is invalid.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -128,7 +128,7 @@ public final class Oscillator {
     }
   }
 
-  /** Takes in a measurement; false if the filter has diverged and stays so until it is launched. */
+  /** Updates with a measurement; false if the filter has diverged, until it is launched. */
   private boolean advance(KalmanFilter filter, MeasurementModel measured, int k) {
     try {
       filter.predict(series.dtS(k));
@@ -145,7 +145,7 @@ public final class Oscillator {
 
   private static void launch(KalmanFilter filter, Estimate found) {
     DMatrixRMaj p = found.covariance().toMatrix();
-    // That of a trajectory that grows without bound may be singular to rounding, or overflow.
+    // the covariance of an unbounded trajectory may be singular to rounding, or overflow
     if (!MatrixFeatures_DDRM.hasUncountable(p) && MatrixFeatures_DDRM.isPositiveDefinite(p)) {
       filter.launch(found.state().toMatrix(), p);
     }
@@ -173,7 +173,7 @@ public final class Oscillator {
     return batch.fit(mirrored);
   }
 
-  /** (s, v, ζ, ω) at each measurement, from those up to it; made at the first call. */
+  /** (s, v, ζ, ω) at each measurement, from those up to it; computed at the first call. */
   List<Estimate> estimates() {
     if (estimates.isEmpty()) {
       estimate();
@@ -183,7 +183,7 @@ public final class Oscillator {
 
   /**
    * The extended Kalman filter of Casper (2012), which linearises each measurement once: (s, v, ζ,
-   * ω) at each measurement, up to where the state leaves the numbers.
+   * ω) at each measurement, up to the first state that is not finite.
    */
   List<Estimate> plainFilter(double noiseM) {
     DMatrixRMaj r = series.noise();

@@ -6,9 +6,8 @@ import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * Measurements as Casper (2012) made them: a video of 240.386 frames a second and 240 rows, in
- * which the displacement is read off each frame to whole rows. The same seed gives the same
- * measurements.
+ * Measurements as in Casper (2012): a video of 240.386 frames a second and 240 rows, in which the
+ * displacement is read off each frame to whole rows. The same seed gives the same measurements.
  */
 public final class SimulatedVideo {
   /** Acceleration of the falling weight. */
@@ -26,7 +25,7 @@ public final class SimulatedVideo {
   private SimulatedVideo() {}
 
   /**
-   * A weight that is let go with a small velocity and falls for 0.4 s, +x downwards, through most
+   * A weight that is released with a small velocity and falls for 0.4 s, +x downwards, through most
    * of a picture of 1 m.
    *
    * @param seed of the velocity (standard deviation 0.3 m/s) and of the measurement noise (4 mm)
@@ -37,13 +36,13 @@ public final class SimulatedVideo {
     return video(seed, 97, 1, 0.004, t -> v0 * t + GRAVITY_M_S2 * t * t / 2);
   }
 
-  /** Velocity in m/s with which the falling weight of a seed is let go. */
+  /** Initial velocity in m/s of the falling weight of a seed. */
   static double fallingWeightVelocity(long seed) {
     return 0.3 * new SeededRandom(seed, "velocity").gaussian();
   }
 
   /**
-   * A weight on a spring that is pulled down and let go at time 0, for 5 s, +x upwards, in a
+   * A weight on a spring that is pulled down and released at time 0, for 5 s, +x upwards, in a
    * picture of 30 cm.
    *
    * @param seed of the displacement (10 cm, standard deviation 1 cm) and of the measurement noise
@@ -54,12 +53,12 @@ public final class SimulatedVideo {
     return oscillator(seed, releaseM(seed), 0);
   }
 
-  /** Displacement in metres at which the weight on a spring of a seed is let go. */
+  /** Initial displacement in metres of the weight on a spring of a seed. */
   static double releaseM(long seed) {
     return -0.1 + 0.01 * new SeededRandom(seed, "displacement").gaussian();
   }
 
-  /** A weight on a spring that starts anyhow. */
+  /** A weight on a spring with any initial state. */
   static MeasurementSeries oscillator(long seed, double s0M, double v0MS) {
     return video(
         seed, 1202, 0.3, 0.001, t -> Oscillations.exact(s0M, v0MS, DAMPING, FREQUENCY_RAD_S, t)[0]);

@@ -6,7 +6,7 @@ import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
  * Body rates ω = (p, q, r) and a unit quaternion (a, b, c, d), d its scalar part, in an array of
- * seven, and the matrices that they lead to.
+ * seven, and their matrices.
  *
  * <pre>
  * ω̇ = −ω/τ    (ȧ, ḃ, ċ, ḋ) = ½ Ξ ω / n = ½ Ω (a, b, c, d) / n,   n = |(a, b, c, d)|
@@ -14,14 +14,14 @@ import org.ejml.dense.row.CommonOps_DDRM;
  * </pre>
  *
  * <p>Straw et al. (2011, documentation of the orientation filter) print ḋ with the opposite sign
- * before c r, with which the length is not kept.
+ * before c r, which does not preserve the length.
  */
 final class BodyQuaternion {
   private BodyQuaternion() {}
 
   /** Sets the quaternion of the shortest rotation that takes (1, 0, 0) to a unit vector. */
   static void set(double[] x, double[] u) {
-    boolean isOpposite = u[0] < -0.5; // then by way of (−1, 0, 0), half a turn about z
+    boolean isOpposite = u[0] < -0.5; // then via (−1, 0, 0), half a turn about z
     double side = isOpposite ? -1 : 1;
     double n = Math.sqrt(2 * (1 + side * u[0]));
     double[] turn = {0, -side * u[2] / n, side * u[1] / n, 0.5 * n};
@@ -31,7 +31,7 @@ final class BodyQuaternion {
     x[6] = isOpposite ? -turn[2] : turn[3];
   }
 
-  /** Ξ, which takes body rates to twice the quaternion's change. */
+  /** Ξ, which maps body rates to twice the quaternion's change. */
   static DMatrixRMaj byRates(double[] x) {
     double a = x[3];
     double b = x[4];
@@ -40,7 +40,7 @@ final class BodyQuaternion {
     return new DMatrixRMaj(4, 3, true, d, -c, b, c, d, -a, -b, a, d, -a, -b, -c);
   }
 
-  /** Ω, which takes the quaternion to twice its change. */
+  /** Ω, which maps the quaternion to twice its change. */
   static DMatrixRMaj byQuaternion(double[] x) {
     double p = x[0];
     double q = x[1];

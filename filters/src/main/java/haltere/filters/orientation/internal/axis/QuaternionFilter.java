@@ -5,18 +5,18 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * The form of Straw et al. (2011): body rates and a unit quaternion ({@link BodyQuaternion}), moved
- * by {@link QuaternionMotion}. After each step and update the quaternion is made of length 1 and P
- * projected. The rotation about the axis is a state here although no camera sees it, so its
- * variance grows. For comparison; steps allocate.
+ * The form of Straw et al. (2011): body rates and a unit quaternion ({@link BodyQuaternion}),
+ * predicted by {@link QuaternionMotion}. After each step and update the quaternion is normalised
+ * and P projected. The rotation about the axis is a state here although it is not observable, so
+ * that its variance grows. For comparison; steps allocate.
  */
 public final class QuaternionFilter implements AxisFilter {
   private static final int N = 7;
 
-  /** Times in a row at which most lines were rejected, after which an axis is lost. */
+  /** Consecutive times with most lines rejected after which an axis is lost. */
   private static final int LOST_AFTER = 3;
 
-  /** Times at which all lines agreed, after which an axis is established. */
+  /** Times with all lines accepted after which an axis is established. */
   private static final int ESTABLISHED = 3;
 
   private final double rateVariance;
@@ -31,7 +31,7 @@ public final class QuaternionFilter implements AxisFilter {
   private final DMatrixRMaj projection = CommonOps_DDRM.identity(N);
   private final QuaternionMotion motion;
 
-  /** Times in a row at which most lines were rejected, and at which all lines were used. */
+  /** Consecutive times with most lines rejected, and with all lines used. */
   private int rejectedTimes;
 
   private int agreements;
@@ -56,7 +56,7 @@ public final class QuaternionFilter implements AxisFilter {
     agreements = found.lines() > 2 ? ESTABLISHED : 0;
   }
 
-  /** Begins with an axis and its covariance in the world. */
+  /** Starts with an axis and its covariance in the world. */
   void launch(double[] axis, double[] covariance) {
     state.mean().zero();
     BodyQuaternion.set(x, axis);
@@ -65,7 +65,7 @@ public final class QuaternionFilter implements AxisFilter {
       return;
     }
     state.setVariances(rateVariance, rateVariance, rateVariance, 0, 0, 0, 0);
-    // half Ξ Aᵀ/2 takes what an axis is off to the quaternion; any roll goes along Ξ's first column
+    // half Ξ Aᵀ/2 maps an error of the axis to the quaternion; roll is Ξ's first column
     DMatrixRMaj byRates = BodyQuaternion.byRates(x);
     DMatrixRMaj byAxis = CommonOps_DDRM.transpose(BodyQuaternion.axisByQuaternion(x), null);
     CommonOps_DDRM.scale(0.25, byAxis);
@@ -87,7 +87,7 @@ public final class QuaternionFilter implements AxisFilter {
     }
   }
 
-  /** Makes the quaternion of length 1 and takes that direction out of P. */
+  /** Normalises the quaternion and projects P. */
   private void normalise() {
     double n = Math.sqrt(x[3] * x[3] + x[4] * x[4] + x[5] * x[5] + x[6] * x[6]);
     for (int i = 3; i < N; i++) {
@@ -124,7 +124,10 @@ public final class QuaternionFilter implements AxisFilter {
     }
   }
 
-  /** All lines are linearised at the prediction, so their order is nothing: one stacked update. */
+  /**
+   * All lines are linearised at the prediction, so that their order is irrelevant: one stacked
+   * update.
+   */
   private void correct(LineMeasurement line) {
     double[] h = row(prior);
     double y = line.residualRad;
@@ -141,7 +144,7 @@ public final class QuaternionFilter implements AxisFilter {
     }
   }
 
-  /** ∂θ/∂x = ∂θ/∂u ∂u/∂x, by the gradient that was taken last. */
+  /** ∂θ/∂x = ∂θ/∂u ∂u/∂x, by the last gradient. */
   private double[] row(double[] at) {
     DMatrixRMaj byAxis = new DMatrixRMaj(1, 3, true, gradient);
     DMatrixRMaj row = new DMatrixRMaj(1, 4);
@@ -156,8 +159,8 @@ public final class QuaternionFilter implements AxisFilter {
   }
 
   /**
-   * An axis that is young, and may have begun with an outlier, is searched again as soon as most
-   * lines are rejected; an established one when they are several times in a row.
+   * A new axis, whose initial lines may be outliers, is searched again as soon as most lines are
+   * rejected; an established one after several times in a row.
    */
   @Override
   public boolean doubts(LineMeasurement[] lines, int count) {
@@ -191,8 +194,8 @@ public final class QuaternionFilter implements AxisFilter {
   }
 
   /**
-   * The variance of roll can only grow. P is linearised at a rate that changes, so updates of the
-   * axis reduce it falsely; hence a lower bound.
+   * The variance of roll can only grow. P is linearised at a changing rate, so that updates of the
+   * axis reduce it falsely; hence the lower bound.
    */
   private double rollSd() {
     DMatrixRMaj roll = CommonOps_DDRM.extractColumn(BodyQuaternion.byRates(x), 0, null);

@@ -4,8 +4,8 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * A time step of {@link BodyQuaternion}'s seven states with its derivative and its noise: exact, q
- * ⊗ exp(½ g ω), with the noise of driven rates; or as Straw et al. (2011), Euler's with the same
+ * A prediction of {@link BodyQuaternion}'s seven states with its Jacobian and noise: exact, q ⊗
+ * exp(½ g ω), with the noise of driven rates; or as Straw et al. (2011), Euler's with the same
  * variance for all states. Reused.
  */
 final class QuaternionMotion {
@@ -31,7 +31,7 @@ final class QuaternionMotion {
     decay = new RateDecay(tau);
   }
 
-  /** Moves the states by a time above 0. */
+  /** Predicts the states by a time above 0. */
   void step(double[] x, double dtS) {
     transition.zero();
     noise.zero();
@@ -103,7 +103,7 @@ final class QuaternionMotion {
     CommonOps_DDRM.insert(byQuaternion, transition, 3, 3);
   }
 
-  /** The noise of driven rates, which ½ Ξ takes to the quaternion after the step. */
+  /** The noise of driven rates, which ½ Ξ maps to the quaternion after the step. */
   private void addNoise(DMatrixRMaj byRates) {
     DMatrixRMaj block = new DMatrixRMaj(4, 4);
     CommonOps_DDRM.multTransB(0.25 * rateVariance * decay.angleNoise, byRates, byRates, block);

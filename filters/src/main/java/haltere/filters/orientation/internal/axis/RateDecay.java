@@ -1,10 +1,10 @@
 package haltere.filters.orientation.internal.axis;
 
 /**
- * What a step of time does to rates that decay and are driven by white noise, and to the angle that
- * they add up to: closed integrals (Bar-Shalom, Li and Kirubarajan 2001, section 8.2.3,
- * exponentially correlated). With h = Δt/τ and d = e^(−h) a rate goes to d times itself and adds τ
- * (1 − d) times itself to the angle; the noises are per unit of the rate's own variance. Reused.
+ * Prediction of decaying rates driven by white noise, and of their integral, an angle: closed
+ * integrals (Bar-Shalom, Li and Kirubarajan 2001, section 8.2.3, exponentially correlated). With h
+ * = Δt/τ and d = e^(−h) a rate is multiplied by d and adds τ (1 − d) times itself to the angle; the
+ * noises are per unit of the rate's own variance. Reused.
  */
 final class RateDecay {
   private final double tauS;
@@ -24,7 +24,7 @@ final class RateDecay {
     this.tauS = tauS;
   }
 
-  /** A step of so many seconds, from 0 on. */
+  /** Sets a step in seconds, at least 0. */
   void step(double dtS) {
     double h = dtS / tauS;
     double gone = -Math.expm1(-h);

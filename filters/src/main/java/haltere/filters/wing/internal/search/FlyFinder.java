@@ -193,7 +193,7 @@ final class FlyFinder {
         return -1;
       }
       if (pass == 0 && fitted[0] && fitted[1]) {
-        // a hinge that the events of one wing leave open is where the other's says
+        // a hinge undetermined by the events of one wing follows from the other's
         bodyLine.bring(fits, axis);
       }
       StrokeFit first = fits[fitted[0] ? 0 : 1];

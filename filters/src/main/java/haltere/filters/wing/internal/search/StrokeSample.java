@@ -7,7 +7,7 @@ import java.util.Arrays;
  * Selected events of the last few beats, as columns of numbers, for the search.
  *
  * <p>Of a run of events of one polarity at a pixel only the first is used, the time of the edge.
- * Hot pixels are left out. An event is supported if a near pixel fired shortly before or after it.
+ * Hot pixels are excluded. An event is supported if a near pixel fired shortly before or after it.
  */
 final class StrokeSample {
   private static final int SUPPORT_US = 300;

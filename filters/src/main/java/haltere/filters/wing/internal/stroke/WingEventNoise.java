@@ -1,7 +1,7 @@
 package haltere.filters.wing.internal.stroke;
 
 /**
- * Noise of the events of a wing, for each edge: OFF events of a slow pixel come while the wing
+ * Noise of the events of a wing, for each edge: OFF events of a slow pixel occur while the wing
  * covers it or not at all, its ON events when the light returns, with a scatter of hundreds of
  * microseconds.
  *
