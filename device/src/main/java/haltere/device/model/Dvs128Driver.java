@@ -85,7 +85,7 @@ final class Dvs128Driver
   public WireDecoder newDecoder(boolean samples) {
     Dvs128Decoder fresh = new Dvs128Decoder(samples);
     if (master) {
-      fresh.awaitReset(); // the clock of a master is reset only by the master
+      fresh.awaitReset(); // a slave's clock is reset only by its master
     }
     return fresh;
   }

@@ -38,7 +38,11 @@ public final class PolarityRuns {
   private boolean hasPassed;
   private long resolvedUs;
 
-  /** A state without events. @param geometry the sensor */
+  /**
+   * A state without events.
+   *
+   * @param geometry the sensor
+   */
   public PolarityRuns(SensorGeometry geometry) {
     width = geometry.width();
     lastOfPixel = new long[geometry.pixels()];

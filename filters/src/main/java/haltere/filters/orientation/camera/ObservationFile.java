@@ -70,8 +70,8 @@ public final class ObservationFile {
    *
    * @param file the observations
    * @param calibration the cameras; may be empty for a {@code .braidz} file, which has its own
-   * @return an open file, not yet read @throws RecordingProblem if there are no cameras; the
-   *     message names the file
+   * @return an open file, not yet read
+   * @throws RecordingProblem if there are no cameras; the message names the file
    * @throws IOException if a file cannot be read
    */
   public static ObservationFile open(Path file, Optional<Path> calibration) throws IOException {

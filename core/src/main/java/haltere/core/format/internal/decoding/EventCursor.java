@@ -127,7 +127,11 @@ public interface EventCursor extends Closeable {
    */
   EventTimes times();
 
-  /** Current position. @return byte offset in the file */
+  /**
+   * Current position.
+   *
+   * @return byte offset in the file
+   */
   long positionBytes();
 
   /**

@@ -54,7 +54,11 @@ public interface SampleCursor extends Closeable {
    */
   SensorSample sample();
 
-  /** End of that sample. @return byte offset in the file, or of the packet that holds it */
+  /**
+   * End of that sample.
+   *
+   * @return byte offset in the file, or of the packet that holds it
+   */
   long offset();
 
   /**

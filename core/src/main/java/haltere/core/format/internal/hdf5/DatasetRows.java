@@ -42,7 +42,8 @@ final class DatasetRows {
   /**
    * Loads a row, and the following ones of its chunk.
    *
-   * @param row the row @return number of rows from that one on; 0 at the end of the file
+   * @param row the row
+   * @return number of rows from that one on; 0 at the end of the file
    * @throws DamagedPacketException if they exist, but cannot be decompressed
    * @throws IOException if the file can no longer be read, or the list of chunks is damaged
    */
