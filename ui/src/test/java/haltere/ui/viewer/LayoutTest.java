@@ -152,6 +152,11 @@ class LayoutTest {
     viewer = new ViewerHarness();
     run("open-scene");
     viewer.waitUntilOpen("Fly scene");
+    viewer.waitFor(
+        "wings are found",
+        () ->
+            viewer.window.context().playback().speedProperty().get()
+                == FlyStartFeature.SLOW_MOTION);
     for (double[] size : new double[][] {{700, 500}, {1024, 700}, {1280, 820}}) {
       viewer.run(
           () -> {
@@ -161,7 +166,8 @@ class LayoutTest {
       viewer.waitFor(
           "the picture below bar and caption at " + size[0],
           () ->
-              top("event-view") >= bottom("fly-caption") - 0.5
+              !viewer.stage.getScene().getRoot().isNeedsLayout()
+                  && top("event-view") >= bottom("fly-caption") - 0.5
                   && top("fly-caption") >= bottom("show-as") - 0.5
                   && top("show-as") >= bottom("menu") - 0.5);
       ToggleButton objects = viewer.node("usual-objects", ToggleButton.class);

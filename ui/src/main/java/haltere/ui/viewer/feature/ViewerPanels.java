@@ -72,7 +72,7 @@ public final class ViewerPanels extends BorderPane {
     viewBar = new ViewBar(display);
     pictureColumn.getChildren().add(0, viewBar);
     HBox.setHgrow(picture, Priority.ALWAYS);
-    picture.setMinSize(0, 0);
+    picture.setMinSize(0, view.getMinHeight());
     VBox.setVgrow(pictureRow, Priority.ALWAYS);
     layout = new PanelLayout(pictureColumn, chainPanel);
     setCenter(new StackPane(layout));

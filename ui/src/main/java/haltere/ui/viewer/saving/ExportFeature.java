@@ -18,6 +18,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.Future;
 import java.util.function.LongConsumer;
 import javafx.application.Platform;
@@ -29,6 +30,7 @@ import javafx.application.Platform;
  */
 public final class ExportFeature implements ViewerFeature {
   private static final long BETWEEN_NANOS = 250_000_000;
+  private static final String EXPORTING = "Exporting to %s \u2026 ";
 
   /** What is wanted, on the elapsed timeline of what {@code open} gives. */
   private record Wanted(Callable<Playable> open, String chain, long fromUs, long toUs) {}
@@ -41,7 +43,7 @@ public final class ExportFeature implements ViewerFeature {
 
   private ViewerContext window;
   private final List<Future<?>> running = new ArrayList<>();
-  private int stops;
+  private volatile int stops;
 
   @Override
   public void install(ViewerContext installed) {
@@ -61,10 +63,6 @@ public final class ExportFeature implements ViewerFeature {
                 .save("Export recording", "part.aedat4", "All files", "*")
                 .ifPresent(this::exportData));
     actions.add("stop-export", this::stop);
-  }
-
-  private static String exporting(String name) {
-    return "Exporting to " + name + " \u2026 ";
   }
 
   /** Ends what is being exported and what waits for it; nothing of it is kept. */
@@ -99,7 +97,7 @@ public final class ExportFeature implements ViewerFeature {
     StatusLine status = window.status();
     // an older problem would hide how far it is
     status.clearError();
-    status.setActivity(exporting(name));
+    status.setActivity(EXPORTING.formatted(name));
     Loop loop = window.playback().loopProperty().get();
     window
         .editor()
@@ -110,28 +108,29 @@ public final class ExportFeature implements ViewerFeature {
   }
 
   private void begin(String name, Wanted wanted, Exporter exporter) {
-    StatusLine status = window.status();
     running.removeIf(Future::isDone);
     int stopsBefore = stops;
-    LongConsumer progress = progress(name, wanted);
     running.add(
         window
             .background()
             .export(
-                () -> export(wanted, exporter, progress),
-                done -> status.setActivity("Exported " + name + ": " + done),
+                () -> export(wanted, exporter, progress(name, wanted, stopsBefore)),
+                done -> window.status().setActivity("Exported " + name + ": " + done),
                 problem -> {
                   if (stops == stopsBefore) {
-                    status.showProblem(problem);
+                    window.status().showProblem(problem);
                   }
                 }));
   }
 
   /** Says how far an export is, a few times a second, unless exports are stopped. */
-  private LongConsumer progress(String name, Wanted wanted) {
-    int stopsBefore = stops;
+  private LongConsumer progress(String name, Wanted wanted, int stopsBefore) {
     long[] saidNanos = {System.nanoTime()};
     return elapsedUs -> {
+      if (stops != stopsBefore) {
+        // a font that is read clears the interrupt of its thread
+        throw new CancellationException();
+      }
       long now = System.nanoTime();
       if (now - saidNanos[0] >= BETWEEN_NANOS) {
         saidNanos[0] = now;
@@ -140,7 +139,7 @@ public final class ExportFeature implements ViewerFeature {
         Platform.runLater(
             () -> {
               if (stops == stopsBefore) {
-                window.status().setActivity(exporting(name) + percent + " %");
+                window.status().setActivity(EXPORTING.formatted(name) + percent + " %");
               }
             });
       }
