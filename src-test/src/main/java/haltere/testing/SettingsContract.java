@@ -40,7 +40,7 @@ public abstract class SettingsContract {
    * @return the tests
    */
   @TestFactory
-  Stream<DynamicContainer> everySettingsRecordKeepsItsContract() {
+  Stream<DynamicContainer> everySettingsRecordMeetsTheContract() {
     assertFalse(settingsTypes().isEmpty(), "there is no settings record to test");
     return settingsTypes().stream()
         .map(type -> dynamicContainer(type.getSimpleName(), tests(SettingsSchema.of(type))));

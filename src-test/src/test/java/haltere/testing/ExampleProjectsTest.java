@@ -204,7 +204,7 @@ class ExampleProjectsTest {
   }
 
   @Test
-  void theLinesOfTheReadmeFollowAMovingSpotInJavaAndInKotlin() {
+  void readmeExampleTracksAMovingSpotInJavaAndKotlin() {
     String log = text(folder.resolve("gradle.log"));
     for (String project : List.of("readme", "kotlin")) {
       String task = "> Task :" + project + ":run\n";
@@ -218,7 +218,7 @@ class ExampleProjectsTest {
   }
 
   @Test
-  void jShellRunsTheLinesOfTheReadme() throws Exception {
+  void readmeExampleRunsInJShell() throws Exception {
     Path project = folder.resolve("examples/readme");
     Path installed = project.resolve("ui/build/install/haltere");
     Files.createDirectories(installed.getParent());
@@ -231,7 +231,7 @@ class ExampleProjectsTest {
   }
 
   @Test
-  void theExtensionKeepsTheContractOfFiltersAndIsFoundByTheProgram() throws Exception {
+  void extensionExampleMeetsTheFilterContractAndIsLoadedByTheProgram() throws Exception {
     assertTrue(tests("extension") > 5);
     Path jars = folder.resolve("examples/extension/build/libs");
     Path program = Path.of(System.getProperty("haltere.installed"), "bin", "haltere");
@@ -241,12 +241,12 @@ class ExampleProjectsTest {
   }
 
   @Test
-  void thePluginWorksInImageJ() throws IOException {
+  void imageJPluginTestsPass() throws IOException {
     assertTrue(tests("imagej") > 5);
   }
 
   @Test
-  void theProgramForSparkCountsTheObjectsOfRecordings() throws IOException {
+  void sparkExampleCountsTheObjectsOfRecordings() throws IOException {
     assertEquals(1, tests("spark"));
   }
 

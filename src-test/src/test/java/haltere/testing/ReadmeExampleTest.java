@@ -38,7 +38,7 @@ class ReadmeExampleTest {
   @TempDir Path folder;
 
   @Test
-  void theExampleCompilesAndFollowsAMovingSpot() throws Exception {
+  void readmeExampleCompilesAndTracksAMovingSpot() throws Exception {
     String example = example();
     assertTrue(example.lines().filter(line -> !line.startsWith("import ")).count() <= 12, example);
     Path recording = folder.resolve("recording.aedat");

@@ -21,7 +21,7 @@ class PublicTypesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"core", "filters"})
-  void eachSaysSinceWhichVersionItIsThereOrItsPackageDoes(String module) throws IOException {
+  void everyPublicTypeOrItsPackageHasASinceTag(String module) throws IOException {
     Path sources = Path.of("..", module, "src", "main", "java");
     List<Path> types;
     try (Stream<Path> files = Files.walk(sources)) {

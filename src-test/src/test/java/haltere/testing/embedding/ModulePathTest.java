@@ -42,7 +42,7 @@ class ModulePathTest {
   @TempDir Path folder;
 
   @Test
-  void aModuleThatRequiresJacksonWritesJsonWithoutAFlag() throws Exception {
+  void moduleThatRequiresJacksonWritesJsonWithoutAFlag() throws Exception {
     String jars =
         Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
             .filter(

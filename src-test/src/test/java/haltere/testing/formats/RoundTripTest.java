@@ -164,7 +164,7 @@ class RoundTripTest {
 
   @ParameterizedTest
   @MethodSource("writable")
-  void whatEveryFormatHoldsComesBackWithoutAWord(String format) throws IOException {
+  void plainRecordingsAreReadBackUnchangedWithoutWarnings(String format) throws IOException {
     for (Recording recording : RandomRecordings.plain()) {
       Written written = write(recording, format);
       String what = format + ", " + recording;
@@ -175,7 +175,7 @@ class RoundTripTest {
 
   @ParameterizedTest
   @MethodSource("writable")
-  void whatAFormatCannotHoldIsSaid(String format) throws IOException {
+  void lossesOfExtremeRecordingsAreReported(String format) throws IOException {
     for (Recording recording : RandomRecordings.extreme()) {
       Written written = write(recording, format);
       if (written.warnings().isPresent()) {
@@ -186,7 +186,7 @@ class RoundTripTest {
 
   @ParameterizedTest
   @MethodSource("writable")
-  void aFileWhoseSizeIsNotStatedSaysThatItWasGuessed(String format) throws IOException {
+  void guessedSensorSizeIsReported(String format) throws IOException {
     for (Recording recording : RandomRecordings.plain()) {
       Written written = write(recording, format);
       try (RecordingReader reader = Recordings.open(written.file())) {
@@ -199,7 +199,7 @@ class RoundTripTest {
 
   @ParameterizedTest
   @MethodSource("writable")
-  void everyOtherFormatTakesItOver(String format) throws IOException {
+  void recordingsConvertToEveryOtherFormatUnchanged(String format) throws IOException {
     for (Recording original : RandomRecordings.plain()) {
       Recording recording = fromTheTop(original);
       Written first = write(recording, format);
@@ -228,7 +228,7 @@ class RoundTripTest {
 
   @ParameterizedTest
   @MethodSource("writable")
-  void aStretchIsHalfOpenAndFiltersSeeNothingElse(String format) throws IOException {
+  void timeRangeIsHalfOpenAndFiltersSeeOnlyItsEvents(String format) throws IOException {
     SensorGeometry sensor = new SensorGeometry(240, 180, Origin.TOP);
     EventPacket events = RandomRecordings.random(sensor, 31, 3000, 5000);
     Recording recording = new Recording("to be cut", true, sensor, events);
@@ -287,7 +287,7 @@ class RoundTripTest {
 
   @ParameterizedTest
   @MethodSource("writable")
-  void whereRowsCountFromDoesNotChangeWhatComesBack(String format) throws IOException {
+  void rowOriginDoesNotChangeEventsReadBack(String format) throws IOException {
     SensorGeometry sensor = new SensorGeometry(240, 180, Origin.BOTTOM);
     EventPacket events = RandomRecordings.random(sensor, 33, 500, 5000);
     Path file = newFile(format);

@@ -46,14 +46,14 @@ class BuildJavaTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"1.8.0_392", "11.0.21", "25.0.1"})
-  void aJavaThatIsTooOldOrTooNewIsNamedInOneLine(String version) throws Exception {
+  void unsupportedJavaVersionIsReportedInOneLine(String version) throws Exception {
     String said = errorOf(version, 1);
     assertEquals(1, said.lines().count(), said);
     assertTrue(said.contains("jdk-" + version) && said.contains("set JAVA_HOME"), said);
   }
 
   @Test
-  void aJavaThatFitsIsTakenWithoutAWord() throws Exception {
+  void supportedJavaVersionIsAcceptedSilently() throws Exception {
     assertEquals("", errorOf("17.0.9", 0));
     assertEquals("", errorOf("21", 0));
   }

@@ -121,7 +121,7 @@ class StreamingMemoryTest {
   }
 
   @Test
-  void aLargeRecordingOfAnyFormatIsReadInLittleMemory() throws IOException, InterruptedException {
+  void largeRecordingsOfAllFormatsAreReadInLittleMemory() throws IOException, InterruptedException {
     EventPacket events = EventPackets.uniform(SENSOR, 1, PACKET_EVENTS, 1_000_000, 3);
     long emptyKib = peakKib(probe(List.of()));
     List<String> lines = new ArrayList<>();
@@ -139,7 +139,7 @@ class StreamingMemoryTest {
   }
 
   @Test
-  void aLyingRecordingOfAnyFormatIsReadOrRefusedInLittleMemory()
+  void recordingsWithFalseSizesAreReadOrRejectedInLittleMemory()
       throws IOException, InterruptedException {
     EventPacket events = EventPackets.uniform(SENSOR, 2, 3000, 1_000_000, 3);
     List<String> lines = new ArrayList<>();

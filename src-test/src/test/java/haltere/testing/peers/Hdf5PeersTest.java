@@ -50,8 +50,7 @@ class Hdf5PeersTest {
   }
 
   @Test
-  void twoOtherProgramsReadEveryEventThatWeWriteAndTheIndexOfMillisecondsHolds()
-      throws IOException {
+  void writtenEventsAndMillisecondIndexAreReadByTwoOtherPrograms() throws IOException {
     EventPacket events = events(EVENTS);
     StreamRecorder recorder = new StreamRecorder();
     recorder.packet(events);
@@ -75,7 +74,7 @@ class Hdf5PeersTest {
   }
 
   @Test
-  void weReadEveryEventInWhicheverWayH5pyStoresIt() throws IOException {
+  void eventsAreReadFromEveryStorageLayoutOfH5py() throws IOException {
     EventPacket events = events(THEIR_EVENTS);
     ByteBuffer rows = ByteBuffer.allocate(THEIR_EVENTS * 32).order(ByteOrder.LITTLE_ENDIAN);
     for (int i = 0; i < THEIR_EVENTS; i++) {

@@ -72,19 +72,19 @@ class JobOnTwoThreadsTest {
   }
 
   @Test
-  void tablesHaveTheSameBytes() throws IOException {
+  void tablesAreIdenticalOnOneAndTwoThreads() throws IOException {
     Map<String, String> one = tables(1, false);
     assertTrue(one.get("beats.csv").lines().count() > 50);
     assertEquals(one, tables(2, false));
   }
 
   @Test
-  void aSubscriberThatThrowsIsDroppedAndTheTablesAreTheSame() throws IOException {
+  void throwingSubscriberDoesNotChangeTheTables() throws IOException {
     assertEquals(tables(1, true), tables(2, true));
   }
 
   @Test
-  void whatAFilterThrowsInAPieceEndsTheJobAndNamesTheFilter() {
+  void exceptionInSharedWorkEndsTheJobWithTheNameOfTheFilter() {
     RecordingJob job =
         RecordingJob.of(
             recording,

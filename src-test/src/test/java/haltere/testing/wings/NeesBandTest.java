@@ -45,21 +45,21 @@ class NeesBandTest {
   }
 
   @Test
-  void holdsRightStandardDeviationsInNineteenOfTwentyScenesHoweverErrorsFollowEachOther() {
+  void correctDeviationsLieInTheBandIn95PercentOfScenesWhateverTheErrorCorrelation() {
     for (double constantShare : new double[] {0, 0.3, 0.7, 1}) {
       assertEquals(0.95, shareInside(scenes(constantShare, 1, 1)), 0.04, "share " + constantShare);
     }
   }
 
   @Test
-  void findsOutStandardDeviationsThatAreTooSmallOrTooLargeInSomeScenes() {
+  void incorrectDeviationsLieOutsideTheBand() {
     assertTrue(shareInside(scenes(0, 1.5, 2)) < 0.6, "too small");
     assertTrue(shareInside(scenes(0, 0.6, 3)) < 0.6, "too large");
     assertTrue(shareInside(scenes(0.3, 2, 4)) < 0.85, "too small beside constant errors");
   }
 
   @Test
-  void isTheWiderTheMoreOfAnErrorIsTheSameThroughout() {
+  void bandWidensWithTheConstantShareOfTheError() {
     NeesBand following = NeesBand.of(scenes(0, 1, 5));
     NeesBand constant = NeesBand.of(scenes(1, 1, 5));
     assertTrue(following.least() > 0.7 && following.most() < 1.35, following::toString);

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 /** Errors over the phase of a stroke are distinguished by what makes them. */
 class PhaseErrorsTest {
   @Test
-  void aConstantAnAmplitudeADelayAndARestAreDistinguished() {
+  void constantAmplitudeDelayAndRemainderErrorsAreSeparated() {
     SplittableRandom random = new SplittableRandom(1);
     PhaseErrors errors = new PhaseErrors();
     for (int i = 0; i < 100_000; i++) {

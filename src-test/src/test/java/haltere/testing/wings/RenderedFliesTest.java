@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 /** The flies that the wing tracker is evaluated on. */
 class RenderedFliesTest {
   @Test
-  void everySeedMakesAValidFlyWhoseMembraneThePixelsCanSee() {
+  void everySeedGivesAValidFlyWithAMembraneAboveThePixelThreshold() {
     for (long seed = 0; seed < 1000; seed++) {
       RenderedFlySceneSettings scene = RenderedFlies.random(seed);
       double contrast = -Math.log(scene.fly().wing().transmission());
@@ -19,7 +19,7 @@ class RenderedFliesTest {
   }
 
   @Test
-  void aSeedMakesTheSameFlyAgain() {
+  void sameSeedGivesTheSameFly() {
     assertEquals(RenderedFlies.random(5), RenderedFlies.random(5));
   }
 }
