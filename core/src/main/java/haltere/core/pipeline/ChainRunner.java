@@ -220,7 +220,7 @@ public final class ChainRunner implements StreamHandler {
 
   private void lose(DataLost lost) {
     counters.add(Counter.GAPS, runUp ? 0 : 1);
-    tellChain(lost);
+    notifyChain(lost);
     toAll(sinks, handler -> handler.notified(lost));
   }
 
@@ -238,7 +238,7 @@ public final class ChainRunner implements StreamHandler {
       lastUs = StreamNotification.NO_TIME_US;
     }
     toAll(rawSinks, handler -> handler.notified(notification));
-    tellChain(notification);
+    notifyChain(notification);
     toAll(sinks, handler -> handler.notified(notification));
   }
 
@@ -282,7 +282,7 @@ public final class ChainRunner implements StreamHandler {
     }
   }
 
-  private void tellChain(StreamNotification notification) {
+  private void notifyChain(StreamNotification notification) {
     try {
       chain.notified(notification);
     } catch (FilterFailure failure) {

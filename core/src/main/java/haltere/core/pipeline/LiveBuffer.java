@@ -419,7 +419,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   public Counts counts() {
     lock.lock();
     try {
-      return new Counts(eventsIn, eventsOut, eventsLost, waiting.packets(), waiting.mostPackets());
+      return new Counts(eventsIn, eventsOut, eventsLost, waiting.packets(), waiting.peakPackets());
     } finally {
       lock.unlock();
     }

@@ -33,7 +33,7 @@ final class LiveQueue {
   private long lastTakenUs = StreamNotification.NO_TIME_US;
   private int packets;
   private int events;
-  private int mostPackets;
+  private int peakPackets;
   private int samples;
   private long sampleBytes;
 
@@ -62,8 +62,8 @@ final class LiveQueue {
   }
 
   /** Maximum number of waiting packets so far. */
-  int mostPackets() {
-    return mostPackets;
+  int peakPackets() {
+    return peakPackets;
   }
 
   /** Number of waiting samples. */
@@ -86,7 +86,7 @@ final class LiveQueue {
     waiting.add(packet);
     packets++;
     events += packet.size();
-    mostPackets = Math.max(mostPackets, packets);
+    peakPackets = Math.max(peakPackets, packets);
   }
 
   void add(SensorSample sample) {

@@ -76,7 +76,7 @@ public final class Recorder implements StreamHandler, Closeable {
   private volatile Throwable failure;
   private volatile boolean complete;
   private volatile boolean finished;
-  private volatile boolean endAsked;
+  private volatile boolean endRequested;
 
   /**
    * Starts a recording.
@@ -279,7 +279,7 @@ public final class Recorder implements StreamHandler, Closeable {
    */
   @Override
   public void close() throws IOException {
-    if (!endAsked) {
+    if (!endRequested) {
       end();
       if (failure != null) {
         throw problem();
@@ -288,7 +288,7 @@ public final class Recorder implements StreamHandler, Closeable {
   }
 
   private void end() throws IOException {
-    endAsked = true;
+    endRequested = true;
     buffer.notified(new EndOfStream(StreamNotification.NO_TIME_US));
     boolean interrupted = false;
     boolean waitAgain;
@@ -340,9 +340,9 @@ public final class Recorder implements StreamHandler, Closeable {
    */
   public RecorderReport report() {
     LiveBuffer.Counts counts = buffer.counts();
-    List<DataLost> told;
+    List<DataLost> reportedGaps;
     synchronized (gaps) {
-      told = List.copyOf(gaps);
+      reportedGaps = List.copyOf(gaps);
     }
     boolean failed = failure != null;
     return new RecorderReport(
@@ -353,7 +353,7 @@ public final class Recorder implements StreamHandler, Closeable {
         counts.waitingPackets(),
         samplesLeftOut,
         buffer.samplesLost(),
-        told,
+        reportedGaps,
         Optional.ofNullable(stoppedBy),
         failed ? Optional.of(problem().getMessage()) : Optional.empty());
   }

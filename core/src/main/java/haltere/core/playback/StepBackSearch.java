@@ -48,7 +48,7 @@ final class StepBackSearch {
   /**
    * Skips events between two positions, or a number of them; returns the position of the next one.
    */
-  private Position pass(long from, long to, long most) throws IOException {
+  private Position pass(long from, long to, long max) throws IOException {
     cursor.seek(from);
     passed = 0;
     long last = Long.MIN_VALUE;
@@ -62,7 +62,7 @@ final class StepBackSearch {
         }
         case EVENTS -> {
           long elapsedUs = cursor.elapsedUs();
-          if (elapsedUs >= to || passed == most) {
+          if (elapsedUs >= to || passed == max) {
             return new Position(elapsedUs, elapsedUs == last ? ties : 0);
           }
           ties = elapsedUs == last ? ties + 1 : 1;

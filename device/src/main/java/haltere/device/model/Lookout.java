@@ -21,7 +21,7 @@ final class Lookout implements AutoCloseable {
    */
   record Pace(long oftenNanos, long rarelyNanos) {
     /** Five times a second, or every two seconds. */
-    static final Pace USUAL =
+    static final Pace DEFAULT =
         new Pace(TimeUnit.MILLISECONDS.toNanos(200), TimeUnit.SECONDS.toNanos(2));
   }
 
@@ -76,12 +76,12 @@ final class Lookout implements AutoCloseable {
       return false;
     }
     long now = System.nanoTime();
-    boolean often = now - oftenUntilNanos < 0 || !isTold();
+    boolean often = now - oftenUntilNanos < 0 || !isNotified();
     nextNanos = now + (often ? pace.oftenNanos : pace.rarelyNanos);
     return true;
   }
 
-  private synchronized boolean isTold() {
+  private synchronized boolean isNotified() {
     return watch.isPresent();
   }
 

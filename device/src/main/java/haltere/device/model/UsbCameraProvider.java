@@ -28,7 +28,7 @@ public final class UsbCameraProvider implements CameraProvider {
 
   /** The cameras on this computer's USB, through libusb. */
   public UsbCameraProvider() {
-    this(LibusbBus::shared, LockSupport::parkNanos, Lookout.Pace.USUAL);
+    this(LibusbBus::shared, LockSupport::parkNanos, Lookout.Pace.DEFAULT);
   }
 
   /**
@@ -37,7 +37,7 @@ public final class UsbCameraProvider implements CameraProvider {
    * @param bus the bus to search
    */
   public UsbCameraProvider(UsbBus bus) {
-    this(() -> bus, LockSupport::parkNanos, Lookout.Pace.USUAL);
+    this(() -> bus, LockSupport::parkNanos, Lookout.Pace.DEFAULT);
   }
 
   /**

@@ -114,9 +114,9 @@ final class LibusbTransport implements UsbTransport {
   }
 
   @Override
-  public synchronized byte[] read(int endpoint, int most) throws CameraProblem {
+  public synchronized byte[] read(int endpoint, int maxBytes) throws CameraProblem {
     requireOpen();
-    ByteBuffer buffer = ByteBuffer.allocateDirect(most);
+    ByteBuffer buffer = ByteBuffer.allocateDirect(maxBytes);
     IntBuffer done = IntBuffer.allocate(1);
     LibusbProblem.check(
         LibUsb.bulkTransfer(handle, (byte) endpoint, buffer, done, TIMEOUT_MS), "answer a command");

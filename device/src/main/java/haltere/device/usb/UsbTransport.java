@@ -81,11 +81,11 @@ public interface UsbTransport extends Closeable {
    * Reads one transfer from a bulk endpoint.
    *
    * @param endpoint its address, 0x80 or more
-   * @param most maximum number of bytes
+   * @param maxBytes maximum number of bytes
    * @return the data
    * @throws CameraProblem if no data arrived in time, or the device is gone
    */
-  byte[] read(int endpoint, int most) throws CameraProblem;
+  byte[] read(int endpoint, int maxBytes) throws CameraProblem;
 
   /**
    * Clears the halt of an endpoint.

@@ -50,7 +50,7 @@ class LookoutTest {
   }
 
   @Test
-  void itIsTimeToLookWhenSomethingWasPluggedIn() throws InterruptedException {
+  void busChangeTriggersOneSearch() throws InterruptedException {
     Lookout lookout = begun(NEVER, NEVER);
     assertFalse(lookout.await(SOON));
 
@@ -61,7 +61,7 @@ class LookoutTest {
   }
 
   @Test
-  void afterAChangeOneLooksOftenForTheDeviceMayNotBeReady() throws InterruptedException {
+  void searchIsRepeatedOftenAfterABusChange() throws InterruptedException {
     Lookout lookout = begun(SOON, NEVER);
 
     changed.run();
@@ -72,7 +72,7 @@ class LookoutTest {
   }
 
   @Test
-  void itWatchesTheBusWhileTheCameraIsAwayOnly() throws InterruptedException {
+  void busIsWatchedOnlyWhileTheCameraIsDisconnected() throws InterruptedException {
     Lookout lookout = begun(NEVER, NEVER);
     assertEquals(1, watches);
     lookout.end();
@@ -86,7 +86,7 @@ class LookoutTest {
   }
 
   @Test
-  void closingEndsTheWait() throws InterruptedException {
+  void closingInterruptsAWaitingSearch() throws InterruptedException {
     Lookout lookout = begun(NEVER, NEVER);
     Thread closer = new Thread(lookout::close);
     closer.start();

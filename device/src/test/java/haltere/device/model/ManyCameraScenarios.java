@@ -65,7 +65,7 @@ abstract class ManyCameraScenarios extends CameraBench {
   }
 
   @Test
-  void eachGetsAllOfItsOwnAlsoWhenTheOtherIsClosed() throws Exception {
+  void twoCamerasDeliverAllOfTheirEventsEvenIfOneIsClosed() throws Exception {
     Dvs128Firmware other = new Dvs128Firmware("0043");
     EmulatedDevice otherDevice = plug(other);
     Used one = use(firmware, seen("0042"));

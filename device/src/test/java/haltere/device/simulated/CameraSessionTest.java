@@ -104,7 +104,7 @@ class CameraSessionTest {
   }
 
   @Test
-  void unpluggingResettingAndPluggingInMakePartsThatHoldEachEventOnce() throws IOException {
+  void unpluggingAndResetsSplitARecordingIntoPartsWithEachEventOnce() throws IOException {
     List<SessionRecorder.Part> parts;
     Camera camera = open("simulated:fly");
     try (SessionRecorder session = session(camera, "fly.aedat4", "{}")) {
@@ -148,7 +148,7 @@ class CameraSessionTest {
   }
 
   @Test
-  void theHeaderHasBiasesAndChain() throws IOException {
+  void headerContainsBiasesAndChain() throws IOException {
     try (Camera camera = open("simulated:fly");
         SessionRecorder session = session(camera, "fly.aedat4", "{\n  \"filters\" : [ ]\n}\n")) {
       camera.facet(Biases.class).orElseThrow().set("threshold", 0.25);
@@ -161,7 +161,7 @@ class CameraSessionTest {
   }
 
   @Test
-  void theHeadersOfTwoCamerasRelateTheirClocks() throws IOException {
+  void clockOffsetsInTheHeadersRelateTwoCameras() throws IOException {
     try (Camera fly = open("simulated:fly");
         Camera road = open("simulated:road");
         SessionRecorder flySession = session(fly, "fly.aedat4", "{}");

@@ -47,7 +47,7 @@ class LiveSimulatedCameraTest {
   }
 
   @Test
-  void aConsumerThatIsBusyLosesCountedEventsAndTheClockContinues() throws IOException {
+  void busyConsumerLosesCountedEventsWhileTheClockContinues() throws IOException {
     Camera camera = dots(CameraOptions.DEFAULT.withBuffers(0, 0, 5));
     while (recorder.events().isEmpty()) {
       camera.next(stream);
@@ -69,7 +69,7 @@ class LiveSimulatedCameraTest {
   }
 
   @Test
-  void whileItIsUnpluggedNothingComesAndThenANewStream() throws IOException {
+  void unpluggedCameraIsSilentAndReconnectingStartsANewStream() throws IOException {
     try (Camera camera = dots(CameraOptions.DEFAULT.withReconnect(true))) {
       Plug plug = camera.facet(Plug.class).orElseThrow();
       while (recorder.events().isEmpty()) {
@@ -93,7 +93,7 @@ class LiveSimulatedCameraTest {
   }
 
   @Test
-  void closingWakesAConsumerThatWaits() throws Exception {
+  void closingEndsTheStreamOfAWaitingConsumer() throws Exception {
     Camera camera = dots(CameraOptions.DEFAULT.withReconnect(true));
     camera.next(stream);
     camera.facet(Plug.class).orElseThrow().unplug();
@@ -155,8 +155,7 @@ class LiveSimulatedCameraTest {
   }
 
   @Test
-  void aSceneThatTakesTooLongToMakeStandsStillWhileTheClockContinuesAndThatIsReported()
-      throws IOException {
+  void slowSceneIsReportedAsLossWhileTheClockContinues() throws IOException {
     ManualClock time = new ManualClock();
     Scene<Nothing> scene = new HardScene(() -> time.advance(TimeUnit.MILLISECONDS.toNanos(300)));
     try (Camera camera =
@@ -177,7 +176,7 @@ class LiveSimulatedCameraTest {
   }
 
   @Test
-  void aSceneThatFailsIsTheConsumersProblem() {
+  void exceptionOfASceneReachesTheConsumer() {
     Scene<Nothing> scene =
         new HardScene(
             () -> {

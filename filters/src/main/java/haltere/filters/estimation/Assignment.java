@@ -31,8 +31,8 @@ public final class Assignment {
   /** Costs of greater size would overflow when they are added up. */
   private static final double LARGEST_COST = 1e150;
 
-  private final int mostRows;
-  private final int mostColumns;
+  private final int maxRows;
+  private final int maxColumns;
   private final double[] costs;
   private final int[] columnOfRow;
   private final int[] rowOfColumn;
@@ -56,21 +56,21 @@ public final class Assignment {
   /**
    * Space for a matrix.
    *
-   * @param mostRows maximum number of rows, at least 0
-   * @param mostColumns maximum number of columns, at least 0
+   * @param maxRows maximum number of rows, at least 0
+   * @param maxColumns maximum number of columns, at least 0
    */
-  public Assignment(int mostRows, int mostColumns) {
-    if (mostRows < 0 || mostColumns < 0) {
+  public Assignment(int maxRows, int maxColumns) {
+    if (maxRows < 0 || maxColumns < 0) {
       throw new IllegalArgumentException(
-          "a matrix cannot have " + mostRows + " x " + mostColumns + " entries");
+          "a matrix cannot have " + maxRows + " x " + maxColumns + " entries");
     }
-    this.mostRows = mostRows;
-    this.mostColumns = mostColumns;
-    int near = Math.min(mostRows, mostColumns);
-    int far = Math.max(mostRows, mostColumns);
-    costs = new double[Math.multiplyExact(mostRows, mostColumns)];
-    columnOfRow = new int[mostRows];
-    rowOfColumn = new int[mostColumns];
+    this.maxRows = maxRows;
+    this.maxColumns = maxColumns;
+    int near = Math.min(maxRows, maxColumns);
+    int far = Math.max(maxRows, maxColumns);
+    costs = new double[Math.multiplyExact(maxRows, maxColumns)];
+    columnOfRow = new int[maxRows];
+    rowOfColumn = new int[maxColumns];
     nearPrice = new double[near];
     farOfNear = new int[near];
     farPrice = new double[far];
@@ -88,15 +88,15 @@ public final class Assignment {
    * @param columns 0 to the most columns
    */
   public void start(int rows, int columns) {
-    if (rows < 0 || rows > mostRows || columns < 0 || columns > mostColumns) {
+    if (rows < 0 || rows > maxRows || columns < 0 || columns > maxColumns) {
       throw new IllegalArgumentException(
           rows
               + " x "
               + columns
               + " is outside the room for "
-              + mostRows
+              + maxRows
               + " x "
-              + mostColumns
+              + maxColumns
               + " entries");
     }
     this.rows = rows;

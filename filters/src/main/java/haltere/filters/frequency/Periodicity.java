@@ -14,7 +14,7 @@ final class Periodicity {
   private static final int PERIODS = 4;
 
   /** Minimum height of a peak, as a share of the variance. */
-  private static final double LEAST = 0.12;
+  private static final double MIN_CORRELATION = 0.12;
 
   /** Minimum height of the period's peak, as a share of the highest one. */
   private static final double NEARLY = 0.8;
@@ -60,7 +60,7 @@ final class Periodicity {
     for (int lag = first; lag <= lags; lag++) {
       highest = Math.max(highest, correlation[lag]);
     }
-    if (first > lags || !(highest > LEAST * correlation[0])) {
+    if (first > lags || !(highest > MIN_CORRELATION * correlation[0])) {
       return Double.NaN;
     }
     for (int lag = first; lag <= lags; lag++) {

@@ -132,10 +132,11 @@ final class EventAssociation {
       if (!component.object.isDecided()) {
         // no event decides alone
         double ratio = intensity[k] / repeat;
-        double most = ObjectRelations.DECISIVE_NAT;
-        double least = ObjectRelations.ERROR;
+        double maxNat = ObjectRelations.DECISIVE_NAT;
+        double minRatio = ObjectRelations.ERROR;
         component.novelty +=
-            share * (ratio <= least ? -most : ratio >= 1 / least ? most : Math.log(ratio));
+            share
+                * (ratio <= minRatio ? -maxNat : ratio >= 1 / minRatio ? maxNat : Math.log(ratio));
       }
       component.weight += share;
       component.gradientX -= share * shape.gradientX[at];

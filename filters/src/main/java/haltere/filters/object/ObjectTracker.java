@@ -260,7 +260,7 @@ final class ObjectTracker {
    */
   private TrackedObject returned(Component component, long nowUs) {
     TrackedObject best = null;
-    double most = 0;
+    double max = 0;
     double area = geometry.width() * (double) geometry.height();
     double bornHz = (decided + 1) / ((nowUs - startUs) * 1e-6 + PRIOR_S);
     for (TrackedObject object : objects) {
@@ -285,8 +285,8 @@ final class ObjectTracker {
               + Math.log(area / (2 * Math.PI * sd * sd + size * size))
               - (dx * dx + dy * dy) / (2 * sd * sd)
               - (motion.coasts() ? object.unlike(component) : 0);
-      if (log > most) {
-        most = log;
+      if (log > max) {
+        max = log;
         // near a moving object the component is compared with that one
         best = isMoving ? null : object;
       }
@@ -300,11 +300,11 @@ final class ObjectTracker {
         into(seen.middleX() - object.middleX(), object.halfX() - seen.shape.halfX),
         into(seen.middleY() - object.middleY(), object.halfY() - seen.shape.halfY));
     Component nearest = null;
-    double least = ShapeTemplate.MIN_CELL_PX * 2;
+    double min = ShapeTemplate.MIN_CELL_PX * 2;
     for (Component component : object.components) {
       double d = component.boxDistance(seen);
-      if (d < least) {
-        least = d;
+      if (d < min) {
+        min = d;
         nearest = component;
       }
       if (object.isLost) {

@@ -79,11 +79,11 @@ final class RegionFinder {
   /** The earlier region that this one continues, by position; each at most once. */
   private Region nearest(Region now) {
     Region best = null;
-    double least = 2 * Math.max(now.halfX, now.halfY);
+    double min = 2 * Math.max(now.halfX, now.halfY);
     for (Region region : regions) {
       double d = Math.hypot(region.x - now.x, region.y - now.y);
-      if (region.label != 0 && d < least) {
-        least = d;
+      if (region.label != 0 && d < min) {
+        min = d;
         best = region;
       }
     }
@@ -167,15 +167,15 @@ final class RegionFinder {
 
   private Region owner(int cell, ShapeTemplate shape) {
     Region best = null;
-    double least = Double.POSITIVE_INFINITY;
+    double min = Double.POSITIVE_INFINITY;
     for (Region region : regions) {
       double d =
           label[cell] == region.label
               ? -1
               : region.distance(
                   ShapeTemplate.X[cell] * shape.cellPx, ShapeTemplate.Y[cell] * shape.cellPx);
-      if (d < least) {
-        least = d;
+      if (d < min) {
+        min = d;
         best = region;
       }
     }

@@ -73,9 +73,9 @@ final class TcpLines implements LineOutput {
       TcpReceiver receiver = new TcpReceiver(socket, protocol, roomLines, this::left);
       receivers.add(receiver);
       receiver.start();
-    } catch (IOException gone) {
+    } catch (IOException disconnected) {
       socket.close();
-      throw gone;
+      throw disconnected;
     }
   }
 

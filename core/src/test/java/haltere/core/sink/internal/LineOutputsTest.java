@@ -44,7 +44,7 @@ class LineOutputsTest {
   }
 
   @Test
-  void servicesAndClassesAgree() {
+  void serviceFileNamesEveryProvider() {
     assertTrue(
         ServiceFiles.registered(LineOutputProvider.class)
             .containsAll(

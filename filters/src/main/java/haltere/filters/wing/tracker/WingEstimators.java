@@ -56,10 +56,10 @@ final class WingEstimators {
   private void build(int side) {
     boolean tells = settings.filter().method() == WingMethod.WRA;
     BeatListener beats =
-        (s, endUs, periodUs, least, most) -> {
+        (s, endUs, periodUs, min, max) -> {
           follower.beat(side);
           if (tells) {
-            report.beat(s, endUs, periodUs, least, most);
+            report.beat(s, endUs, periodUs, min, max);
           }
         };
     beside[side] = new EdgesEstimator(frames[side], settings, beats, Optional.empty());

@@ -50,10 +50,10 @@ final class AedatReader {
       found.add(Violation.CUT_OFF, header.dataOffset());
     }
     InertialRange range = InertialRange.of(file.read(0, header.dataOffset()));
-    List<String> told = new ArrayList<>(remarks);
+    List<String> allRemarks = new ArrayList<>(remarks);
     boolean fromCamera = sensor.layout() == AedatSensor.Layout.DAVIS && header.sensor().isEmpty();
     if (options.samples() && fromCamera && !range.stated()) {
-      told.add(
+      allRemarks.add(
           "the header does not state the range of the inertial sensor; "
               + range.accelerationG()
               + " g and "
@@ -64,7 +64,7 @@ final class AedatReader {
         formatName,
         file,
         sensor.geometry(),
-        told,
+        allRemarks,
         options,
         found,
         violations ->

@@ -332,7 +332,7 @@ final class Aedat4Cursor implements EventCursor {
 
   @Override
   public boolean visitPieces(PieceVisitor visitor) throws IOException {
-    Optional<PacketTable> table = PacketTable.believed(file, layout, eventStream);
+    Optional<PacketTable> table = PacketTable.readTable(file, layout, eventStream);
     if (table.isPresent()) {
       table.get().visit(visitor);
     }
@@ -341,7 +341,7 @@ final class Aedat4Cursor implements EventCursor {
 
   @Override
   public Optional<RecordingOutline> outline() throws IOException {
-    return PacketTable.believed(file, layout, eventStream).map(PacketTable::outline);
+    return PacketTable.readTable(file, layout, eventStream).map(PacketTable::outline);
   }
 
   @Override

@@ -247,8 +247,8 @@ public final class Aedat4Format implements RecordingFormat {
         return new SensorGeometry(sized.get().width(), sized.get().height(), origin);
       }
       if (options.sensor().isPresent()) {
-        SensorGeometry said = options.sensor().get();
-        return new SensorGeometry(said.width(), said.height(), origin);
+        SensorGeometry given = options.sensor().get();
+        return new SensorGeometry(given.width(), given.height(), origin);
       }
       SensorGeometry guess = guess(stream, origin);
       remarks.add(

@@ -162,12 +162,12 @@ final class PacketWalk {
       return false;
     }
     byte[] bytes = window.bytes();
-    long said = LittleEndian.getInt(bytes, at + 4);
+    long statedBytes = LittleEndian.getInt(bytes, at + 4);
     int id = LittleEndian.getInt(bytes, at);
-    if (id < 0 || said <= 4 || said > end - offset - HEADER_BYTES) {
+    if (id < 0 || statedBytes <= 4 || statedBytes > end - offset - HEADER_BYTES) {
       return false;
     }
-    Aedat4Compression compression = Decompressor.compression(bytes, at + HEADER_BYTES, said);
+    Aedat4Compression compression = Decompressor.compression(bytes, at + HEADER_BYTES, statedBytes);
     return compression != null
         && (compression != Aedat4Compression.NONE || isIdentifier(bytes, at + HEADER_BYTES + 8));
   }

@@ -171,11 +171,11 @@ record CsvLayout(
       EventColumn role = EventColumn.named(name);
       roles.add(role != EventColumn.OTHER && roles.contains(role) ? EventColumn.OTHER : role);
     }
-    boolean enough =
+    boolean complete =
         roles.contains(EventColumn.TIME)
             && roles.contains(EventColumn.X)
             && roles.contains(EventColumn.Y);
-    return enough ? Optional.of(roles) : Optional.empty();
+    return complete ? Optional.of(roles) : Optional.empty();
   }
 
   private static int timeScale(String[] names, List<String[]> rows) {

@@ -26,13 +26,13 @@ final class BloscBlock {
   /**
    * Decompresses a chunk from the start of an array to the start of another; returns its length.
    */
-  int unpack(byte[] in, int length, byte[] out, int most) throws DamagedPacketException {
+  int unpack(byte[] in, int length, byte[] out, int maxBytes) throws DamagedPacketException {
     check(length >= HEADER);
     int flags = in[2] & 0xff;
     int size = in[3] & 0xff;
     int bytes = LittleEndian.getInt(in, 4);
     int blockBytes = LittleEndian.getInt(in, 8);
-    check(bytes >= 0 && bytes <= most && (blockBytes > 0 || bytes == 0));
+    check(bytes >= 0 && bytes <= maxBytes && (blockBytes > 0 || bytes == 0));
     if ((flags & 2) != 0) {
       check(bytes <= length - HEADER);
       System.arraycopy(in, HEADER, out, 0, bytes);

@@ -39,10 +39,10 @@ final class EventSearch {
     datasets.sort(Comparator.comparingInt(EventSearch::rank));
     Map<EventColumn, EventTable.Column> columns = columns();
     long rows = Long.MAX_VALUE;
-    long most = 0;
+    long maxRows = 0;
     for (EventTable.Column column : columns.values()) {
       rows = Math.min(rows, column.dataset().rows());
-      most = Math.max(most, column.dataset().rows());
+      maxRows = Math.max(maxRows, column.dataset().rows());
     }
     boolean ours = whole(EventTable.ROWS_UP).isPresent();
     EventTable found =
@@ -50,7 +50,7 @@ final class EventSearch {
             file,
             columns,
             rows,
-            rows != most,
+            rows != maxRows,
             0,
             0,
             sensor(),
@@ -64,7 +64,7 @@ final class EventSearch {
         file,
         columns,
         rows,
-        rows != most,
+        rows != maxRows,
         scale,
         timeOffset(scale),
         found.sensor(),

@@ -19,7 +19,7 @@ import java.util.stream.Collectors;
  * @param container the file
  * @param columns by content; at least times, columns and rows
  * @param rows events that all columns claim
- * @param lying whether columns claim different numbers
+ * @param inconsistent whether columns claim different numbers
  * @param timeScale power of ten of the times' unit in microseconds
  * @param timeOffsetUs offset of the times
  * @param sensor its size, if the file states it
@@ -30,7 +30,7 @@ record EventTable(
     ContainerFile container,
     Map<EventColumn, Column> columns,
     long rows,
-    boolean lying,
+    boolean inconsistent,
     int timeScale,
     long timeOffsetUs,
     Optional<SensorGeometry> sensor,

@@ -75,7 +75,7 @@ public final class Hdf5Format implements RecordingFormat {
     List<String> remarks = new ArrayList<>();
     Origin origin = SensorGuess.origin(table.origin(), options, remarks);
     ViolationCounts found = new ViolationCounts();
-    if (table.lying()) {
+    if (table.inconsistent()) {
       found.add(Violation.LYING_LENGTH, 0);
     }
     if (table.container().isCutOff()) {

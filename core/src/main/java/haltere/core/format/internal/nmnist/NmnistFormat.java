@@ -91,13 +91,13 @@ public final class NmnistFormat implements ReadOnlyFormat {
   }
 
   private RecordingReader open(RecordingFile bytes, ReadOptions options) throws IOException {
-    Optional<SensorGeometry> asked =
+    Optional<SensorGeometry> stated =
         options
             .sensor()
             .map(sensor -> new SensorGeometry(sensor.width(), sensor.height(), Origin.TOP));
     SensorGeometry geometry =
-        asked.isPresent()
-            ? asked.get()
+        stated.isPresent()
+            ? stated.get()
             : SensorGuess.smallest(
                     cursor(bytes, SensorGuess.square(MAX_SIDE), new ViolationCounts()),
                     MAX_SIDE,
@@ -107,7 +107,7 @@ public final class NmnistFormat implements ReadOnlyFormat {
         name(),
         bytes,
         geometry,
-        asked.isPresent() ? List.of() : List.of(SensorGuess.remark(geometry)),
+        stated.isPresent() ? List.of() : List.of(SensorGuess.remark(geometry)),
         options,
         new ViolationCounts(),
         violations -> cursor(bytes, geometry, violations));

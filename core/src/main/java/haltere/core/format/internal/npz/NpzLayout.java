@@ -20,7 +20,7 @@ import java.util.stream.Stream;
  *
  * @param columns by content; at least times, columns and rows
  * @param rows events that all columns claim
- * @param lying whether columns claim different numbers, or more than their file can contain
+ * @param inconsistent whether columns claim different numbers, or more than their file can contain
  * @param cutOff whether the file is truncated
  * @param timeScale power of ten of the times' unit in microseconds
  * @param sensor its size, if the file states it
@@ -29,7 +29,7 @@ import java.util.stream.Stream;
 record NpzLayout(
     Map<EventColumn, Column> columns,
     long rows,
-    boolean lying,
+    boolean inconsistent,
     boolean cutOff,
     int timeScale,
     Optional<SensorGeometry> sensor,
@@ -107,20 +107,20 @@ record NpzLayout(
     }
     checkPolarities(file, entries, arrays, columns);
     long rows = Long.MAX_VALUE;
-    long most = 0;
-    boolean lying = false;
+    long maxRows = 0;
+    boolean inconsistent = false;
     for (Column column : columns.values()) {
       long promised = column.array().header().rows();
-      lying |= promised > column.array().roomForRows();
+      inconsistent |= promised > column.array().roomForRows();
       rows = Math.min(rows, promised);
-      most = Math.max(most, promised);
+      maxRows = Math.max(maxRows, promised);
     }
     // only Haltere's files have this
     Optional<Long> rowsUp = single(file, arrays, ROWS_UP);
     return new NpzLayout(
         columns,
         rows,
-        lying || rows != most,
+        inconsistent || rows != maxRows,
         listed.isEmpty(),
         rowsUp.isPresent() ? 0 : timeScale(file, columns.get(EventColumn.TIME), listed.isEmpty()),
         sensor(file, arrays),

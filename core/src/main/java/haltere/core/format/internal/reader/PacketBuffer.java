@@ -74,12 +74,12 @@ final class PacketBuffer {
       fill();
       before = packet.indexAtOrAfter(timeUs);
     } while (before == packet.size() && !packet.isEmpty());
-    int kept = packet.size() - before;
-    for (int i = 0; i < kept; i++) {
+    int count = packet.size() - before;
+    for (int i = 0; i < count; i++) {
       packet.move(before + i, i);
     }
-    packet.truncate(kept);
-    decoded = kept;
+    packet.truncate(count);
+    decoded = count;
     offset = cursor.positionBytes();
   }
 

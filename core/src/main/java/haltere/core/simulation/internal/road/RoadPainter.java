@@ -125,18 +125,18 @@ final class RoadPainter {
   /** Renders an interval, microseconds since the beginning. */
   void paint(double fromUs, double toUs) {
     follow(toUs * US);
-    int most = 1;
+    int max = 1;
     for (int i = 0; i < movers.size(); i++) {
       Mover mover = movers.get(i);
       place(mover, fromUs * US, toUs * US);
       seek(mover);
-      most = Math.max(most, mover.looks);
+      max = Math.max(max, mover.looks);
     }
-    for (int step = 1; step <= most; step++) {
+    for (int step = 1; step <= max; step++) {
       for (int i = 0; i < movers.size(); i++) {
         Mover mover = movers.get(i);
-        if (mover.looks > 0 && step % (most / mover.looks) == 0) {
-          look(mover, (double) step / most, fromUs, toUs);
+        if (mover.looks > 0 && step % (max / mover.looks) == 0) {
+          look(mover, (double) step / max, fromUs, toUs);
         }
       }
     }
@@ -199,9 +199,9 @@ final class RoadPainter {
     double motion = motion(a, b, Double.POSITIVE_INFINITY);
     double seen = Math.max(motion(a, b, 1), Math.min(motion, 2 * LARGEST_MOTION_PX));
     double size = Math.min(b.toX - b.fromX, b.toY - b.fromY);
-    double most = Math.max(MIN_MOTION_PX, Math.min(LARGEST_MOTION_PX, size * MOTION_SHARE));
+    double max = Math.max(MIN_MOTION_PX, Math.min(LARGEST_MOTION_PX, size * MOTION_SHARE));
     mover.looks = motion == 0 && !mover.isGone ? 0 : 1;
-    while (mover.looks > 0 && mover.looks < MAX_LOOKS && seen > most * mover.looks) {
+    while (mover.looks > 0 && mover.looks < MAX_LOOKS && seen > max * mover.looks) {
       mover.looks *= 2;
     }
     mover.halvings = 0;

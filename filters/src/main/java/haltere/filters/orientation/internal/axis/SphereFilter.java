@@ -279,7 +279,7 @@ public final class SphereFilter implements AxisFilter {
 
   @Override
   public boolean offer(AxisLaunch found) {
-    AxisHypothesis hypothesis = hypotheses.addKept();
+    AxisHypothesis hypothesis = hypotheses.addLasting();
     if (hypothesis == null) {
       return false;
     }

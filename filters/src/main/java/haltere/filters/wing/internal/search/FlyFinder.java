@@ -119,17 +119,17 @@ final class FlyFinder {
     if (!means.divide(px, py, n, geometry.width(), geometry.height())) {
       return false;
     }
-    double leastHz = Math.min(settings.leastFrequencyHz(), settings.mostFrequencyHz());
-    double mostHz = Math.max(settings.leastFrequencyHz(), settings.mostFrequencyHz());
+    double minHz = Math.min(settings.leastFrequencyHz(), settings.mostFrequencyHz());
+    double maxHz = Math.max(settings.leastFrequencyHz(), settings.mostFrequencyHz());
     double givenHz = settings.startFrequencyHz();
-    boolean found = spectrum.search(leastHz, mostHz);
+    boolean found = spectrum.search(minHz, maxHz);
     if (givenHz == 0 || !found) {
       return found;
     }
-    double most = spectrum.explained;
+    double explained = spectrum.explained;
     return !spectrum.search(givenHz * 0.8, givenHz * 1.25)
-        || spectrum.explained * BeatSpectrum.CLEARLY >= most
-        || spectrum.search(leastHz, mostHz);
+        || spectrum.explained * BeatSpectrum.SIGNIFICANT_RATIO >= explained
+        || spectrum.search(minHz, maxHz);
   }
 
   /** Fits along the axis of the beat and, if it differs, of 2-means; keeps the better fit. */

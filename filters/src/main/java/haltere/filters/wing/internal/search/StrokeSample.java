@@ -145,8 +145,8 @@ final class StrokeSample {
   private void findSupport() {
     Arrays.fill(supported, 0, size, false);
     for (int i = 0; i < size; i++) {
-      int least = Math.max(0, i - LONGEST_LOOK_BACK);
-      for (int j = i - 1; j >= least && timesUs[i] - timesUs[j] <= SUPPORT_US; j--) {
+      int oldest = Math.max(0, i - LONGEST_LOOK_BACK);
+      for (int j = i - 1; j >= oldest && timesUs[i] - timesUs[j] <= SUPPORT_US; j--) {
         double dx = Math.abs(x[i] - x[j]);
         double dy = Math.abs(y[i] - y[j]);
         if (dx <= SUPPORT_PX && dy <= SUPPORT_PX && dx + dy > 0) {

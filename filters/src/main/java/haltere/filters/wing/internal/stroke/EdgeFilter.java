@@ -136,8 +136,8 @@ final class EdgeFilter extends EdgeEstimator {
     centre = belief.mean(CENTRE);
     amplitude = belief.mean(AMPLITUDE);
     omega = belief.mean(OMEGA);
-    least = centre - amplitude;
-    most = centre + amplitude;
+    min = centre - amplitude;
+    max = centre + amplitude;
   }
 
   /** Predicts phase and covariance. */

@@ -206,10 +206,10 @@ public final class WingEstimator implements SideEstimator {
     double belief = worth.judge(y, expected[edge], speed, full);
     noise.count(edge, y, belief > 0);
     if (belief == 0) {
-      if (noise.isOneOfTooMany(y)) {
+      if (noise.isExcessRejection(y)) {
         // a diverged phase accepts only events that agree by chance
-        double most = options.gateSd() * Math.sqrt(variance + expected[edge]);
-        frequencyNoise.add(Math.max(-most, Math.min(most, y)), slope / variance, slope);
+        double limit = options.gateSd() * Math.sqrt(variance + expected[edge]);
+        frequencyNoise.add(Math.max(-limit, Math.min(limit, y)), slope / variance, slope);
       }
       return Double.NaN;
     }
