@@ -303,8 +303,8 @@ public final class Batch {
           });
     }
 
-    private synchronized void update(Runnable news) {
-      news.run();
+    private synchronized void update(Runnable change) {
+      change.run();
     }
 
     synchronized BatchReport report() {

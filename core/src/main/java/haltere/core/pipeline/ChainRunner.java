@@ -166,7 +166,7 @@ public final class ChainRunner implements StreamHandler {
       counters.add(Counter.PACKETS_IN, 1);
       counters.add(Counter.EVENTS_IN, in);
     }
-    hand(packet, rawSinks);
+    deliver(packet, rawSinks);
     long beforeUs = lastUs;
     if (in > 0) {
       lastUs = packet.lastTimeUs();
@@ -177,10 +177,10 @@ public final class ChainRunner implements StreamHandler {
     if (!runUp) {
       counters.add(Counter.EVENTS_OUT, packet.size());
     }
-    hand(packet, sinks);
+    deliver(packet, sinks);
   }
 
-  private void hand(EventPacket packet, List<StreamHandler> list) {
+  private void deliver(EventPacket packet, List<StreamHandler> list) {
     for (StreamHandler sink : list) {
       try {
         if (!runUp || followsRunUps.test(sink)) {

@@ -175,7 +175,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     EventPacket last = gathering ? waiting.lastPacket() : null;
     if (last != null && last.size() + to - from <= packetEvents) {
       last.append(packet, from, to);
-      waiting.grew(to - from);
+      waiting.lastGrew(to - from);
       return;
     }
     EventPacket copy = free.poll();

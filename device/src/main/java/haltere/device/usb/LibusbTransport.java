@@ -82,10 +82,10 @@ final class LibusbTransport implements UsbTransport {
       throws CameraProblem {
     requireOpen();
     ByteBuffer buffer = ByteBuffer.allocateDirect(length);
-    int got = control(FROM_DEVICE, request, value, index, buffer);
-    if (got != length) {
+    int received = control(FROM_DEVICE, request, value, index, buffer);
+    if (received != length) {
       throw new CameraProblem(
-          Kind.BROKEN, "the camera answered with " + got + " of " + length + " bytes");
+          Kind.BROKEN, "the camera answered with " + received + " of " + length + " bytes");
     }
     byte[] answer = new byte[length];
     buffer.get(answer);

@@ -225,7 +225,7 @@ abstract class LossScenarios extends CameraBench {
 
   @Test
   void reconnectedCameraIsFoundByBusNotificationsWithoutPolling() throws IOException {
-    provider = lookingEvery(on.bus().bus(), new Lookout.Pace(NEVER, NEVER));
+    provider = lookingEvery(on.bus().bus(), new SearchSchedule.Pace(NEVER, NEVER));
     assertThatItIsFoundAgain();
   }
 
@@ -234,11 +234,11 @@ abstract class LossScenarios extends CameraBench {
     provider =
         lookingEvery(
             new SilentBus(on.bus().bus()),
-            new Lookout.Pace(TimeUnit.MILLISECONDS.toNanos(5), NEVER));
+            new SearchSchedule.Pace(TimeUnit.MILLISECONDS.toNanos(5), NEVER));
     assertThatItIsFoundAgain();
   }
 
-  private static UsbCameraProvider lookingEvery(UsbBus bus, Lookout.Pace pace) {
+  private static UsbCameraProvider lookingEvery(UsbBus bus, SearchSchedule.Pace pace) {
     return new UsbCameraProvider(() -> bus, LockSupport::parkNanos, pace);
   }
 

@@ -44,8 +44,8 @@ final class ClusterMerging {
 
   /** Whether the first of two merging clusters is kept: one with an identity, or the heavier. */
   static boolean isStronger(Cluster first, Cluster second) {
-    boolean bothAlike = first.id > 0 == second.id > 0;
-    return bothAlike ? first.mass >= second.mass : first.id > 0;
+    boolean sameKind = first.id > 0 == second.id > 0;
+    return sameKind ? first.mass >= second.mass : first.id > 0;
   }
 
   /** Merges a cluster into a stronger one, which keeps its identity. */

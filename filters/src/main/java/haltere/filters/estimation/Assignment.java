@@ -38,8 +38,8 @@ public final class Assignment {
   private final int[] rowOfColumn;
 
   // Below, "near" is the shorter side of the matrix and "far" the longer one.
-  private final double[] nearPrice;
-  private final double[] farPrice;
+  private final double[] nearPotential;
+  private final double[] farPotential;
   private final double[] distance;
   private final int[] from;
   private final int[] open;
@@ -71,9 +71,9 @@ public final class Assignment {
     costs = new double[Math.multiplyExact(maxRows, maxColumns)];
     columnOfRow = new int[maxRows];
     rowOfColumn = new int[maxColumns];
-    nearPrice = new double[near];
+    nearPotential = new double[near];
     farOfNear = new int[near];
-    farPrice = new double[far];
+    farPotential = new double[far];
     nearOfFar = new int[far];
     distance = new double[far];
     from = new int[far];
@@ -140,8 +140,8 @@ public final class Assignment {
     int far = Math.max(rows, columns);
     nearStride = rowsAreNear ? columns : 1;
     farStride = rowsAreNear ? 1 : columns;
-    Arrays.fill(nearPrice, 0, near, 0);
-    Arrays.fill(farPrice, 0, far, 0);
+    Arrays.fill(nearPotential, 0, near, 0);
+    Arrays.fill(farPotential, 0, far, 0);
     Arrays.fill(farOfNear, 0, near, NONE);
     Arrays.fill(nearOfFar, 0, far, NONE);
     for (int i = 0; i < near; i++) {
@@ -200,7 +200,7 @@ public final class Assignment {
       int nearest = 0;
       for (int k = 0; k < openCount; k++) {
         int j = open[k];
-        double d = reached + (change(i, j) - nearPrice[i] - farPrice[j]);
+        double d = reached + (change(i, j) - nearPotential[i] - farPotential[j]);
         if (d < distance[j]) {
           distance[j] = d;
           from[j] = i;
@@ -220,13 +220,13 @@ public final class Assignment {
         i = nearOfFar[j];
       }
     }
-    nearPrice[start] += reached;
+    nearPotential[start] += reached;
     for (int k = 0; k < closedCount; k++) {
       int j = closed[k];
       double ahead = reached - distance[j];
-      farPrice[j] -= ahead;
+      farPotential[j] -= ahead;
       if (nearOfFar[j] != NONE) {
-        nearPrice[nearOfFar[j]] += ahead;
+        nearPotential[nearOfFar[j]] += ahead;
       }
     }
     int j = end;

@@ -17,7 +17,7 @@ final class Periodicity {
   private static final double MIN_CORRELATION = 0.12;
 
   /** Minimum height of the period's peak, as a share of the highest one. */
-  private static final double NEARLY = 0.8;
+  private static final double MIN_SHARE_OF_HIGHEST = 0.8;
 
   /** Share to which the correlation must fall before the next period. */
   private static final double FALLEN = 0.5;
@@ -64,7 +64,7 @@ final class Periodicity {
       return Double.NaN;
     }
     for (int lag = first; lag <= lags; lag++) {
-      if (correlation[lag] >= NEARLY * highest) {
+      if (correlation[lag] >= MIN_SHARE_OF_HIGHEST * highest) {
         return refined(highestNear(lag, lag + lag / 4 + 1, lags, lag / SMOOTHING), lags);
       }
     }

@@ -124,9 +124,9 @@ final class EventAssociation {
         continue;
       }
       Component component = nearby[k];
-      double mine = component.active * intensity[k];
-      component.addLikelihood(intensity[k] / (sum - mine));
-      double share = mine / sum;
+      double own = component.active * intensity[k];
+      component.addLikelihood(intensity[k] / (sum - own));
+      double share = own / sum;
       int at = cells[k];
       ShapeTemplate shape = component.shape;
       if (!component.object.isDecided()) {

@@ -297,8 +297,8 @@ final class ObjectTracker {
   /** Continues an object, moved so that the observed component lies within it. */
   private void takeUp(TrackedObject object, Component seen, long nowUs) {
     object.shift(
-        into(seen.middleX() - object.middleX(), object.halfX() - seen.shape.halfX),
-        into(seen.middleY() - object.middleY(), object.halfY() - seen.shape.halfY));
+        clamp(seen.middleX() - object.middleX(), object.halfX() - seen.shape.halfX),
+        clamp(seen.middleY() - object.middleY(), object.halfY() - seen.shape.halfY));
     Component nearest = null;
     double min = ShapeTemplate.MIN_CELL_PX * 2;
     for (Component component : object.components) {
@@ -330,18 +330,18 @@ final class ObjectTracker {
   }
 
   /** Displacement of an interval until it contains a position. */
-  private static double into(double distance, double reach) {
+  private static double clamp(double distance, double reach) {
     return Math.signum(distance) * ObjectRelations.outside(distance, Math.max(0, reach));
   }
 
-  // one or two
+  // splits and joins
 
   private void splitComponents() {
     int count = components.size();
     for (int i = 0; i < count && !isFull(); i++) {
       Component component = components.get(i);
       if (component.isMoving() && component.weight > 0) {
-        RegionFinder.Region region = component.regions.findApart(component.shape);
+        RegionFinder.ShapeRegion region = component.regions.findApart(component.shape);
         if (region != null) {
           split(component, region);
         }
@@ -349,7 +349,7 @@ final class ObjectTracker {
     }
   }
 
-  private void split(Component from, RegionFinder.Region region) {
+  private void split(Component from, RegionFinder.ShapeRegion region) {
     Component to = newComponent(from, from.activeUs);
     to.state.set(from.state);
     to.shape.clear(from.shape.cellPx);
@@ -388,11 +388,11 @@ final class ObjectTracker {
         TrackedObject b = objects.get(j);
         if (relations.areOne(a, b)) {
           boolean isFirst = a.isDecided() && (!b.isDecided() || a.id < b.id) || !b.isDecided();
-          TrackedObject into = isFirst ? a : b;
-          into.absorb(isFirst ? b : a);
+          TrackedObject clamp = isFirst ? a : b;
+          clamp.absorb(isFirst ? b : a);
           objects.remove(j);
-          objects.set(i, into);
-          a = into;
+          objects.set(i, clamp);
+          a = clamp;
         }
       }
     }
@@ -408,10 +408,10 @@ final class ObjectTracker {
           Component b = parts.get(j);
           if (relations.areFused(a, b)) {
             boolean isFirst = a.rate * a.age() >= b.rate * b.age();
-            Component into = isFirst ? a : b;
+            Component clamp = isFirst ? a : b;
             Component from = isFirst ? b : a;
-            into.absorb(from);
-            parts.set(i, into);
+            clamp.absorb(from);
+            parts.set(i, clamp);
             parts.remove(j);
             end(from);
           }
@@ -425,7 +425,7 @@ final class ObjectTracker {
     free.push(component);
   }
 
-  // life
+  // lifetimes
 
   private void live(long nowUs) {
     for (int i = objects.size() - 1; i >= 0; i--) {

@@ -165,8 +165,8 @@ public final class BodyOrientationEstimator {
       taken = note(count);
       coupleToFlight(dtS);
       hasAxis = axis.isSound() && (axis.axis().variance() <= LOST_VARIANCE || taken > 0);
-      if (hasAxis && axis.doubts(lines, count) && finds(timeUs) && axis.offer(search)) {
-        head.doubt();
+      if (hasAxis && axis.needsSearch(lines, count) && finds(timeUs) && axis.offer(search)) {
+        head.clearDisplacement();
         count(OrientationCount.RELAUNCHED, 1);
       }
     }
@@ -223,7 +223,7 @@ public final class BodyOrientationEstimator {
   /** Initialises the axis with the lines of this time. */
   private void start(int count) {
     if (hadAxis) {
-      head.doubt();
+      head.clearDisplacement();
       count(OrientationCount.RELAUNCHED, 1);
     }
     axis.launch(search);

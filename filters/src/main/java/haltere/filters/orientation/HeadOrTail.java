@@ -20,7 +20,7 @@ final class HeadOrTail {
   }
 
   /** Clears the displacement after a re-initialisation of the axis; the decision stays. */
-  void doubt() {
+  void clearDisplacement() {
     wayM = 0;
     sigmas = 0;
   }

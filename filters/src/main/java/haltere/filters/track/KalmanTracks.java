@@ -234,7 +234,7 @@ final class KalmanTracks {
   }
 
   private void update(Track track, long timeUs) {
-    track.youth *= 1 - settings.filter().varianceMixingFactor();
+    track.initialShare *= 1 - settings.filter().varianceMixingFactor();
     if (!mapping.seesPlane(track.cluster.xPx(), track.cluster.yPx())
         || !prediction.predict(track, timeUs)) {
       return;

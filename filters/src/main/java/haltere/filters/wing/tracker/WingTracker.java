@@ -36,7 +36,7 @@ public final class WingTracker {
   private static final int CHECK_US = 10_000;
 
   /** Interval at which both wings are synchronised, independent of the rate of the estimates. */
-  private static final int MEET_US = 1000;
+  private static final int SYNC_US = 1000;
 
   /** Outcomes of a search; the other phases are its steps. */
   private static final Set<Phase> CONDITIONS =
@@ -310,7 +310,7 @@ public final class WingTracker {
     fly.begin(found, timeUs);
     // a search without the beat leaves it to the filters
     fly.wings.locked = !TrackerParts.isOriginal(settings);
-    nextCheckUs = -Math.floorDiv(-(timeUs + CHECK_US), MEET_US) * MEET_US;
+    nextCheckUs = -Math.floorDiv(-(timeUs + CHECK_US), SYNC_US) * SYNC_US;
     dueUs = dueAfter(timeUs);
     watch.launch();
     setPhase(timeUs);
@@ -372,7 +372,7 @@ public final class WingTracker {
   }
 
   private long dueAfter(long timeUs) {
-    return Math.min(ticks.nextUs(), (Math.floorDiv(timeUs, MEET_US) + 1) * MEET_US);
+    return Math.min(ticks.nextUs(), (Math.floorDiv(timeUs, SYNC_US) + 1) * SYNC_US);
   }
 
   /** Periodic work: heading, detection of a lost wing, and its search. */

@@ -108,7 +108,7 @@ final class Aedat2Writer implements RecordingWriter {
         clock.advance(lastUs);
       }
       if (i < stop) {
-        writeWithCare(times[i], events[i]);
+        writeChecked(times[i], events[i]);
         i++;
       }
     }
@@ -119,7 +119,7 @@ final class Aedat2Writer implements RecordingWriter {
   }
 
   /** Writes the first event, one outside the sensor, or one after a jump of the clock. */
-  private void writeWithCare(long timeUs, int event) {
+  private void writeChecked(long timeUs, int event) {
     if (isOutside(event)) {
       outside++;
       return;

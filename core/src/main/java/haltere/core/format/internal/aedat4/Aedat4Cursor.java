@@ -176,7 +176,7 @@ final class Aedat4Cursor implements EventCursor {
     bytesInOrder += walk.size();
     if (alone
         || ++packetsInOrder <= PACKETS_ALONE
-        || bytesInOrder < (long) packetsInOrder * DecodeAhead.WORTH_BYTES
+        || bytesInOrder < (long) packetsInOrder * DecodeAhead.MIN_PACKET_BYTES
         || !isPacked()) {
       return false;
     }

@@ -37,10 +37,10 @@ final class EventSearch {
 
   EventTable table() throws IOException {
     datasets.sort(Comparator.comparingInt(EventSearch::rank));
-    Map<EventColumn, EventTable.Column> columns = columns();
+    Map<EventColumn, EventTable.StoredColumn> columns = columns();
     long rows = Long.MAX_VALUE;
     long maxRows = 0;
-    for (EventTable.Column column : columns.values()) {
+    for (EventTable.StoredColumn column : columns.values()) {
       rows = Math.min(rows, column.dataset().rows());
       maxRows = Math.max(maxRows, column.dataset().rows());
     }
@@ -77,20 +77,20 @@ final class EventSearch {
     return dataset.name().startsWith("events/") ? 0 : dataset.name().startsWith("CD/") ? 1 : 2;
   }
 
-  private Map<EventColumn, EventTable.Column> columns() throws IOException {
+  private Map<EventColumn, EventTable.StoredColumn> columns() throws IOException {
     for (Dataset dataset : datasets) {
-      Map<EventColumn, EventTable.Column> columns = EventTable.noColumns();
+      Map<EventColumn, EventTable.StoredColumn> columns = EventTable.noColumns();
       if (dataset.isList() && dataset.type().kind() == 'c') {
         for (ElementType.Member member : dataset.type().members()) {
           put(
               columns,
               member.name(),
-              new EventTable.Column(dataset, member.offset(), member.type()));
+              new EventTable.StoredColumn(dataset, member.offset(), member.type()));
         }
       } else if (dataset.isList()) {
         for (Dataset beside : datasets) {
           if (folder(beside).equals(folder(dataset)) && beside.isList()) {
-            EventTable.Column column = new EventTable.Column(beside, 0, beside.type());
+            EventTable.StoredColumn column = new EventTable.StoredColumn(beside, 0, beside.type());
             put(columns, column.name(), column);
           }
         }
@@ -110,7 +110,9 @@ final class EventSearch {
   }
 
   private static void put(
-      Map<EventColumn, EventTable.Column> columns, String name, EventTable.Column column) {
+      Map<EventColumn, EventTable.StoredColumn> columns,
+      String name,
+      EventTable.StoredColumn column) {
     EventColumn kind = EventColumn.named(name);
     if (kind != EventColumn.OTHER && column.type().isNumber()) {
       columns.putIfAbsent(kind, column);
@@ -140,10 +142,11 @@ final class EventSearch {
   }
 
   /** Tables hold t, x, y, p, or x, y, t, p: times ascend, or are the larger numbers. */
-  private Map<EventColumn, EventTable.Column> tableColumns(Dataset dataset) throws IOException {
-    EventTable.Column first = new EventTable.Column(dataset, 0, dataset.type());
+  private Map<EventColumn, EventTable.StoredColumn> tableColumns(Dataset dataset)
+      throws IOException {
+    EventTable.StoredColumn first = new EventTable.StoredColumn(dataset, 0, dataset.type());
     int step = dataset.type().bytes();
-    EventTable.Column third = new EventTable.Column(dataset, 2 * step, dataset.type());
+    EventTable.StoredColumn third = new EventTable.StoredColumn(dataset, 2 * step, dataset.type());
     Look one = look(first);
     Look other = look(third);
     requireWhole(one, "its columns");
@@ -151,7 +154,7 @@ final class EventSearch {
         one.isAscending() == other.isAscending()
             ? one.largest() > other.largest()
             : one.isAscending();
-    Map<EventColumn, EventTable.Column> columns = EventTable.noColumns();
+    Map<EventColumn, EventTable.StoredColumn> columns = EventTable.noColumns();
     EventColumn[] order =
         timesFirst
             ? new EventColumn[] {
@@ -161,7 +164,7 @@ final class EventSearch {
               EventColumn.X, EventColumn.Y, EventColumn.TIME, EventColumn.POLARITY
             };
     for (int i = 0; i < order.length; i++) {
-      columns.put(order[i], new EventTable.Column(dataset, i * step, dataset.type()));
+      columns.put(order[i], new EventTable.StoredColumn(dataset, i * step, dataset.type()));
     }
     return columns;
   }
@@ -170,7 +173,7 @@ final class EventSearch {
   private record Look(
       double largest, boolean hasFractions, boolean isAscending, boolean isCutOff) {}
 
-  private Look look(EventTable.Column column) throws IOException {
+  private Look look(EventTable.StoredColumn column) throws IOException {
     double largest = 0;
     double last = Double.NEGATIVE_INFINITY;
     boolean fractions = false;
@@ -212,7 +215,7 @@ final class EventSearch {
    * Time unit: by eventcv's attribute or the column's name; else as for other files of plain
    * numbers.
    */
-  private int timeScale(EventTable.Column time) throws IOException {
+  private int timeScale(EventTable.StoredColumn time) throws IOException {
     for (Attributes some : contents.attributes()) {
       OptionalDouble milliseconds = some.real("timestamp_scale_ms");
       if (milliseconds.isPresent()) {
@@ -262,7 +265,7 @@ final class EventSearch {
           && dataset.type().isNumber()
           && dataset.filters().isEmpty()) {
         try (ChunkDecompressor decompressor = new ChunkDecompressor()) {
-          EventTable.Column column = new EventTable.Column(dataset, 0, dataset.type());
+          EventTable.StoredColumn column = new EventTable.StoredColumn(dataset, 0, dataset.type());
           NumberColumn number =
               new NumberColumn(new DatasetRows(file, dataset, decompressor), column);
           if (number.load(0) > 0) {

@@ -28,7 +28,7 @@ import java.util.stream.Collectors;
  */
 record EventTable(
     ContainerFile container,
-    Map<EventColumn, Column> columns,
+    Map<EventColumn, StoredColumn> columns,
     long rows,
     boolean inconsistent,
     int timeScale,
@@ -50,7 +50,7 @@ record EventTable(
    * @param offset in a row
    * @param type of its numbers
    */
-  record Column(Dataset dataset, int offset, ElementType type) {
+  record StoredColumn(Dataset dataset, int offset, ElementType type) {
     String name() {
       String path = dataset.name();
       return path.substring(path.lastIndexOf('/') + 1);
@@ -86,7 +86,7 @@ record EventTable(
     Dataset.check(container, datasets());
   }
 
-  static Map<EventColumn, Column> noColumns() {
+  static Map<EventColumn, StoredColumn> noColumns() {
     return new EnumMap<>(EventColumn.class);
   }
 }

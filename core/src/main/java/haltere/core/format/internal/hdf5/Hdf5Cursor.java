@@ -56,7 +56,7 @@ final class Hdf5Cursor extends RowCursor {
   }
 
   private NumberColumn column(EventColumn kind) {
-    EventTable.Column column = table.columns().get(kind);
+    EventTable.StoredColumn column = table.columns().get(kind);
     return column == null
         ? null
         : new NumberColumn(

@@ -27,7 +27,7 @@ import java.util.stream.Stream;
  * @param origin origin of rows, if the file states it
  */
 record NpzLayout(
-    Map<EventColumn, Column> columns,
+    Map<EventColumn, ArrayColumn> columns,
     long rows,
     boolean inconsistent,
     boolean cutOff,
@@ -48,7 +48,7 @@ record NpzLayout(
    * @param array its array
    * @param field its field in an element
    */
-  record Column(Array array, NpyHeader.Field field) {}
+  record ArrayColumn(Array array, NpyHeader.Field field) {}
 
   /**
    * An array of a file.
@@ -82,13 +82,13 @@ record NpzLayout(
     List<ZipDirectory.Entry> entries =
         listed.isPresent() ? listed.get() : ZipDirectory.withoutDirectory(file);
     List<Array> arrays = arrays(file, entries);
-    Map<EventColumn, Column> columns = new EnumMap<>(EventColumn.class);
+    Map<EventColumn, ArrayColumn> columns = new EnumMap<>(EventColumn.class);
     for (Array array : arrays) {
       for (NpyHeader.Field field : array.header().fields()) {
         String name = field.name().isEmpty() ? array.name() : field.name();
         EventColumn column = EventColumn.named(name);
         if (column != EventColumn.OTHER && field.isNumber() && array.header().isList()) {
-          columns.putIfAbsent(column, new Column(array, field));
+          columns.putIfAbsent(column, new ArrayColumn(array, field));
         }
       }
     }
@@ -109,7 +109,7 @@ record NpzLayout(
     long rows = Long.MAX_VALUE;
     long maxRows = 0;
     boolean inconsistent = false;
-    for (Column column : columns.values()) {
+    for (ArrayColumn column : columns.values()) {
       long promised = column.array().header().rows();
       inconsistent |= promised > column.array().roomForRows();
       rows = Math.min(rows, promised);
@@ -132,7 +132,7 @@ record NpzLayout(
       RecordingFile file,
       List<ZipDirectory.Entry> entries,
       List<Array> arrays,
-      Map<EventColumn, Column> columns)
+      Map<EventColumn, ArrayColumn> columns)
       throws RecordingProblem {
     Stream<String> names =
         Stream.concat(
@@ -184,7 +184,8 @@ record NpzLayout(
   }
 
   /** Times with decimals are seconds, whole ones microseconds, or nanoseconds since 1970. */
-  private static int timeScale(RecordingFile file, Column time, boolean cutOff) throws IOException {
+  private static int timeScale(RecordingFile file, ArrayColumn time, boolean cutOff)
+      throws IOException {
     String name = time.field().name().isEmpty() ? time.array().name() : time.field().name();
     if (EventColumn.timeScale(name).isPresent()) {
       return EventColumn.timeScale(name).getAsInt();

@@ -60,7 +60,7 @@ final class PacketBuffer {
         case CLOCK_WENT_BACK -> restart = true;
         case END -> atEnd = true;
         default -> {
-          // it has read a piece and continues
+          // a piece was read
         }
       }
     }

@@ -302,16 +302,16 @@ final class RoadPainter {
     ray.tangent = tangent[x];
     ray.inverseTangent = inverseTangent[x];
     double nearest = PaintedBox.NOWHERE;
-    Slice met = null;
+    Slice hit = null;
     for (int i = 0; i < slicesInRow; i++) {
       Slice slice = slices.get(i);
       double range = slice.part.meetAcross(slice.middle, slice.enter, slice.leave, ray);
       if (range < nearest) {
         nearest = range;
-        met = slice;
+        hit = slice;
       }
     }
-    return met == null ? 0 : met.part.lightAt(met.middle, met.near, ray, nearest);
+    return hit == null ? 0 : hit.part.lightAt(hit.middle, hit.near, ray, nearest);
   }
 
   /** Light of a pixel at a fraction of the interval. */
@@ -321,9 +321,9 @@ final class RoadPainter {
     ray.inverseCos = inverseCos[y];
     ray.inverseSin = inverseSin[y];
     double nearest = PaintedBox.NOWHERE;
-    PaintedBox met = null;
-    double metX = 0;
-    double metNear = 0;
+    PaintedBox hit = null;
+    double hitX = 0;
+    double hitNear = 0;
     for (int i = 0; i < candidates.size(); i++) {
       Mover mover = candidates.get(i);
       if (x < mover.firstColumn
@@ -340,12 +340,12 @@ final class RoadPainter {
         double range = part.meet(middle, near, ray);
         if (range < nearest) {
           nearest = range;
-          met = part;
-          metX = middle;
-          metNear = near;
+          hit = part;
+          hitX = middle;
+          hitNear = near;
         }
       }
     }
-    return met == null ? 0 : met.lightAt(metX, metNear, ray, nearest);
+    return hit == null ? 0 : hit.lightAt(hitX, hitNear, ray, nearest);
   }
 }

@@ -136,10 +136,10 @@ final class HypothesisSet {
    * Couples the axis to the flight ({@link AxisHypothesis#coupleToFlight}); vague hypotheses may
    * have exchanged head and tail.
    */
-  void coupleToFlight(double[] direction, double variance, double fresh, boolean vague) {
+  void coupleToFlight(double[] direction, double variance, double fresh, boolean ambiguous) {
     for (int i = 0; i < size; i++) {
       AxisHypothesis each = now[i];
-      if (vague) {
+      if (ambiguous) {
         each.face(direction, variance);
       }
       each.coupleToFlight(direction, variance, fresh);
@@ -187,7 +187,7 @@ final class HypothesisSet {
       for (int j = i + 1; j < size; j++) {
         AxisHypothesis other = now[j];
         double share = other.weight / (now[i].weight + other.weight);
-        if (areAlike(now[i], other, share)) {
+        if (areSimilar(now[i], other, share)) {
           difference.merge(share);
           now[i].saccadeShare += share * (other.saccadeShare - now[i].saccadeShare);
           now[i].weight += other.weight;
@@ -200,7 +200,7 @@ final class HypothesisSet {
   }
 
   /** Whether two hypotheses have one mode and are similar, by the variances of each entry. */
-  private boolean areAlike(AxisHypothesis a, AxisHypothesis b, double share) {
+  private boolean areSimilar(AxisHypothesis a, AxisHypothesis b, double share) {
     double limit = Math.max(MERGE_DISTANCE, MERGE_DISTANCE_BY_SHARE / share);
     double variance = a.angleVariance() + b.angleVariance();
     double cos = Vectors.dot(a.u, b.u);

@@ -163,7 +163,7 @@ public final class QuaternionFilter implements AxisFilter {
    * rejected; an established one after several times in a row.
    */
   @Override
-  public boolean doubts(LineMeasurement[] lines, int count) {
+  public boolean needsSearch(LineMeasurement[] lines, int count) {
     int used = 0;
     for (int i = 0; i < count; i++) {
       used += lines[i].used ? 1 : 0;

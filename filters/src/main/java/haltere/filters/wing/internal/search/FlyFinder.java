@@ -24,9 +24,9 @@ final class FlyFinder {
   private static final double OTHER_AXIS_RAD = 0.35;
 
   /** Distance of the hinge from the middle of a single wing's events, as a share of their reach. */
-  private static final double ALONE_SHARE = 0.6;
+  private static final double SINGLE_SHARE = 0.6;
 
-  private static final double ALONE_INLIERS = 0.45;
+  private static final double SINGLE_INLIERS = 0.45;
 
   /** Cosine of the largest phase between the wings. */
   private static final double MIN_TOGETHER = 0.5;
@@ -140,14 +140,14 @@ final class FlyFinder {
       double other = fit(byMeans);
       score = other > score ? other : fit(axis);
     }
-    return score > 0 && fitted[0] && fitted[1] || fitAlone();
+    return score > 0 && fitted[0] && fitted[1] || fitSingle();
   }
 
   /** Fits all events as those of one wing, on either side of the axis. */
-  private boolean fitAlone() {
+  private boolean fitSingle() {
     fittedAxis = spectrum.axisRad;
     split.along(fittedAxis);
-    double across = ALONE_SHARE * split.reach(split.middleX, split.middleY);
+    double across = SINGLE_SHARE * split.reach(split.middleX, split.middleY);
     double omega = 2 * Math.PI * spectrum.frequencyHz;
     for (int side = 0; side < 2; side++) {
       double sign = side == 0 ? 1 : -1;
@@ -160,7 +160,7 @@ final class FlyFinder {
         fitted[side] =
             fits[side].fit(split, side, fittedAxis, lines.x, lines.y, outerPx, omega, false)
                 && isWing(fits[side])
-                && fits[side].inliers > ALONE_INLIERS * fits[side].events;
+                && fits[side].inliers > SINGLE_INLIERS * fits[side].events;
       }
     }
     if (fitted[0] && fitted[1]) {

@@ -168,12 +168,12 @@ final class EdgeFilter extends EdgeEstimator {
       gated++;
     } else if (belief.correct(innovation, r)) {
       gated = 0;
-      mend();
+      normalise();
     }
   }
 
   /** Wraps the phase, for precision, and keeps the amplitude positive. */
-  private void mend() {
+  private void normalise() {
     double phase = belief.mean(PHASE);
     if (belief.mean(AMPLITUDE) < 0) {
       belief.setMean(AMPLITUDE, -belief.mean(AMPLITUDE));

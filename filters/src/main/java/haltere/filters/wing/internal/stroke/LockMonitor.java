@@ -5,7 +5,7 @@ package haltere.filters.wing.internal.stroke;
  * by chance, and a possible state of a wing.
  */
 final class LockMonitor {
-  private static final int PATIENCE = 25;
+  private static final int MAX_UNLOCKED = 25;
   private static final double MIN_EXCESS = 0.1;
   private static final double SILENT_SHARE = 0.12;
   private static final double USUAL_S = 0.5;
@@ -19,7 +19,7 @@ final class LockMonitor {
   private double quickRate;
   private double usualRate;
   private double sinceLaunchS;
-  private int poor;
+  private int unlocked;
 
   /**
    * Update, about once a millisecond.
@@ -42,12 +42,12 @@ final class LockMonitor {
             && omega < MAX_OMEGA
             && amplitude > MIN_AMPLITUDE
             && amplitude < MAX_AMPLITUDE;
-    boolean good = quickRate >= SILENT_SHARE * usualRate && excess >= MIN_EXCESS;
-    poor = !possible ? poor + PATIENCE : good ? 0 : poor + 1;
+    boolean locked = quickRate >= SILENT_SHARE * usualRate && excess >= MIN_EXCESS;
+    unlocked = !possible ? unlocked + MAX_UNLOCKED : locked ? 0 : unlocked + 1;
   }
 
   /** Whether lock was lost for long enough. */
   boolean isLost() {
-    return poor >= PATIENCE;
+    return unlocked >= MAX_UNLOCKED;
   }
 }

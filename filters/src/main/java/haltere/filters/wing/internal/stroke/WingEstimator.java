@@ -200,10 +200,10 @@ public final class WingEstimator implements SideEstimator {
       y += 2 * Math.PI;
     }
     int edge = on ? 1 : 0;
-    EventNoise worth = noise.of(edge);
-    double variance = worth.variance(frame.square, speed);
+    EventNoise edgeNoise = noise.of(edge);
+    double variance = edgeNoise.variance(frame.square, speed);
     double full = x[StrokeEkf.AMPLITUDE] * x[StrokeEkf.OMEGA];
-    double belief = worth.judge(y, expected[edge], speed, full);
+    double belief = edgeNoise.judge(y, expected[edge], speed, full);
     noise.count(edge, y, belief > 0);
     if (belief == 0) {
       if (noise.isExcessRejection(y)) {

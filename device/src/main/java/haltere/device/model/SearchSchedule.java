@@ -12,7 +12,7 @@ import java.util.concurrent.TimeUnit;
  *
  * <p>Thread rule: one thread begins, waits and ends; {@link #close} from any.
  */
-final class Lookout implements AutoCloseable {
+final class SearchSchedule implements AutoCloseable {
   /**
    * Intervals of the search.
    *
@@ -37,7 +37,7 @@ final class Lookout implements AutoCloseable {
   private long nextNanos;
   private long oftenUntilNanos;
 
-  Lookout(UsbBus bus, Pace pace) {
+  SearchSchedule(UsbBus bus, Pace pace) {
     this.bus = bus;
     this.pace = pace;
   }
