@@ -135,7 +135,7 @@ final class UsbCamera implements Camera {
       } else if (state == State.READY) {
         begin();
       } else if (state == State.AWAY) {
-        if (!lookAgain(end - System.nanoTime())) {
+        if (!searchAgain(end - System.nanoTime())) {
           return false;
         }
       } else if (assembly.isReady()) {
@@ -209,7 +209,7 @@ final class UsbCamera implements Camera {
   }
 
   /** Searches the camera when an attempt is due; false after a timeout. */
-  private boolean lookAgain(long nanos) throws InterruptedIOException {
+  private boolean searchAgain(long nanos) throws InterruptedIOException {
     try {
       if (!schedule.await(nanos)) {
         return false;

@@ -187,6 +187,6 @@ public final class UsbCameraProvider implements CameraProvider {
     return new Seen(
         device,
         model,
-        new CameraInfo(id, model.name(), serial, model.usualGeometry(), canOpen, note));
+        new CameraInfo(id, model.name(), serial, model.nominalGeometry(), canOpen, note));
   }
 }

@@ -22,7 +22,7 @@ final class LibusbEvents implements BusWork {
   private static final long BUSY_NANOS = TimeUnit.MILLISECONDS.toNanos(BUSY_MS);
 
   /** Shortest interval of checks by a busy consumer. */
-  private static final long LOOK_NANOS = TimeUnit.MICROSECONDS.toNanos(250);
+  private static final long POLL_NANOS = TimeUnit.MICROSECONDS.toNanos(250);
 
   private final Context context;
   private int users;
@@ -112,7 +112,7 @@ final class LibusbEvents implements BusWork {
     boolean takeOver;
     synchronized (this) {
       if (nanos <= 0
-          && (threadWorks || pauses > 0 || System.nanoTime() - consumedNanos < LOOK_NANOS)) {
+          && (threadWorks || pauses > 0 || System.nanoTime() - consumedNanos < POLL_NANOS)) {
         return true;
       }
       if (pauses > 0) {

@@ -11,7 +11,7 @@ import java.util.Arrays;
  * within T with probability P(T) = 1 − Σ (i &lt; k) C(n, i) qⁱ (1 − q)ⁿ⁻ⁱ, q = 1 − exp(−λT): the
  * share of noise that passes. For k = 1 it is 1 − exp(−8λT), by the superposition of Poisson
  * processes (Kingman, "Poisson Processes", 1993, section 2.2). T is at least the time at which
- * {@value #USUAL_PASSED} of the noise passes and at most that at which {@value #MAX_PASSED} does.
+ * {@value #DEFAULT_PASSED} of the noise passes and at most that at which {@value #MAX_PASSED} does.
  * For k = 1 it is the shortest time between the two that supports {@value #PASSED_SHARE} of the
  * objects' events supported by the longest; for other k it is the shortest.
  *
@@ -35,7 +35,7 @@ final class SupportTime {
   private static final long FIRST_WINDOWS = MAX_US / WINDOW_US;
 
   /** Share of the noise that passes unless objects need more. */
-  static final double USUAL_PASSED = 0.05;
+  static final double DEFAULT_PASSED = 0.05;
 
   /** Largest share of the noise that passes, for objects with low event rates. */
   static final double MAX_PASSED = 0.3;
@@ -220,7 +220,7 @@ final class SupportTime {
   private void choose(double noiseHz, int neighbours, int polarities) {
     double supportHz = noiseHz / polarities;
     int shortest = FIRST_BIN;
-    while (shortest < LAST_BIN && passed(shortest + 1, supportHz, neighbours) <= USUAL_PASSED) {
+    while (shortest < LAST_BIN && passed(shortest + 1, supportHz, neighbours) <= DEFAULT_PASSED) {
       shortest++;
     }
     int longest = shortest;

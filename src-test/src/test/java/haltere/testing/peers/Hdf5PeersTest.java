@@ -57,7 +57,7 @@ class Hdf5PeersTest {
     String facts = " " + EVENTS + " " + recorder.crc32(SENSOR);
     List<String> command = new ArrayList<>(List.of("read"));
     List<String> expected = new ArrayList<>();
-    for (int level : new int[] {0, Hdf5Writer.USUAL_LEVEL}) {
+    for (int level : new int[] {0, Hdf5Writer.DEFAULT_LEVEL}) {
       Path file = folder.resolve("ours-" + level + ".h5");
       try (RecordingWriter writer = Hdf5Writer.create(file, WriteOptions.of(SENSOR), level)) {
         for (EventPacket part : EventPackets.cut(events, 3)) {

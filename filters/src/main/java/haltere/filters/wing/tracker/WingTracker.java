@@ -280,7 +280,7 @@ public final class WingTracker {
   /** Does the work due at a time; false if its event is not tracked. */
   private boolean work(long timeUs) {
     if (!fly.wings.isTracked()) {
-      lookForFly(timeUs);
+      searchFly(timeUs);
       return false;
     }
     passTicks(timeUs);
@@ -290,7 +290,7 @@ public final class WingTracker {
     return fly.wings.isTracked();
   }
 
-  private void lookForFly(long timeUs) {
+  private void searchFly(long timeUs) {
     if (!begun) {
       begun = true;
       search.begin(timeUs, settings.search());
@@ -399,7 +399,7 @@ public final class WingTracker {
     }
     setPhase(timeUs);
     if (wings.count() == 1) {
-      FoundFly found = search.lookForBoth(timeUs, settings.search());
+      FoundFly found = search.findBoth(timeUs, settings.search());
       if (found != null) {
         begin(found, timeUs);
       }

@@ -181,7 +181,7 @@ final class Aedat4Cursor implements EventCursor {
       return false;
     }
     ahead = new DecodeAhead(path, layout, geometry, eventStream, walk.position());
-    walk.lookThrough(new FileWindow(file, DecodeAhead.HEADER_WINDOW));
+    walk.setWindow(new FileWindow(file, DecodeAhead.HEADER_WINDOW));
     return true;
   }
 
@@ -199,7 +199,7 @@ final class Aedat4Cursor implements EventCursor {
     if (ahead != null) {
       ahead.close();
       ahead = null;
-      walk.lookThrough(decompressor.window());
+      walk.setWindow(decompressor.window());
     }
   }
 

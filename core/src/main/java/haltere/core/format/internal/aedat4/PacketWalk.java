@@ -18,7 +18,7 @@ final class PacketWalk {
   /** Number of the stream and size. */
   static final int HEADER_BYTES = 8;
 
-  private static final int LOOK_BYTES = HEADER_BYTES + 12;
+  private static final int MIN_SEARCH_BYTES = HEADER_BYTES + 12;
 
   private FileWindow window;
   private final Set<Integer> known;
@@ -67,7 +67,7 @@ final class PacketWalk {
   }
 
   /** Reads the file through another window. */
-  void lookThrough(FileWindow other) {
+  void setWindow(FileWindow other) {
     window = other;
   }
 
@@ -140,7 +140,7 @@ final class PacketWalk {
     boolean isSearched = from >= searchedFrom && (searchFound < 0 || from <= searchFound);
     if (searchedFrom == 0 || !isSearched) {
       searchFound = -1;
-      for (long at = from; at <= end - LOOK_BYTES && searchFound < 0; at++) {
+      for (long at = from; at <= end - MIN_SEARCH_BYTES && searchFound < 0; at++) {
         if (looksLikePacket(at)) {
           searchFound = at;
         }
@@ -157,7 +157,7 @@ final class PacketWalk {
 
   private boolean looksLikePacket(long offset) throws IOException {
     looks++;
-    int at = offset > end - LOOK_BYTES ? -1 : window.require(offset, LOOK_BYTES);
+    int at = offset > end - MIN_SEARCH_BYTES ? -1 : window.require(offset, MIN_SEARCH_BYTES);
     if (at < 0) {
       return false;
     }

@@ -27,7 +27,7 @@ record CsvLayout(
     boolean marked,
     int width,
     int height) {
-  private static final int LOOK_ROWS = 2000;
+  private static final int PROBE_ROWS = 2000;
   private static final int MAX_COLUMNS = 32;
   private static final double SMALLEST_NS = 1e17;
   private static final String BLANKS = " \t\n\u000b\f\r";
@@ -52,7 +52,7 @@ record CsvLayout(
     }
     Start start = new Start();
     int offset = 0;
-    while (offset < text.length() && start.rows.size() < LOOK_ROWS) {
+    while (offset < text.length() && start.rows.size() < PROBE_ROWS) {
       int end = text.indexOf('\n', offset);
       boolean whole = end >= 0;
       String line = text.substring(offset, whole ? end : text.length()).strip();

@@ -69,7 +69,7 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
           Optional.of(
               warning + "no size is stated; the camera is one of " + named.get() + " pixels"));
     }
-    return lookAt(events, maxSide, sizes, warning);
+    return guessed(events, maxSide, sizes, warning);
   }
 
   /** The sensor of the camera named in a RAW header. */
@@ -88,7 +88,7 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
     return Optional.empty();
   }
 
-  private static PropheseeSensor lookAt(
+  private static PropheseeSensor guessed(
       SensorGuess.Opening events, int maxSide, List<SensorGeometry> sizes, String warning)
       throws IOException {
     Optional<SensorGeometry> guess =

@@ -20,7 +20,7 @@ import java.util.OptionalLong;
  * dataset whose elements have such names, or a table of four columns.
  */
 final class EventSearch {
-  private static final int LOOK_ROWS = 4096;
+  private static final int PROBE_ROWS = 4096;
   private static final int MAX_SIDE = 32768;
   private static final double SMALLEST_NS = 1e17;
   private static final double SMALLEST_EXACT = 1e-9;
@@ -147,8 +147,8 @@ final class EventSearch {
     EventTable.StoredColumn first = new EventTable.StoredColumn(dataset, 0, dataset.type());
     int step = dataset.type().bytes();
     EventTable.StoredColumn third = new EventTable.StoredColumn(dataset, 2 * step, dataset.type());
-    Look one = look(first);
-    Look other = look(third);
+    ColumnSample one = sample(first);
+    ColumnSample other = sample(third);
     requireWhole(one, "its columns");
     boolean timesFirst =
         one.isAscending() == other.isAscending()
@@ -170,10 +170,10 @@ final class EventSearch {
   }
 
   /** Properties of the first numbers of a column; cut if the file ended within them. */
-  private record Look(
+  private record ColumnSample(
       double largest, boolean hasFractions, boolean isAscending, boolean isCutOff) {}
 
-  private Look look(EventTable.StoredColumn column) throws IOException {
+  private ColumnSample sample(EventTable.StoredColumn column) throws IOException {
     double largest = 0;
     double last = Double.NEGATIVE_INFINITY;
     boolean fractions = false;
@@ -181,11 +181,11 @@ final class EventSearch {
     try (ChunkDecompressor decompressor = new ChunkDecompressor()) {
       NumberColumn numbers =
           new NumberColumn(new DatasetRows(file, column.dataset(), decompressor), column);
-      long wanted = Math.min(LOOK_ROWS, column.dataset().rows());
+      long wanted = Math.min(PROBE_ROWS, column.dataset().rows());
       for (long row = 0; row < wanted; ) {
         int count = (int) Math.min(wanted - row, numbers.load(row));
         if (count <= 0) {
-          return new Look(largest, fractions, ascending, true);
+          return new ColumnSample(largest, fractions, ascending, true);
         }
         for (int i = 0; i < count; i++) {
           double value = numbers.real(i);
@@ -199,11 +199,11 @@ final class EventSearch {
     } catch (DamagedPacketException damaged) {
       // the rows read up to here are used
     }
-    return new Look(largest, fractions, ascending, false);
+    return new ColumnSample(largest, fractions, ascending, false);
   }
 
-  private void requireWhole(Look look, String what) throws RecordingProblem {
-    if (look.isCutOff() && file.isCutOff()) {
+  private void requireWhole(ColumnSample sample, String what) throws RecordingProblem {
+    if (sample.isCutOff() && file.isCutOff()) {
       throw new RecordingProblem(
           file.bytes().path(),
           file.bytes().size(),
@@ -228,11 +228,11 @@ final class EventSearch {
     if (EventColumn.timeScale(time.name()).isPresent()) {
       return EventColumn.timeScale(time.name()).getAsInt();
     }
-    Look look = look(time);
-    if (time.type().kind() == 'f' && !look.hasFractions()) {
-      requireWhole(look, "the unit of its times");
+    ColumnSample sample = sample(time);
+    if (time.type().kind() == 'f' && !sample.hasFractions()) {
+      requireWhole(sample, "the unit of its times");
     }
-    return look.hasFractions() ? 6 : look.largest() >= SMALLEST_NS ? -3 : 0;
+    return sample.hasFractions() ? 6 : sample.largest() >= SMALLEST_NS ? -3 : 0;
   }
 
   private OptionalLong whole(String name) throws RecordingProblem {

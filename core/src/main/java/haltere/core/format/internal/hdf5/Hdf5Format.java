@@ -101,6 +101,6 @@ public final class Hdf5Format implements RecordingFormat {
 
   @Override
   public Optional<RecordingWriter> create(Path file, WriteOptions options) throws IOException {
-    return Optional.of(Hdf5Writer.create(file, options, Hdf5Writer.USUAL_LEVEL));
+    return Optional.of(Hdf5Writer.create(file, options, Hdf5Writer.DEFAULT_LEVEL));
   }
 }

@@ -29,7 +29,7 @@ public final class NmnistFormat implements ReadOnlyFormat {
   /** Minimum number of records for detection, of which 1 % may be out of order. */
   private static final int FEWEST_RECORDS = 16;
 
-  private static final int LOOK_RECORDS = 4096;
+  private static final int PROBE_RECORDS = 4096;
   private static final int MAX_SIDE = 256;
 
   /** The sizes of the two data sets, and the maximum that the records can address. */
@@ -65,7 +65,7 @@ public final class NmnistFormat implements ReadOnlyFormat {
   @Override
   public ProbeResult probe(FileHead head) {
     byte[] bytes = head.head();
-    int records = Math.min(LOOK_RECORDS, bytes.length / NmnistDecoder.RECORD_BYTES);
+    int records = Math.min(PROBE_RECORDS, bytes.length / NmnistDecoder.RECORD_BYTES);
     int forth = 0;
     int back = 0;
     long last = 0;

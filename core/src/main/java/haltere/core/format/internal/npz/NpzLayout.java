@@ -38,8 +38,8 @@ record NpzLayout(
   static final String HEIGHT = "height";
   static final String ROWS_UP = "rows_up";
 
-  private static final int LOOK_ROWS = 4096;
-  private static final int LOOK_BYTES = 1 << 20;
+  private static final int PROBE_ROWS = 4096;
+  private static final int PROBE_BYTES = 1 << 20;
   private static final double SMALLEST_NS = 1e17;
 
   /**
@@ -191,7 +191,7 @@ record NpzLayout(
       return EventColumn.timeScale(name).getAsInt();
     }
     int itemBytes = time.array().header().itemBytes();
-    byte[] start = new byte[Math.max(1, Math.min(LOOK_ROWS, LOOK_BYTES / itemBytes)) * itemBytes];
+    byte[] start = new byte[Math.max(1, Math.min(PROBE_ROWS, PROBE_BYTES / itemBytes)) * itemBytes];
     ArrayBytes bytes = time.array().open(file);
     int length = bytes.read(time.array().header().dataOffset(), start, start.length);
     bytes.close();

@@ -20,7 +20,7 @@ final class RoadPainter {
   static final double STEEP = 1e12;
 
   private static final double US = 1e-6;
-  private static final int MAX_LOOKS = 64;
+  private static final int MAX_SAMPLES = 64;
   private static final double MIN_MOTION_PX = 0.5;
   private static final double LARGEST_MOTION_PX = 8;
   private static final double MOTION_SHARE = 1.0 / 24;
@@ -37,7 +37,7 @@ final class RoadPainter {
     double byNear;
     RoadView before = new RoadView();
     RoadView after = new RoadView();
-    int looks;
+    int samples;
     int halvings;
     int firstColumn;
     int lastColumn;
@@ -130,13 +130,13 @@ final class RoadPainter {
       Mover mover = movers.get(i);
       place(mover, fromUs * US, toUs * US);
       seek(mover);
-      max = Math.max(max, mover.looks);
+      max = Math.max(max, mover.samples);
     }
     for (int step = 1; step <= max; step++) {
       for (int i = 0; i < movers.size(); i++) {
         Mover mover = movers.get(i);
-        if (mover.looks > 0 && step % (max / mover.looks) == 0) {
-          look(mover, (double) step / max, fromUs, toUs);
+        if (mover.samples > 0 && step % (max / mover.samples) == 0) {
+          sampleBrightness(mover, (double) step / max, fromUs, toUs);
         }
       }
     }
@@ -200,16 +200,16 @@ final class RoadPainter {
     double seen = Math.max(motion(a, b, 1), Math.min(motion, 2 * LARGEST_MOTION_PX));
     double size = Math.min(b.toX - b.fromX, b.toY - b.fromY);
     double max = Math.max(MIN_MOTION_PX, Math.min(LARGEST_MOTION_PX, size * MOTION_SHARE));
-    mover.looks = motion == 0 && !mover.isGone ? 0 : 1;
-    while (mover.looks > 0 && mover.looks < MAX_LOOKS && seen > max * mover.looks) {
-      mover.looks *= 2;
+    mover.samples = motion == 0 && !mover.isGone ? 0 : 1;
+    while (mover.samples > 0 && mover.samples < MAX_SAMPLES && seen > max * mover.samples) {
+      mover.samples *= 2;
     }
     mover.halvings = 0;
-    for (double px = motion / Math.max(1, mover.looks); px > TIMED_WITHIN_PX; px /= 2) {
+    for (double px = motion / Math.max(1, mover.samples); px > TIMED_WITHIN_PX; px /= 2) {
       mover.halvings++;
     }
     if (mover.firstColumn > mover.lastColumn || mover.firstRow > mover.lastRow) {
-      mover.looks = 0;
+      mover.samples = 0;
     }
   }
 
@@ -240,11 +240,11 @@ final class RoadPainter {
     }
   }
 
-  private void look(Mover mover, double share, double fromUs, double toUs) {
+  private void sampleBrightness(Mover mover, double share, double fromUs, double toUs) {
     gather(mover);
     double spanUs = toUs - fromUs;
     double nowUs = fromUs + share * spanUs;
-    double lastUs = nowUs - spanUs / mover.looks;
+    double lastUs = nowUs - spanUs / mover.samples;
     for (int y = mover.firstRow; y <= mover.lastRow; y++) {
       slice(y, share);
       for (int x = mover.firstColumn; x <= mover.lastColumn; x++) {

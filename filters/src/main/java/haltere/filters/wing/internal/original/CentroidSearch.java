@@ -80,7 +80,7 @@ public final class CentroidSearch implements FlySearch {
 
   /** Two means always exist, also without a second wing. */
   @Override
-  public FoundFly lookForBoth(long timeUs, WingSearchSettings settings) {
+  public FoundFly findBoth(long timeUs, WingSearchSettings settings) {
     return null;
   }
 

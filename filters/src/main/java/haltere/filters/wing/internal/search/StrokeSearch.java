@@ -61,7 +61,7 @@ public final class StrokeSearch implements FlySearch {
   }
 
   @Override
-  public FoundFly lookForBoth(long timeUs, WingSearchSettings settings) {
+  public FoundFly findBoth(long timeUs, WingSearchSettings settings) {
     if (timeUs < nextUs) {
       return null;
     }

@@ -18,7 +18,7 @@ final class WingEventNoise {
    */
   private static final double MAX_EXCESS = 0.1;
 
-  private final double[] judged = new double[2];
+  private final double[] counted = new double[2];
   private final EventNoise[] edges;
   private double rejected;
 
@@ -41,7 +41,7 @@ final class WingEventNoise {
 
   /** Counts an event of an edge. */
   void count(int edge, double y, boolean taken) {
-    judged[edge]++;
+    counted[edge]++;
     rejected += FOLLOW * ((taken || Math.abs(y) >= NEAR_RAD ? 0 : 1) - rejected);
   }
 
@@ -52,8 +52,8 @@ final class WingEventNoise {
   }
 
   private double mean(double leading, double trailing) {
-    double all = judged[0] + judged[1];
-    return all == 0 ? leading : (judged[0] * leading + judged[1] * trailing) / all;
+    double all = counted[0] + counted[1];
+    return all == 0 ? leading : (counted[0] * leading + counted[1] * trailing) / all;
   }
 
   /** Recent mean normalised innovation squared of both edges. */
