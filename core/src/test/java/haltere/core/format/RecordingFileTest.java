@@ -26,7 +26,7 @@ class RecordingFileTest {
   }
 
   @Test
-  void aStreamIsReadForthWithShortWaysBack() throws IOException {
+  void streamIsReadForwardsWithShortBackwardSeeks() throws IOException {
     try (RecordingFile stream = stream()) {
       assertEquals(Long.MAX_VALUE, stream.size());
       int offset = 0;
@@ -43,7 +43,7 @@ class RecordingFileTest {
   }
 
   @Test
-  void behindTheEndOfAStreamThereIsNothing() throws IOException {
+  void readingBehindTheEndOfAStreamYieldsNothing() throws IOException {
     try (RecordingFile stream = stream()) {
       assertEquals(0, stream.read(BYTES + 3_000_000_000L, 10).length);
       assertEquals(5, stream.read(BYTES - 5, 10).length);

@@ -66,7 +66,7 @@ class EngineMomentsTest {
   }
 
   @Test
-  void aLoopRunsTheChainBeforeItsStart() throws IOException {
+  void loopRunsTheChainBeforeItsStart() throws IOException {
     EngineRig rig = rig(true).run();
     rig.ask(
         new PlaybackCommand.SetLoop(
@@ -116,7 +116,7 @@ class EngineMomentsTest {
   }
 
   @Test
-  void editsInAPauseCostOneRunOverTheMemoryAndThoseDuringARunOneMore() throws IOException {
+  void editsDuringAPauseCostOneRunUpAndThoseDuringARunUpOneMore() throws IOException {
     EngineRig rig = sought(2000);
     long once = (MEMORY_US + MEMORY_US / 4 + 100) / 10;
     long before = eventsRunUp(rig);
@@ -176,7 +176,7 @@ class EngineMomentsTest {
   }
 
   @Test
-  void keptScenesRepeatSlicesFromKeptEvents() throws IOException {
+  void scenesRepeatSlicesFromStoredEvents() throws IOException {
     KeptPlayable kept = new KeptPlayable(recording(even(400)), 100_000);
     EngineRig rig = new EngineRig(kept, byTime(100), MEMORY_US);
     rig.runUntil(2_050_000);

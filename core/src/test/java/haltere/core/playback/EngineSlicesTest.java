@@ -32,7 +32,7 @@ class EngineSlicesTest {
   }
 
   @Test
-  void slicesOfCountHoldExactlySoManyEvents() throws IOException {
+  void slicesByCountContainExactlyTheirCount() throws IOException {
     EngineRig rig =
         new EngineRig(
                 recording(events(10, 20, 20, 20, 90, 91, 92)),
@@ -79,7 +79,7 @@ class EngineSlicesTest {
   }
 
   @Test
-  void aSlicePerPictureFollowsTheSpeed() throws IOException {
+  void slicePerPictureFollowsTheSpeed() throws IOException {
     EngineRig rig =
         new EngineRig(
             recording(even(10_000)),

@@ -86,14 +86,14 @@ class FramesOnlyTest {
   }
 
   @Test
-  void itLastsFromTheFirstToTheLastFrame() throws IOException {
+  void durationIsFromTheFirstToTheLastFrame() throws IOException {
     try (RecordingPlayable playable = playable()) {
       assertEquals((FRAMES - 1) * BETWEEN_US + 1, playable.durationUs().orElseThrow());
     }
   }
 
   @Test
-  void framesComeInTheSliceOfTheirTime() throws IOException {
+  void framesAreDeliveredInTheSliceOfTheirTime() throws IOException {
     Log log = new Log();
     EngineRig rig = rig(log);
     rig.ask(new PlaybackCommand.Play(true));
@@ -107,7 +107,7 @@ class FramesOnlyTest {
   }
 
   @Test
-  void aSoughtMomentAndStepsGiveTheFramesOfTheirSlices() throws IOException {
+  void seekAndStepsDeliverTheFramesOfTheirSlices() throws IOException {
     Log log = new Log();
     EngineRig rig = rig(log);
     rig.run();

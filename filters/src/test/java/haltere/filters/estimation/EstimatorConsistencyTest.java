@@ -140,7 +140,7 @@ class EstimatorConsistencyTest {
 
   @ParameterizedTest
   @MethodSource("worlds")
-  void errorsAndInnovationsAreAsLargeAsTheFilterSays(World world) {
+  void neesAndNisLieInTheirBands(World world) {
     Verdict verdict = judge(world, world.measurement());
     int n = world.process().stateSize();
     int m = world.measurement().size();
@@ -153,7 +153,7 @@ class EstimatorConsistencyTest {
   }
 
   @Test
-  void aFilterWithTooSmallMeasurementNoiseIsInconsistent() {
+  void filterWithTooSmallMeasurementNoiseIsInconsistent() {
     World world = worlds().get(0);
     Verdict verdict = judge(world, LinearMeasurement.ofEntries(2, 0.5, 0));
     assertFalse(Consistency.meanBand(2, RUNS, 0.95).contains(verdict.nees));

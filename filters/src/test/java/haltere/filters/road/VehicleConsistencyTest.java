@@ -63,12 +63,12 @@ class VehicleConsistencyTest {
   }
 
   @Test
-  void ofVehiclesThatCome() {
+  void approachingVehiclesAreConsistent() {
     check(false);
   }
 
   @Test
-  void ofVehiclesThatDriveAway() {
+  void recedingVehiclesAreConsistent() {
     check(true);
   }
 }

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 /** Settings of the wing tracker as files have them. */
 class WingTrackerSettingsTest {
   @Test
-  void settingsOfThePositionAreReadUnderTheirFormerNames() {
+  void formerNamesOfPositionSettingsAreRead() {
     SettingsSchema<WingTrackerSettings> schema = SettingsSchema.of(WingTrackerSettings.class);
     List<String> notes = new ArrayList<>();
     WingTrackerSettings read =

@@ -140,7 +140,7 @@ class AedatFuzzTest {
   }
 
   @Test
-  void fiveThousandDamagedFilesOfVersionTwoDoNoHarm() {
+  void damagedFilesOfVersion2AreReadOrRejected() {
     assertTimeout(
         Duration.ofSeconds(120),
         () -> {
@@ -161,7 +161,7 @@ class AedatFuzzTest {
   }
 
   @Test
-  void fiveThousandDamagedFilesOfVersionOneDoNoHarm() {
+  void damagedFilesOfVersion1AreReadOrRejected() {
     assertTimeout(
         Duration.ofSeconds(120),
         () -> {

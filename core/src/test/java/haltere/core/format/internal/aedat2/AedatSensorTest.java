@@ -56,7 +56,7 @@ class AedatSensorTest {
     "HardwareInterface: DVS128-V1 0392, 128x128",
     "Haltere sensor: 77x33, 77x33"
   })
-  void theHeaderNamesTheCamera(String line, String size) throws IOException {
+  void headerNamesTheCamera(String line, String size) throws IOException {
     AedatFile bytes = AedatFile.version2().text("# " + line + "\r\n").record(0, 0);
     try (RecordingReader reader = open(bytes)) {
       assertEquals(size, reader.geometry().toString());
@@ -120,7 +120,7 @@ class AedatSensorTest {
   }
 
   @Test
-  void aSizeIsGuessedFromTheWholeFile() throws IOException {
+  void sizeIsGuessedFromTheWholeFile() throws IOException {
     AedatFile bytes = AedatFile.version2();
     for (int i = 0; i < 300_000; i++) {
       bytes.davis240(i, i % 240, i % 180, true);
@@ -144,7 +144,7 @@ class AedatSensorTest {
   }
 
   @Test
-  void aSiliconCochleaIsNoRetina() throws IOException {
+  void siliconCochleaIsRejected() throws IOException {
     AedatFile bytes =
         AedatFile.version2()
             .text("# AEChip: ch.unizh.ini.jaer.chip.cochlea.CochleaAMS1c\r\n")
@@ -200,7 +200,7 @@ class AedatSensorTest {
   }
 
   @Test
-  void theTimesOfEventsOutsideDoNotMoveTheClock() throws IOException {
+  void eventsOutsideTheSensorDoNotAdvanceTheClock() throws IOException {
     AedatFile bytes =
         AedatFile.version2().text("# Haltere sensor: 240x180\n").davis240(100, 1, 1, true);
     bytes.record(500 << 22, 2_000_000_000).record(0x80000000, 1).davis240(200, 1, 1, true);
@@ -262,7 +262,7 @@ class AedatSensorTest {
   }
 
   @Test
-  void everyWordOfBothLayoutsGoesThereAndBack() {
+  void addressesOfBothLayoutsAreReversible() {
     Dvs128AddressDecoder dvs128 = new Dvs128AddressDecoder(DVS128);
     for (int word = 0; word < 0x8000; word++) {
       int address = dvs128.address(word);

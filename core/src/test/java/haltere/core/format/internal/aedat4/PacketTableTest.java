@@ -110,8 +110,7 @@ class PacketTableTest {
 
   @ParameterizedTest
   @EnumSource(Aedat4Compression.class)
-  void segmentsAndSeeksAreTheSameWithTheTableAndWithoutIt(Aedat4Compression compression)
-      throws IOException {
+  void tableDoesNotChangeSegmentsAndSeeks(Aedat4Compression compression) throws IOException {
     byte[] bytes = file(compression);
     Path with = Files.write(folder.resolve("with.aedat4"), bytes);
     Path without = withoutTable(bytes);
@@ -121,7 +120,7 @@ class PacketTableTest {
   }
 
   @Test
-  void theTablesOfDvAreBelieved() throws IOException {
+  void tablesOfDvAreValid() throws IOException {
     for (RecordedPackets recording :
         List.of(RecordedPackets.DVXPLORER, RecordedPackets.DVS128_GESTURE)) {
       Path path = Recorded.file(recording.file());
@@ -131,7 +130,7 @@ class PacketTableTest {
   }
 
   @Test
-  void anInconsistentTableIsIgnored() throws IOException {
+  void inconsistentTableIsIgnored() throws IOException {
     byte[] bytes = file(Aedat4Compression.NONE);
     Path without = withoutTable(bytes);
     int table = (int) numbers(bytes).getLong(TABLE_POSITION);

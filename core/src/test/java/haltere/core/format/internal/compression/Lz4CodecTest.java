@@ -43,14 +43,14 @@ class Lz4CodecTest {
   }
 
   @Test
-  void theChecksumIsThatOfXxHashWithSeedZero() {
+  void checksumIsXxHashWithSeedZero() {
     byte[] bytes = new byte[] {1, 2, 'a', 'b', 'c', 3};
     assertEquals(0x32D153FF, Lz4Codec.checksum(bytes, 2, 5));
     assertEquals(0x02CC5D05, Lz4Codec.checksum(bytes, 2, 2));
   }
 
   @Test
-  void damagedBlocksStayWithinTheRoomForThem() {
+  void damagedBlocksNeverExceedTheOutputBuffer() {
     byte[] sound = Lz4Codec.fast().compress(original);
     int damaged = 0;
     for (int i = 0; i < 20_000; i++) {

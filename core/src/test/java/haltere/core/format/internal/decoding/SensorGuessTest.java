@@ -22,7 +22,7 @@ class SensorGuessTest {
   @TempDir Path folder;
 
   @Test
-  void anEventFarBehindTheFirstOnesIsHeldByTheGuessedSensor() throws IOException {
+  void guessedSensorContainsLateEvents() throws IOException {
     ByteBuffer records = ByteBuffer.allocate(5 * EVENTS);
     for (int i = 0; i < EVENTS; i++) {
       boolean isLast = i == EVENTS - 1;

@@ -95,7 +95,7 @@ class Evt2FormatTest extends EvtContract {
   }
 
   @Test
-  void theClockWrapsAfterTwoToTheThirtyFourAndRestartsOtherwise() {
+  void clockWrapsAfter34BitsAndRestartsOtherwise() {
     Evt2Decoder decoder = new Evt2Decoder(GEN3, 0, new ViolationCounts());
     EventPacket packet = new EventPacket(0);
     long lastUs = (1L << 34) - 64;

@@ -101,7 +101,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void timesSinceNineteenSeventyAndLongSilencesComeBack() throws IOException {
+  void timesSince1970AndLongSilencesAreReadBack() throws IOException {
     EventPacket written = new EventPacket(0);
     long timeUs = 1_718_925_184_590_631L;
     SplittableRandom random = new SplittableRandom(1);
@@ -125,7 +125,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void timesBeforeZeroComeBack() throws IOException {
+  void negativeTimesAreReadBack() throws IOException {
     EventPacket written = EventPackets.uniform(GEN3, 9, 1000, -30 * HOUR_US - 7, HOUR_US / 16);
     Path file = folder.resolve("negative.raw");
     writeWithBase(file, written);
@@ -135,7 +135,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void timesThatDescendWithinATurnAreRestored() throws IOException {
+  void descendingTimesWithinAWrapPeriodAreReadBack() throws IOException {
     List<EventPacket> packets = new ArrayList<>();
     for (long startUs : new long[] {16_000_000, 15_999_000, 9_000_000, 100, 99}) {
       packets.add(EventPackets.uniform(GEN3, startUs, 50, startUs, 3));
@@ -167,7 +167,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void anEventOutsideOfTheSensorIsLeftOutAndReported() throws IOException {
+  void eventOutsideTheSensorIsSkippedAndReported() throws IOException {
     EventPacket written = new EventPacket(0);
     written.append(0, 639, 479, true);
     written.append(0, 640, 479, true);
@@ -194,7 +194,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void metadataComeIntoTheHeaderAndCannotForgeIt() throws IOException {
+  void metadataAreWrittenToTheHeaderAndCannotForgeIt() throws IOException {
     Path file = folder.resolve("metadata.raw");
     WriteOptions options =
         new WriteOptions(
@@ -254,7 +254,7 @@ abstract class EvtContract extends RecordingFormatContract {
 
   /** As a camera does: words in any order, cut at any place, with any size of packets. */
   @Test
-  void anyBytesGiveTheSameEventsHoweverTheyAreCut() throws IOException {
+  void eventsOfArbitraryBytesDoNotDependOnPacketSizes() throws IOException {
     for (long seed = 0; seed < 40; seed++) {
       SplittableRandom random = new SplittableRandom(seed);
       byte[] words = randomWords(random);

@@ -20,12 +20,12 @@ class AxisConsistencyTest {
   private static final double TAU_S = 0.1;
 
   @Test
-  void meanNeesAndNisLieInTheirBands() {
+  void meanNeesAndNisLieInTheirBandsForTheModel() {
     assertConsistent(2, 1, 6, 1000, RUNS);
   }
 
   @Test
-  void theyDoWithFewCamerasAndLargeAnglesTooWhereTheModelIsNotLinear() {
+  void meanNeesAndNisLieInTheirBandsForNonlinearAngles() {
     assertConsistent(5, 2, 4, 5000, 2 * RUNS);
   }
 

@@ -22,7 +22,7 @@ class WingEventNoiseTest {
   }
 
   @Test
-  void onEventsOfSlowPixelsDoNotMakeOffEventsWorthLess() {
+  void onEventsOfSlowPixelsDoNotReduceTheWeightOfOffEvents() {
     for (int i = 0; i < 30_000; i++) {
       event(0, 0.04 * random.nextGaussian());
       event(1, 0.15 * random.nextGaussian());
@@ -33,7 +33,7 @@ class WingEventNoiseTest {
   }
 
   @Test
-  void outliersAllAroundAreNotTooMany() {
+  void uniformOutliersAreNoExcess() {
     for (int i = 0; i < 20_000; i++) {
       event(i % 2, i % 5 < 2 ? random.nextDouble(-1.3, 1.3) : 0.02 * random.nextGaussian());
     }
@@ -41,7 +41,7 @@ class WingEventNoiseTest {
   }
 
   @Test
-  void aWingNextToWhereTheFilterIsIsDetectedThoughItsEventsAreRefused() {
+  void rejectedEventsOfADisplacedWingAreDetected() {
     for (int i = 0; i < 10_000; i++) {
       event(i % 2, 0.02 * random.nextGaussian());
     }
