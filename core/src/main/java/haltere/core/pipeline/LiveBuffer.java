@@ -191,7 +191,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     changed.signalAll();
   }
 
-  /** How many more events may wait. */
+  /** Number of further events that may wait. */
   private int room() {
     int packets = waiting.packets() + (held ? 1 : 0);
     return packets >= maxPackets ? 0 : maxEvents - waiting.events();

@@ -384,7 +384,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
   }
 
   /**
-   * Why the session ended before it was told to.
+   * Reason for an early end of the session.
    *
    * @return a line for users, or empty
    */

@@ -86,7 +86,7 @@ final class SliceCutter {
     return 1;
   }
 
-  /** Where the loop starts again, 0 without a loop. */
+  /** Start of the loop, 0 without a loop. */
   long inPoint() {
     return loop.on() ? loop.inUs().orElse(0) : 0;
   }

@@ -63,15 +63,16 @@ abstract class CameraScenarios extends CameraBench {
 
   @Test
   void watcherIsNotifiedWhenCamerasArePluggedInOrUnplugged() {
-    AtomicInteger told = new AtomicInteger();
-    try (CameraProvider.Watch watch = provider.watch(told::incrementAndGet).orElseThrow()) {
+    AtomicInteger notifications = new AtomicInteger();
+    try (CameraProvider.Watch watch =
+        provider.watch(notifications::incrementAndGet).orElseThrow()) {
       assertNotNull(watch);
       device.unplug();
-      await(() -> told.get() >= 1);
+      await(() -> notifications.get() >= 1);
       await(() -> provider.list().isEmpty());
-      int before = told.get();
+      int before = notifications.get();
       device = plug(firmware);
-      await(() -> told.get() > before);
+      await(() -> notifications.get() > before);
     }
   }
 

@@ -215,7 +215,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
       assertEquals(0, sliders.get(Slider.BANDWIDTH), "which is the middle now");
       biases.apply("default");
       assertEquals(usual, biases.get("PrBp"));
-      SliderLaw.check(biases, sliders);
+      SliderChecks.check(biases, sliders);
     }
   }
 

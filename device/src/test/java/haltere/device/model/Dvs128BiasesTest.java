@@ -74,7 +74,7 @@ class Dvs128BiasesTest {
   void slidersAreMonotoneStayInRangeAndKeepTheBiasSetAtZero() throws CameraProblem {
     for (String set : biases.sets()) {
       biases.apply(set);
-      SliderLaw.check(biases, sliders);
+      SliderChecks.check(biases, sliders);
     }
   }
 

@@ -25,9 +25,9 @@ import java.util.concurrent.locks.LockSupport;
 
 /**
  * How long events take from the emulated bus to the end of the default chain: a batch each
- * millisecond, which is one transfer. Second by second this takes turns with {@link BareHandOver},
- * so that what the machine takes itself is known of the same minutes. The camera's clock stands
- * still meanwhile, so that its events are one stream.
+ * millisecond, which is one transfer. Second by second this takes turns with {@link
+ * HandOverBaseline}, so that what the machine takes itself is known of the same minutes. The
+ * camera's clock stands still meanwhile, so that its events are one stream.
  *
  * <p>While Java still compiles, its compilers take a processor for milliseconds at a time; the
  * seconds until that is over are told by themselves. What the emulator leaves on the heap is
@@ -92,7 +92,7 @@ final class LatencyMeasurement implements StreamHandler {
    * @param seconds beyond those that warm everything up
    */
   private void send(int seconds) throws IOException {
-    BareHandOver hands = new BareHandOver(() -> workNanos);
+    HandOverBaseline hands = new HandOverBaseline(() -> workNanos);
     LatencyHistogram bareWarmingUp = new LatencyHistogram();
     for (int second = 0; second < seconds + WARM_UP_BLOCKS; second++) {
       boolean measured = second >= WARM_UP_BLOCKS;

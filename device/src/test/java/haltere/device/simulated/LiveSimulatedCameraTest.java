@@ -62,10 +62,10 @@ class LiveSimulatedCameraTest {
     untilOver(camera);
 
     CameraStatistics statistics = camera.statistics();
-    long told =
+    long reported =
         recorder.notifications(DataLost.class).stream().mapToLong(DataLost::estimatedEvents).sum();
-    assertEquals(statistics.lostEvents(), told);
-    assertEquals(statistics.bytes() / 4, recorder.events().size() + told);
+    assertEquals(statistics.lostEvents(), reported);
+    assertEquals(statistics.bytes() / 4, recorder.events().size() + reported);
   }
 
   @Test
@@ -164,14 +164,15 @@ class LiveSimulatedCameraTest {
         camera.next(stream);
       }
       long nowUs = TimeUnit.NANOSECONDS.toMicros(time.getAsLong());
-      List<DataLost> told = recorder.notifications(DataLost.class);
-      assertFalse(told.isEmpty());
-      assertEquals(-1, told.get(0).estimatedEvents());
-      assertTrue(told.get(0).place().contains("too slow to simulate"), told.get(0).place());
-      assertTrue(told.get(0).toUs() > told.get(0).fromUs() + 200_000, told.get(0).toString());
+      List<DataLost> reported = recorder.notifications(DataLost.class);
+      assertFalse(reported.isEmpty());
+      assertEquals(-1, reported.get(0).estimatedEvents());
+      assertTrue(reported.get(0).place().contains("too slow to simulate"), reported.get(0).place());
+      assertTrue(
+          reported.get(0).toUs() > reported.get(0).fromUs() + 200_000, reported.get(0).toString());
       assertEquals(0, camera.clockRelation().orElseThrow().hostNanos(), "its clock is live");
       assertTrue(nowUs - recorder.events().lastTimeUs() < 1_500_000, "and so are its events");
-      assertTrue(camera.statistics().brokenTransfers() >= told.size());
+      assertTrue(camera.statistics().brokenTransfers() >= reported.size());
     }
   }
 

@@ -171,15 +171,15 @@ class SimulatedCameraTest {
         // what waits
       }
       CameraStatistics statistics = camera.statistics();
-      long told = 0;
+      long reported = 0;
       for (DataLost lost : got.notifications(DataLost.class)) {
-        told += lost.estimatedEvents();
+        reported += lost.estimatedEvents();
         assertTrue(lost.place().startsWith("simulated:fly"), lost.place());
       }
-      assertTrue(told > 0);
-      assertEquals(told, statistics.lostEvents());
+      assertTrue(reported > 0);
+      assertEquals(reported, statistics.lostEvents());
       assertEquals(got.events().size(), statistics.events());
-      assertEquals(statistics.bytes() / 4, told + statistics.events());
+      assertEquals(statistics.bytes() / 4, reported + statistics.events());
       assertTrue(statistics.lostTransfers() > 0 && statistics.mostWaiting() <= 20);
     }
   }

@@ -22,7 +22,7 @@ class TransferRingTest {
   private static final int BYTES = 64;
   private static final int MAX_FAILURES = 16;
 
-  private final TransfersByHand device = new TransfersByHand();
+  private final ManualTransfers device = new ManualTransfers();
   private final ReceivedBuffers buffers =
       new ReceivedBuffers(
           TRANSFERS,
@@ -91,7 +91,7 @@ class TransferRingTest {
   @Test
   void consecutiveErrorsEndTheDeviceButSeparatedErrorsDoNot() throws Exception {
     ring.start();
-    TransfersByHand.ByHand first = device.transfers.get(0);
+    ManualTransfers.ManualTransfer first = device.transfers.get(0);
     for (int i = 0; i < 3 * MAX_FAILURES; i++) {
       first.end(i % MAX_FAILURES == 0 ? TransferEnd.COMPLETED : TransferEnd.FAILED, 0);
     }

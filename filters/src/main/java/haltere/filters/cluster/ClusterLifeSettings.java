@@ -31,7 +31,7 @@ public record ClusterLifeSettings(
         double minSpeedPxS,
     @Help("A cluster dies at the border: never, with its centre outside, or touching it.")
         Border border) {
-  /** What keeps a cluster alive and makes it visible. */
+  /** Criterion for the support and visibility of a cluster. */
   public enum Support {
     /** Its mass. */
     MASS,

@@ -62,9 +62,9 @@ class NeesBandTest {
   void bandWidensWithTheConstantShareOfTheError() {
     NeesBand following = NeesBand.of(scenes(0, 1, 5));
     NeesBand constant = NeesBand.of(scenes(1, 1, 5));
-    assertTrue(following.least() > 0.7 && following.most() < 1.35, following::toString);
+    assertTrue(following.min() > 0.7 && following.max() < 1.35, following::toString);
     // chi squared of one degree of freedom: 0.001 to 5.02
-    assertEquals(0.001, constant.least(), 0.03);
-    assertEquals(5.02, constant.most(), 0.8);
+    assertEquals(0.001, constant.min(), 0.03);
+    assertEquals(5.02, constant.max(), 0.8);
   }
 }

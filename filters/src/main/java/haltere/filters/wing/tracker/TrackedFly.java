@@ -35,7 +35,7 @@ final class TrackedFly {
   private final StrokeFrame[] frames = place.frames;
   private final SensorGeometry sensor;
 
-  /** What estimates the strokes. */
+  /** Estimators of the strokes. */
   final WingEstimators wings;
 
   /** Whether a Kalman filter and whether a running average are used. */
