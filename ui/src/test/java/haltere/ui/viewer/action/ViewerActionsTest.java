@@ -58,7 +58,7 @@ class ViewerActionsTest {
   }
 
   @Test
-  void plainKeysAreDistinguishedFromCombinations() {
+  void keysOfEntriesAreNotPlainOnes() {
     assertTrue(action("a", "A").withKey("Space").hasPlainKey());
     assertTrue(action("a", "A").withKey("Shift+Comma").hasPlainKey());
     assertFalse(action("a", "A").withKey("Shortcut+O").hasPlainKey());

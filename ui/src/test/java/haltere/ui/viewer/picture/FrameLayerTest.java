@@ -72,7 +72,7 @@ class FrameLayerTest {
   }
 
   @Test
-  void opacityBlendsTheFrameWithTheBackground() {
+  void opacityMixesTheFrameWithTheBackground() {
     opacity = 0.5;
     layer.take(lowerRow(0x30, 0xF0));
     int[] pixels = painted(BACKGROUND, BACKGROUND, BACKGROUND, BACKGROUND);
