@@ -31,7 +31,7 @@ import java.util.Optional;
 final class ResultFolder implements Closeable {
   private static final String DONE = "done.json";
   private static final String OUTPUTS = "outputs";
-  private static final int LONGEST_JOURNAL_BYTES = 1 << 24;
+  private static final int MAX_JOURNAL_BYTES = 1 << 24;
 
   private final Path folder;
   private final Path part;
@@ -117,7 +117,7 @@ final class ResultFolder implements Closeable {
   }
 
   private Optional<Map<?, ?>> journalled() throws IOException {
-    long size = Math.min(journal.size(), LONGEST_JOURNAL_BYTES);
+    long size = Math.min(journal.size(), MAX_JOURNAL_BYTES);
     ByteBuffer bytes = ByteBuffer.allocate((int) size);
     while (bytes.hasRemaining() && journal.read(bytes, bytes.position()) >= 0) {
       // until complete

@@ -7,7 +7,7 @@ import java.io.IOException;
  * play forward only. It leaves its cursor at an arbitrary position.
  */
 final class StepBackSearch {
-  private static final long SMALLEST_WINDOW_US = 1000;
+  private static final long MIN_WINDOW_US = 1000;
 
   /**
    * A position among events.
@@ -28,7 +28,7 @@ final class StepBackSearch {
 
   Position before(Position boundary, long events) throws IOException {
     long end = boundary.elapsedUs();
-    long window = Math.max(SMALLEST_WINDOW_US, (long) (2 * events / eventRateEps * 1e6));
+    long window = Math.max(MIN_WINDOW_US, (long) (2 * events / eventRateEps * 1e6));
     long earliest = cursor.earliestUs();
     while (end > earliest) {
       long from = Math.max(earliest, end - window);

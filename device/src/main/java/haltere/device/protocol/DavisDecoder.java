@@ -33,7 +33,7 @@ public final class DavisDecoder implements WireDecoder {
   static final int CLOCK_RESET = 1;
   private static final int DATA = 0xfff;
   private static final int STAGE_WORDS = 1024;
-  private static final int LONGEST_AWAIT_WRAPS = 500_000 / WRAP_US;
+  private static final int MAX_AWAIT_WRAPS = 500_000 / WRAP_US;
   private static final int NO_ROW = -1;
 
   private final DavisLayout layout;
@@ -69,7 +69,7 @@ public final class DavisDecoder implements WireDecoder {
    * is no reset.
    */
   public void awaitReset() {
-    wrapsToAwaitReset = LONGEST_AWAIT_WRAPS;
+    wrapsToAwaitReset = MAX_AWAIT_WRAPS;
   }
 
   @Override

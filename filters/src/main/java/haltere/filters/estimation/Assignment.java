@@ -29,7 +29,7 @@ public final class Assignment {
   public static final int NONE = -1;
 
   /** Costs of greater size would overflow when they are added up. */
-  private static final double LARGEST_COST = 1e150;
+  private static final double MAX_COST = 1e150;
 
   private final int maxRows;
   private final int maxColumns;
@@ -245,9 +245,9 @@ public final class Assignment {
   }
 
   private static void requireCost(String what, double cost) {
-    if (!(Math.abs(cost) <= LARGEST_COST)) {
+    if (!(Math.abs(cost) <= MAX_COST)) {
       throw new IllegalArgumentException(
-          what + " must be at most " + LARGEST_COST + " in size: " + cost);
+          what + " must be at most " + MAX_COST + " in size: " + cost);
     }
   }
 }

@@ -8,7 +8,7 @@ package haltere.filters.frequency;
  */
 final class Periodicity {
   /** Minimum number of values in a period. */
-  private static final int SHORTEST = 2;
+  private static final int MIN_VALUES = 2;
 
   /** Minimum number of periods in the series. */
   private static final int PERIODS = 4;
@@ -39,7 +39,7 @@ final class Periodicity {
   /** The period of a number of equidistant counts, in their distances; NaN if there is none. */
   double periodOf(float[] values, int count) {
     int lags = count / PERIODS;
-    if (lags <= SHORTEST + 1) {
+    if (lags <= MIN_VALUES + 1) {
       return Double.NaN;
     }
     double mean = 0;
@@ -73,7 +73,7 @@ final class Periodicity {
 
   /** The lag after which a rise belongs to the next period. */
   private int firstFall(int lags) {
-    int lag = SHORTEST;
+    int lag = MIN_VALUES;
     while (lag <= lags && correlation[lag] > FALLEN * Math.max(correlation[1], 0)) {
       lag++;
     }

@@ -29,7 +29,7 @@ record CsvLayout(
     int height) {
   private static final int PROBE_ROWS = 2000;
   private static final int MAX_COLUMNS = 32;
-  private static final double SMALLEST_NS = 1e17;
+  private static final double MIN_NS = 1e17;
   private static final String BLANKS = " \t\n\u000b\f\r";
 
   CsvLayout {
@@ -203,7 +203,7 @@ record CsvLayout(
         largest = Math.max(largest, Math.abs(value));
       }
     }
-    return fraction ? 6 : largest >= SMALLEST_NS ? -3 : 0;
+    return fraction ? 6 : largest >= MIN_NS ? -3 : 0;
   }
 
   /**

@@ -57,7 +57,7 @@ public final class EventStreamFormat implements StreamedFormat {
   @Override
   public RecordingReader openStream(RecordingFile file, ReadOptions options) throws IOException {
     EventStreamHeader header =
-        EventStreamHeader.parse(file.read(0, EventStreamHeader.LONGEST))
+        EventStreamHeader.parse(file.read(0, EventStreamHeader.MAX_BYTES))
             .orElseThrow(
                 () ->
                     new RecordingProblem(

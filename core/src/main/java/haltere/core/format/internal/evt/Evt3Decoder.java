@@ -39,7 +39,7 @@ public final class Evt3Decoder extends EvtDecoder {
   private static final int AT_ONCE = 4;
 
   /** Events of a group, and space for surplus ones. */
-  private static final int LONGEST_RUN = GROUP + AT_ONCE;
+  private static final int MAX_RUN = GROUP + AT_ONCE;
 
   /** Bytes that are processed together. */
   private static final int STAGE_BYTES = 4096;
@@ -106,7 +106,7 @@ public final class Evt3Decoder extends EvtDecoder {
 
   @Override
   public boolean decode(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
-    out.ensureCapacity(maxEvents + LONGEST_RUN);
+    out.ensureCapacity(maxEvents + MAX_RUN);
     int start = in.position();
     int end = in.remaining() & -WORD_BYTES;
     int first = 0;

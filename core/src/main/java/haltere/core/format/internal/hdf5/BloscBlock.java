@@ -13,7 +13,7 @@ import haltere.core.format.internal.compression.Lz4Codec;
 final class BloscBlock {
   private static final int HEADER = 16;
   private static final int MAX_SPLITS = 16;
-  private static final int SMALLEST_SPLIT = 128;
+  private static final int MIN_SPLIT = 128;
 
   private final ChunkDecompressor decompressor;
   private byte[] sorted = {};
@@ -55,7 +55,7 @@ final class BloscBlock {
           (flags & 0x10) == 0
               && size <= MAX_SPLITS
               && size > 0
-              && blockBytes / size >= SMALLEST_SPLIT
+              && blockBytes / size >= MIN_SPLIT
               && !leftOver;
       check(from >= HEADER && from <= length);
       if (byBytes || byBits) {

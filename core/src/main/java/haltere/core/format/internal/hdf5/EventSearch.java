@@ -22,8 +22,8 @@ import java.util.OptionalLong;
 final class EventSearch {
   private static final int PROBE_ROWS = 4096;
   private static final int MAX_SIDE = 32768;
-  private static final double SMALLEST_NS = 1e17;
-  private static final double SMALLEST_EXACT = 1e-9;
+  private static final double MIN_NS = 1e17;
+  private static final double FRACTION_TOLERANCE = 1e-9;
 
   private final ContainerFile file;
   private final FileContents contents;
@@ -189,7 +189,7 @@ final class EventSearch {
         }
         for (int i = 0; i < count; i++) {
           double value = numbers.real(i);
-          fractions |= Math.abs(value - Math.rint(value)) > SMALLEST_EXACT;
+          fractions |= Math.abs(value - Math.rint(value)) > FRACTION_TOLERANCE;
           largest = Math.max(largest, Math.abs(value));
           ascending &= value >= last;
           last = value;
@@ -232,7 +232,7 @@ final class EventSearch {
     if (time.type().kind() == 'f' && !sample.hasFractions()) {
       requireWhole(sample, "the unit of its times");
     }
-    return sample.hasFractions() ? 6 : sample.largest() >= SMALLEST_NS ? -3 : 0;
+    return sample.hasFractions() ? 6 : sample.largest() >= MIN_NS ? -3 : 0;
   }
 
   private OptionalLong whole(String name) throws RecordingProblem {

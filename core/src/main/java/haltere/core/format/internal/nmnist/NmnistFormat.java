@@ -27,7 +27,7 @@ import java.util.Set;
  */
 public final class NmnistFormat implements ReadOnlyFormat {
   /** Minimum number of records for detection, of which 1 % may be out of order. */
-  private static final int FEWEST_RECORDS = 16;
+  private static final int MIN_RECORDS = 16;
 
   private static final int PROBE_RECORDS = 4096;
   private static final int MAX_SIDE = 256;
@@ -77,7 +77,7 @@ public final class NmnistFormat implements ReadOnlyFormat {
       back += time < last ? 1 : 0;
       last = time;
     }
-    boolean ascends = records >= FEWEST_RECORDS && forth * 2 >= records && back * 100 <= records;
+    boolean ascends = records >= MIN_RECORDS && forth * 2 >= records && back * 100 <= records;
     return new ProbeResult(
         ascends ? Support.PLAUSIBLE : Support.NONE,
         ascends

@@ -40,7 +40,7 @@ record NpzLayout(
 
   private static final int PROBE_ROWS = 4096;
   private static final int PROBE_BYTES = 1 << 20;
-  private static final double SMALLEST_NS = 1e17;
+  private static final double MIN_NS = 1e17;
 
   /**
    * A column.
@@ -212,7 +212,7 @@ record NpzLayout(
       throw new RecordingProblem(
           file.path(), file.size(), "the file ends before the unit of its times is known");
     }
-    return fraction ? 6 : largest >= SMALLEST_NS ? -3 : 0;
+    return fraction ? 6 : largest >= MIN_NS ? -3 : 0;
   }
 
   static ByteBuffer order(ByteBuffer buffer, NpyHeader.Field field) {

@@ -22,7 +22,7 @@ final class RoadPainter {
   private static final double US = 1e-6;
   private static final int MAX_SAMPLES = 64;
   private static final double MIN_MOTION_PX = 0.5;
-  private static final double LARGEST_MOTION_PX = 8;
+  private static final double MAX_MOTION_PX = 8;
   private static final double MOTION_SHARE = 1.0 / 24;
   private static final double TIMED_WITHIN_PX = 1.0 / 16;
 
@@ -197,9 +197,9 @@ final class RoadPainter {
     mover.firstRow = (int) Math.max(0, Math.floor(Math.min(a.fromY, b.fromY)));
     mover.lastRow = (int) Math.min(rows - 1, Math.ceil(Math.max(a.toY, b.toY)));
     double motion = motion(a, b, Double.POSITIVE_INFINITY);
-    double seen = Math.max(motion(a, b, 1), Math.min(motion, 2 * LARGEST_MOTION_PX));
+    double seen = Math.max(motion(a, b, 1), Math.min(motion, 2 * MAX_MOTION_PX));
     double size = Math.min(b.toX - b.fromX, b.toY - b.fromY);
-    double max = Math.max(MIN_MOTION_PX, Math.min(LARGEST_MOTION_PX, size * MOTION_SHARE));
+    double max = Math.max(MIN_MOTION_PX, Math.min(MAX_MOTION_PX, size * MOTION_SHARE));
     mover.samples = motion == 0 && !mover.isGone ? 0 : 1;
     while (mover.samples > 0 && mover.samples < MAX_SAMPLES && seen > max * mover.samples) {
       mover.samples *= 2;

@@ -18,7 +18,7 @@ import java.util.Arrays;
  */
 public final class EventMerger {
   /** Longest wait for the bus before an event is lost, microseconds. */
-  static final double LONGEST_WAIT_US = 1000;
+  static final double MAX_WAIT_US = 1000;
 
   private static final long NEVER = Long.MIN_VALUE / 2;
 
@@ -153,7 +153,7 @@ public final class EventMerger {
     long sentUs = timeUs;
     if (busSlotUs > 0) {
       double turnUs = Math.max(timeUs, busFreeUs);
-      if (turnUs - timeUs > LONGEST_WAIT_US) {
+      if (turnUs - timeUs > MAX_WAIT_US) {
         lost++;
         return;
       }

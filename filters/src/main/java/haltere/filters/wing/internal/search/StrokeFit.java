@@ -28,7 +28,7 @@ final class StrokeFit {
   private static final int WITH_HARMONICS = 3;
   private static final int WITH_HINGE = 6;
   private static final int WITH_EDGES = 10;
-  private static final double LONGEST_STEP_PX = 1.5;
+  private static final double MAX_STEP_PX = 1.5;
   private static final double FURTHEST_PX = 10;
 
   /** Prior standard deviation of the hinge about its start. */
@@ -222,7 +222,7 @@ final class StrokeFit {
         return false;
       }
       double moved = Math.hypot(step[HINGE_X], step[HINGE_Y]);
-      double share = moved > LONGEST_STEP_PX ? LONGEST_STEP_PX / moved : 1;
+      double share = moved > MAX_STEP_PX ? MAX_STEP_PX / moved : 1;
       for (int i = 0; i < unknowns; i++) {
         p[i] += share * step[i];
       }

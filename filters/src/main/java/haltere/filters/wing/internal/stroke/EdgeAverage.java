@@ -11,9 +11,9 @@ import haltere.filters.wing.WingTrackerSettings;
  * interpolated. The average lags and underestimates the extremes.
  */
 final class EdgeAverage extends EdgeEstimator {
-  private static final double LONGEST_SILENCE_US = 30_000;
+  private static final double MAX_SILENCE_US = 30_000;
   private static final double MAX_PERIODS = 5;
-  private static final double LONGEST_PERIOD_US = 20_000;
+  private static final double MAX_PERIOD_US = 20_000;
 
   private RunningAverageSettings settings;
   private double position;
@@ -133,7 +133,6 @@ final class EdgeAverage extends EdgeEstimator {
   @Override
   boolean isLost(long timeUs) {
     double since = timeUs - (Double.isNaN(lastPassedUs) ? launchedUs : lastPassedUs);
-    return since
-        > Math.max(LONGEST_SILENCE_US, MAX_PERIODS * Math.min(periodUs, LONGEST_PERIOD_US));
+    return since > Math.max(MAX_SILENCE_US, MAX_PERIODS * Math.min(periodUs, MAX_PERIOD_US));
   }
 }
