@@ -297,7 +297,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
       try {
         handler.packet(packet);
       } finally {
-        giveBack(packet, events);
+        recycle(packet, events);
       }
     } else if (next instanceof SensorSample sample) {
       handler.sample(sample);
@@ -356,7 +356,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     }
   }
 
-  private void giveBack(EventPacket packet, int events) {
+  private void recycle(EventPacket packet, int events) {
     lock.lock();
     try {
       eventsOut += events;

@@ -168,13 +168,13 @@ final class DavisBiases implements Biases, BiasSliders {
         }
       }
     } catch (CameraProblem problem) {
-      takeBack(sent);
+      restore(sent);
       throw problem;
     }
     sliders = moved;
   }
 
-  private void takeBack(List<DavisBias> sent) {
+  private void restore(List<DavisBias> sent) {
     for (DavisBias bias : sent) {
       try {
         send(bias, effective(bias, sliders));

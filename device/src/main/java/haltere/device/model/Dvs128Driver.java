@@ -175,7 +175,7 @@ final class Dvs128Driver
 
   @Override
   public boolean isMaster() throws CameraProblem {
-    return line.ask(GET_MASTER, 0, 0, 2)[1] != 0;
+    return line.query(GET_MASTER, 0, 0, 2)[1] != 0;
   }
 
   @Override

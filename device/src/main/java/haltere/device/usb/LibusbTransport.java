@@ -78,7 +78,7 @@ final class LibusbTransport implements UsbTransport {
   }
 
   @Override
-  public synchronized byte[] ask(int request, int value, int index, int length)
+  public synchronized byte[] query(int request, int value, int index, int length)
       throws CameraProblem {
     requireOpen();
     ByteBuffer buffer = ByteBuffer.allocateDirect(length);

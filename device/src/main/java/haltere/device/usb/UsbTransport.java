@@ -66,7 +66,7 @@ public interface UsbTransport extends Closeable {
    * @throws CameraProblem if the device rejects it, answers with less, does not answer in time, or
    *     is gone
    */
-  byte[] ask(int request, int value, int index, int length) throws CameraProblem;
+  byte[] query(int request, int value, int index, int length) throws CameraProblem;
 
   /**
    * Writes to a bulk endpoint and waits for completion.

@@ -83,7 +83,7 @@ final class ManualTransfers implements UsbTransport {
   }
 
   @Override
-  public byte[] ask(int request, int value, int index, int length) throws CameraProblem {
+  public byte[] query(int request, int value, int index, int length) throws CameraProblem {
     throw nothingToAsk();
   }
 

@@ -46,7 +46,7 @@ public final class ClusterTracker {
 
   // Derived from the settings.
   private boolean box;
-  private boolean learnsShape;
+  private boolean adaptsShape;
   private boolean uniform;
   private int ignoredPolarity;
   private double surroundFrom;
@@ -97,7 +97,7 @@ public final class ClusterTracker {
     update = new ClusterUpdate(geometry, settings, shape);
     merging = new ClusterMerging(settings, shape);
     box = settings.shape().type() == Type.BOX;
-    learnsShape = shape.isAdaptive();
+    adaptsShape = shape.isAdaptive();
     Keep keep = settings.events().polarity();
     ignoredPolarity = keep == Keep.BOTH ? -1 : keep == Keep.ON ? 0 : 1;
     double thickness = settings.events().edgeThickness();
@@ -257,8 +257,8 @@ public final class ClusterTracker {
       }
     }
     cluster.take(dx, dy);
-    if (learnsShape) {
-      cluster.learnShape(dx, dy);
+    if (adaptsShape) {
+      cluster.adaptShape(dx, dy);
     }
     if (grid.hasLeft(cluster)) {
       grid.index(clusters, count);

@@ -199,7 +199,7 @@ final class ObjectTracker {
       joinObjects();
       fuseComponents();
     }
-    live(nowUs);
+    updateLifetimes(nowUs);
     grid.next();
   }
 
@@ -248,7 +248,7 @@ final class ObjectTracker {
       objects.add(new TrackedObject(component, nowUs));
       components.add(component);
     } else {
-      takeUp(returned, component, nowUs);
+      resume(returned, component, nowUs);
     }
   }
 
@@ -295,7 +295,7 @@ final class ObjectTracker {
   }
 
   /** Continues an object, moved so that the observed component lies within it. */
-  private void takeUp(TrackedObject object, Component seen, long nowUs) {
+  private void resume(TrackedObject object, Component seen, long nowUs) {
     object.shift(
         clamp(seen.middleX() - object.middleX(), object.halfX() - seen.shape.halfX),
         clamp(seen.middleY() - object.middleY(), object.halfY() - seen.shape.halfY));
@@ -427,13 +427,13 @@ final class ObjectTracker {
 
   // lifetimes
 
-  private void live(long nowUs) {
+  private void updateLifetimes(long nowUs) {
     for (int i = objects.size() - 1; i >= 0; i--) {
       TrackedObject object = objects.get(i);
       double silentS = (nowUs - object.activeUs) * 1e-6;
       if (object.isMoving() && !object.isLost) {
         object.activeUs = nowUs;
-        goAlong(object, nowUs);
+        coastComponents(object, nowUs);
       } else if (!object.isDecided()
           || object.isLost && silentS > settings.rememberS()
           || motion.coasts() && object.components.stream().allMatch(c -> inside(c) == 0)) {
@@ -464,7 +464,7 @@ final class ObjectTracker {
   }
 
   /** Moves components without events with the others, and ends them after a while. */
-  private void goAlong(TrackedObject object, long nowUs) {
+  private void coastComponents(TrackedObject object, long nowUs) {
     double vx = object.vx();
     double vy = object.vy();
     object.speed = Math.hypot(vx, vy);

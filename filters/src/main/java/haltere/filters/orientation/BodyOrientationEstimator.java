@@ -208,7 +208,7 @@ public final class BodyOrientationEstimator {
       return false;
     }
     if (hadAxis && isAgainst(search.axis())) {
-      search.turnRound();
+      search.reverse();
     }
     return true;
   }
@@ -242,7 +242,7 @@ public final class BodyOrientationEstimator {
       if (each.used) {
         taken++;
         nisSum += each.nis;
-        noise.learn(each);
+        noise.update(each);
       }
     }
     nisCount += taken;
@@ -256,7 +256,7 @@ public final class BodyOrientationEstimator {
     double[] u = now.u();
     boolean isClear = now.variance() <= CLEAR_VARIANCE;
     if (hadAxis && isClear && wasClear && Vectors.dot(u, uBefore) < 0) {
-      head.turnRound(); // no body turns that fast
+      head.reverse(); // no body turns that fast
     }
     wasClear = isClear;
     uBefore = u;

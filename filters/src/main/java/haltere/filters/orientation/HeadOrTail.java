@@ -26,7 +26,7 @@ final class HeadOrTail {
   }
 
   /** Keeps the head when the axis is reversed. */
-  void turnRound() {
+  void reverse() {
     wayM = -wayM;
     sigmas = -sigmas;
     flipped = !flipped;

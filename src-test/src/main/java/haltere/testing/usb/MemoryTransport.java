@@ -71,7 +71,7 @@ final class MemoryTransport implements UsbTransport {
   }
 
   @Override
-  public byte[] ask(int request, int value, int index, int length) throws CameraProblem {
+  public byte[] query(int request, int value, int index, int length) throws CameraProblem {
     byte[] answer =
         control(
             new ControlRequest(ControlRequest.TO_HOST, request, value, index, length, new byte[0]));

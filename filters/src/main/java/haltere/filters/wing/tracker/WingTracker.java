@@ -75,7 +75,7 @@ public final class WingTracker {
     this.settings = settings;
     this.listener = listener;
     sensor = geometry;
-    search = TrackerParts.search(settings, geometry, recent, this::say);
+    search = TrackerParts.search(settings, geometry, recent, this::publish);
     fly = new TrackedFly(geometry, settings, listener);
     runs = new PolarityRuns(geometry);
     ticks.setRate(settings.output().rateHz());
@@ -109,7 +109,7 @@ public final class WingTracker {
    */
   public void apply(WingTrackerSettings changed) {
     if (TrackerParts.isOriginal(changed) != TrackerParts.isOriginal(settings)) {
-      search = TrackerParts.search(changed, sensor, recent, this::say);
+      search = TrackerParts.search(changed, sensor, recent, this::publish);
       search.startAt(publishedUs);
     }
     settings = changed;
@@ -294,7 +294,7 @@ public final class WingTracker {
     if (!begun) {
       begun = true;
       search.begin(timeUs, settings.search());
-      say(timeUs, Phase.COLLECTING, 0);
+      publish(timeUs, Phase.COLLECTING, 0);
     }
     FoundFly found = search.look(timeUs, settings.search());
     if (found != null) {
@@ -326,7 +326,7 @@ public final class WingTracker {
                 : fly.wings.count() == 2 ? Phase.TRACKING : Phase.ONE_WING;
     if (now != phase) {
       phase = now;
-      say(timeUs, now, recent.size());
+      publish(timeUs, now, recent.size());
       if (now == Phase.LOST) {
         fly.publishSnapshot(timeUs, now);
       }
@@ -334,13 +334,13 @@ public final class WingTracker {
     }
   }
 
-  private void say(long timeUs, Phase now, int events) {
+  private void publish(long timeUs, Phase now, int events) {
     FlyGeometry g = fly.wings.isTracked() ? fly.place.geometry() : null;
     double confidence = g == null ? Double.NaN : g.headTailConfidence();
-    say(WingTrackerState.of(timeUs, now, events, fly.wings.frequencyHz(), g, confidence));
+    publish(WingTrackerState.of(timeUs, now, events, fly.wings.frequencyHz(), g, confidence));
   }
 
-  private void say(WingTrackerState state) {
+  private void publish(WingTrackerState state) {
     if (state.phase() == Phase.TWO_MEANS) {
       steps.keySet().retainAll(CONDITIONS);
     } else if (CONDITIONS.contains(state.phase())) {

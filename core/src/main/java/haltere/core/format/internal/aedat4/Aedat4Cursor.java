@@ -144,7 +144,7 @@ final class Aedat4Cursor implements EventCursor {
   }
 
   private void openPacket() throws IOException, DamagedPacketException {
-    if (takeFromAhead()) {
+    if (takeDecodedAhead()) {
       count = slot.events().size();
     } else {
       decompressor.open(walk.payload(), walk.size());
@@ -155,7 +155,7 @@ final class Aedat4Cursor implements EventCursor {
   }
 
   /** Uses the packet if it is decoded already; starts the decoding thread if it is worthwhile. */
-  private boolean takeFromAhead() throws IOException {
+  private boolean takeDecodedAhead() throws IOException {
     if (ahead == null && !startAhead()) {
       return false;
     }

@@ -82,7 +82,7 @@ final class EventStreamWriter implements RecordingWriter {
           outside++;
           i++;
         } else {
-          goOnTo(times[i]);
+          advanceTo(times[i]);
         }
       }
       started |= i > 0;
@@ -90,7 +90,7 @@ final class EventStreamWriter implements RecordingWriter {
   }
 
   /** Writes time bytes until the rest fits in one byte. */
-  private void goOnTo(long timeUs) throws IOException {
+  private void advanceTo(long timeUs) throws IOException {
     long lastUs = writtenUs + baseUs;
     boolean back = timeUs < lastUs;
     if (back || timeUs - lastUs > MAX_LEAP_US || timeUs - lastUs < 0) {

@@ -85,7 +85,7 @@ final class Evt3Writer extends EvtWriter {
       int x = EventAddress.x(address);
       int y = top - EventAddress.y(address);
       if (x >= width || y < 0) {
-        leaveOut();
+        skip();
         i++;
         continue;
       }

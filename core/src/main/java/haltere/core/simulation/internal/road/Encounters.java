@@ -59,7 +59,7 @@ final class Encounters {
           case 3 -> speedChange(random);
           default -> cruise(random);
         };
-    if (drawn.size() == 2 && !drawn.get(0).keepsClearOf(drawn.get(1))) {
+    if (drawn.size() == 2 && !drawn.get(0).avoids(drawn.get(1))) {
       return drawn.subList(0, 1);
     }
     return drawn;

@@ -305,7 +305,7 @@ final class RoadPainter {
     Slice hit = null;
     for (int i = 0; i < slicesInRow; i++) {
       Slice slice = slices.get(i);
-      double range = slice.part.meetAcross(slice.middle, slice.enter, slice.leave, ray);
+      double range = slice.part.intersectAcross(slice.middle, slice.enter, slice.leave, ray);
       if (range < nearest) {
         nearest = range;
         hit = slice;
@@ -337,7 +337,7 @@ final class RoadPainter {
       List<PaintedBox> parts = mover.vehicle.parts;
       for (int p = 0; p < parts.size(); p++) {
         PaintedBox part = parts.get(p);
-        double range = part.meet(middle, near, ray);
+        double range = part.intersect(middle, near, ray);
         if (range < nearest) {
           nearest = range;
           hit = part;

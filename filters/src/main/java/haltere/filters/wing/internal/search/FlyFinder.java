@@ -76,11 +76,11 @@ final class FlyFinder {
     double byMeans =
         Math.atan2(means.secondY - means.firstY, means.secondX - means.firstX) + Math.PI / 2;
     double size = Math.hypot(means.firstX - means.secondX, means.firstY - means.secondY);
-    say(nowUs, Phase.TWO_MEANS, Double.NaN, Angles.wrapPi(byMeans), size);
+    publish(nowUs, Phase.TWO_MEANS, Double.NaN, Angles.wrapPi(byMeans), size);
     if (spectrum.explained < MIN_EXPLAINED) {
       return null;
     }
-    say(nowUs, Phase.BEAT, spectrum.frequencyHz, spectrum.axisRad, size);
+    publish(nowUs, Phase.BEAT, spectrum.frequencyHz, spectrum.axisRad, size);
     if (!fitBest(byMeans)) {
       return null;
     }
@@ -88,20 +88,20 @@ final class FlyFinder {
     StrokeSeed seed = fly.seeds()[fly.seeds()[0] != null ? 0 : 1];
     double beatHz = seed.omega() / (2 * Math.PI);
     FlyGeometry found = fly.geometry();
-    say(nowUs, Phase.HINGES, beatHz, found, Double.NaN);
-    say(nowUs, Phase.HEAD_AND_TAIL, beatHz, found, found.headTailConfidence());
+    publish(nowUs, Phase.HINGES, beatHz, found, Double.NaN);
+    publish(nowUs, Phase.HEAD_AND_TAIL, beatHz, found, found.headTailConfidence());
     return fly;
   }
 
   /** Reports a step before the hinges are found. */
-  private void say(long nowUs, Phase phase, double hz, double heading, double size) {
+  private void publish(long nowUs, Phase phase, double hz, double heading, double size) {
     double x = (means.firstX + means.secondX) / 2;
     double y = (means.firstY + means.secondY) / 2;
     FlyGeometry about = new FlyGeometry(x, y, heading, size, x, y, x, y, Double.NaN, nowUs);
-    say(nowUs, phase, hz, about, Double.NaN);
+    publish(nowUs, phase, hz, about, Double.NaN);
   }
 
-  private void say(long nowUs, Phase phase, double hz, FlyGeometry g, double confidence) {
+  private void publish(long nowUs, Phase phase, double hz, FlyGeometry g, double confidence) {
     steps.accept(WingTrackerState.of(nowUs, phase, sample.supportedCount, hz, g, confidence));
   }
 
@@ -194,7 +194,7 @@ final class FlyFinder {
       }
       if (pass == 0 && fitted[0] && fitted[1]) {
         // a hinge undetermined by the events of one wing follows from the other's
-        bodyLine.bring(fits, axis);
+        bodyLine.adjust(fits, axis);
       }
       StrokeFit first = fits[fitted[0] ? 0 : 1];
       StrokeFit second = fits[fitted[1] ? 1 : 0];
@@ -235,7 +235,7 @@ final class FlyFinder {
     StrokeFit first = fits[fitted[0] ? 0 : 1];
     StrokeFit second = fits[fitted[1] ? 1 : 0];
     double turn =
-        fitted[0] && fitted[1] && bodyLine.bring(fits, fittedAxis)
+        fitted[0] && fitted[1] && bodyLine.adjust(fits, fittedAxis)
             ? bodyLine.turnRad
             : (first.centre() - second.centre()) / 2;
     boolean flipped = first.asymmetry() + second.asymmetry() < 0;

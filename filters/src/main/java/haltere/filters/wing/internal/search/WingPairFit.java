@@ -36,7 +36,7 @@ final class WingPairFit {
    * Adjusts both fits, the wing counterclockwise of the axis first. False without a change if the
    * equations have no solution.
    */
-  boolean bring(StrokeFit[] fits, double axisRad) {
+  boolean adjust(StrokeFit[] fits, double axisRad) {
     Arrays.fill(moved, 0);
     for (int round = 0; round < ROUNDS; round++) {
       if (!improve(fits, axisRad)) {
