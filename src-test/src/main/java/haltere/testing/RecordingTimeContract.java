@@ -23,7 +23,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** What every file format keeps of times: seeking, stretches, and clocks that go back. */
+/** Contract of the times of every file format: seeking, ranges, and clocks that go back. */
 abstract class RecordingTimeContract extends TestedFormat {
   @Test
   void seekYieldsExactlyTheEventsFromTheGivenTime() throws IOException {

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 
-/** The contract finds each kind of filter that breaks it. */
+/** The contract detects each kind of violation. */
 class EventFilterContractTest {
   /** A filter without any state that lets everything through. */
   private static class KeepsTheContract implements EventFilter {

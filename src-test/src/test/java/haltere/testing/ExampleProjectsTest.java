@@ -146,7 +146,7 @@ class ExampleProjectsTest {
         """);
   }
 
-  /** What an expression finds in docs/embedding.md. */
+  /** Matches of an expression in docs/embedding.md. */
   private static List<String> embedding(String expression) throws IOException {
     List<String> found =
         Pattern.compile(expression, Pattern.DOTALL)

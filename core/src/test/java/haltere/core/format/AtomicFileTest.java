@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** An output file appears whole or not at all. */
+/** An output file appears complete or not at all. */
 class AtomicFileTest {
   @TempDir Path folder;
 

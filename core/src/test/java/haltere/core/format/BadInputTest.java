@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What is no recording is refused in one line that names it. */
+/** Files other than recordings are rejected in one line with their name. */
 class BadInputTest {
   private static final byte[] PNG = {
     (byte) 0x89,

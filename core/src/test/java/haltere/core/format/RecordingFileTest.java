@@ -13,7 +13,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** The bytes of a stream, which are read once. */
+/** Reading of streams, which cannot be reopened. */
 class RecordingFileTest {
   private static final int BYTES = 5_000_000;
   private static final int PIECE = 60_000;

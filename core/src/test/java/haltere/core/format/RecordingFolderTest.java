@@ -22,7 +22,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A folder is read as the recording that it holds. */
+/** Folders as recordings. */
 class RecordingFolderTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(64, 48);
 

@@ -26,7 +26,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import org.junit.jupiter.api.Test;
 
-/** What continues where a filter, a sink or a source fails. */
+/** Playback after a failure of a filter, a sink or a source. */
 class EngineFailuresTest {
   @Test
   void throwingFiltersAreDisabledAndPlaybackContinues() throws IOException {

@@ -18,7 +18,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What the stream says of jumps, restarts and losses. */
+/** Notifications of jumps, restarts and losses. */
 class EngineJumpsTest {
   @Test
   void clockRestartEndsTheSlice() throws IOException {

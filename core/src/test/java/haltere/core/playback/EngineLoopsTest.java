@@ -11,7 +11,7 @@ import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What the engine does at the ends of loops. */
+/** Playback at the ends of loops. */
 class EngineLoopsTest {
   @Test
   void loopRewindsFromItsOutPointToItsInPoint() throws IOException {

@@ -18,7 +18,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What is shown of a moment does not depend on how it was reached. */
+/** The display of a moment does not depend on its history. */
 class EngineMomentsTest {
   private static final long MEMORY_US = 400;
 
@@ -26,7 +26,7 @@ class EngineMomentsTest {
     return new EngineRig(recording(even(400)), byTime(100).withPaused(paused), MEMORY_US);
   }
 
-  /** What the chain has been told since it restarted. */
+  /** Elements that the chain has received since it restarted. */
   private static List<String> run(EngineRig rig) {
     return List.copyOf(rig.told.subList(rig.told.lastIndexOf("Reset SEEK"), rig.told.size()));
   }

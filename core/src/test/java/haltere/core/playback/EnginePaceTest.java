@@ -22,7 +22,7 @@ import java.util.Random;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 
-/** How fast the engine plays, and what it says when it cannot. */
+/** Pace of playback, and messages if it is too slow. */
 class EnginePaceTest {
   @Test
   void realTimePlaybackDoesNotDriftWithTheCostOfTheChain() throws IOException {

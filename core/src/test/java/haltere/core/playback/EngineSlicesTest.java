@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-/** How the engine cuts slices. */
+/** Division of the stream into slices. */
 class EngineSlicesTest {
   @Test
   void slicesOfTimeAreHalfOpenAndContinueThroughSilence() throws IOException {

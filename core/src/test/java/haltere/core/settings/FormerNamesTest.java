@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
-/** Settings that have other names than in an earlier version, or are no more. */
+/** Settings that were renamed or removed since an earlier version. */
 class FormerNamesTest {
   record Outer(@Help("A switch.") boolean on, Inner inner) {
     Outer {

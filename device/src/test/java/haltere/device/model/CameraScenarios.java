@@ -32,7 +32,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
-/** What a driver has to live through, whatever the bus: finding, asking, streaming, faults. */
+/** Scenarios of a driver on any bus: discovery, requests, streaming, faults. */
 abstract class CameraScenarios extends CameraBench {
   CameraScenarios(BusUnderTest on) {
     super(on);

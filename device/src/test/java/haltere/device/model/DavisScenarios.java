@@ -24,7 +24,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-/** What a DAVIS is told and what it tells, whatever the bus. */
+/** Scenarios of a DAVIS on any bus. */
 abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   private static final CameraOptions OPTIONS =
       new CameraOptions(4, 512, 64, WhenFull.DROP_NEWEST, true, false);

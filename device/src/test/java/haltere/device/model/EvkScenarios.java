@@ -16,7 +16,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import org.junit.jupiter.api.Test;
 
-/** What an EVK4 is told and what it tells, as far as it is known, whatever the bus. */
+/** Scenarios of an EVK4 on any bus, as far as its protocol is known. */
 abstract class EvkScenarios extends DeviceBench<EvkFirmware> {
   EvkScenarios(BusUnderTest on) {
     super(on);

@@ -16,7 +16,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-/** Cameras that are seen and cannot be used, and what is said of them. */
+/** Cameras without a driver, and the reasons listed for them. */
 class KnownCameraTest {
   /** A bus with devices that nobody may touch. */
   private static UsbBus busWith(UsbDevice... devices) {

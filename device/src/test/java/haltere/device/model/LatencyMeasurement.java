@@ -55,7 +55,7 @@ final class LatencyMeasurement implements StreamHandler {
   private volatile long firstMeasured = Long.MAX_VALUE;
   private volatile boolean ended;
 
-  /** What the chain takes for a batch, a mean of the latest. */
+  /** Running mean of the chain's time for a batch. */
   private volatile long workNanos;
 
   private volatile long collectedBeforeMs;
@@ -227,7 +227,7 @@ final class LatencyMeasurement implements StreamHandler {
         .sum();
   }
 
-  /** What each thread has allocated since it began. */
+  /** Bytes allocated by each thread since its start. */
   private static void allocations() {
     var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
     for (ThreadInfo thread : threads.getThreadInfo(threads.getAllThreadIds())) {

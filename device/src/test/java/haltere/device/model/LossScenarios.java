@@ -42,7 +42,7 @@ import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Loss, unplugging, coming back, closing, whatever the bus: every event is accounted for. */
+/** Scenarios of loss, unplugging, reconnection and closing: every event is accounted for. */
 abstract class LossScenarios extends CameraBench {
   LossScenarios(BusUnderTest on) {
     super(on);

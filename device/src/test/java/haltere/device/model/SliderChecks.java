@@ -11,7 +11,7 @@ import haltere.core.settings.Parameter;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** What holds for the sliders of every camera. */
+/** Properties of the sliders of every camera. */
 final class SliderChecks {
   private static final int STEPS = 20;
 

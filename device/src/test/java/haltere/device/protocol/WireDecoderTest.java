@@ -13,7 +13,7 @@ import java.util.Random;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 
-/** What holds for the decoders of words of 16 bits, whatever comes. */
+/** Properties of the decoders of 16-bit words on arbitrary input. */
 class WireDecoderTest {
   private static final DavisLayout DAVIS = new DavisLayout(346, 260, false, 0, 0, false, false);
   private static final DavisLayout TURNED = new DavisLayout(180, 240, true, 7, 7, true, true);

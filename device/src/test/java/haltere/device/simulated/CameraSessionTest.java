@@ -34,7 +34,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What is recorded from cameras that come and go, and how their clocks relate. */
+/** Recordings of cameras that are unplugged and reconnected, and the relation of their clocks. */
 @Timeout(60)
 class CameraSessionTest {
   private static final long MS = 1_000_000;

@@ -16,7 +16,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What waits for a consumer, for how long, and who does the work of the bus meanwhile. */
+/** Buffers that wait for a consumer, and the thread that handles bus events meanwhile. */
 @Timeout(60)
 class ReceivedBuffersTest {
   private static final int WAITING = 64;

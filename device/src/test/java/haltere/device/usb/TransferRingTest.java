@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What becomes of transfers that end in ways that no emulated bus shows. */
+/** Transfers that end in ways that the emulated buses do not produce. */
 @Timeout(60)
 class TransferRingTest {
   private static final int TRANSFERS = 4;

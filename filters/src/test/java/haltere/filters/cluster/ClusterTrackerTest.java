@@ -13,7 +13,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** What each setting does to blobs of known position, size and motion. */
+/** Effects of settings on blobs of known position, size and motion. */
 class ClusterTrackerTest {
   private static final BlobPath CIRCLE = new BlobPath(64, 64, 30, 1_000_000, 6);
   private static final BlobPath STILL = new BlobPath(64, 64, 0, 1_000_000, 6);
@@ -87,7 +87,7 @@ class ClusterTrackerTest {
     assertEquals(Math.sqrt(0.1), less / alike, 0.1);
   }
 
-  /** How far the centre of what stands still wanders, root of the mean square, pixels. */
+  /** RMS deviation of the position of a stationary blob, pixels. */
   private static double scatter(EventPacket events, String... changes) {
     String[] all = java.util.Arrays.copyOf(changes, changes.length + 2);
     all[changes.length] = "motion.mixingFactor=0.2";

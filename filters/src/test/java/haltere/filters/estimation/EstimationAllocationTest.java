@@ -9,7 +9,7 @@ import haltere.testing.Allocation;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
 
-/** What runs for each event, or for each measurement, leaves nothing to be collected. */
+/** Updates per event or per measurement allocate no memory. */
 class EstimationAllocationTest {
   private static final int STEPS = 500;
 

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Every estimator is as sure as it says, on data drawn from its own model. */
+/** Every estimator is consistent on data of its own model. */
 class EstimatorConsistencyTest {
   private static final int RUNS = 200;
   private static final int STEPS = 60;

@@ -9,7 +9,7 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 import org.junit.jupiter.api.Test;
 
-/** The kernel does what the equations in matrices say. */
+/** The kernel matches the matrix equations. */
 class GaussianStateTest {
   private static GaussianState drawn(Draws draws, int n) {
     GaussianState state = new GaussianState(n);

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** After ten million updates a covariance is still one, whatever the ratio of the noises. */
+/** Covariances stay positive definite over ten million updates for any ratio of noises. */
 class PositiveCovarianceTest {
   private static final int STEPS = 10_000_000;
   private static final double DT_S = 1e-3;

@@ -20,12 +20,12 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
-/** The time of support that is chosen from the noise. */
+/** The support time selected from the noise. */
 class AutomaticSupportTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(128, 128);
   private static final BackgroundActivitySettings AUTOMATIC = BackgroundActivitySettings.defaults();
 
-  /** What becomes of a scene. */
+  /** Result of a scene. */
   private record Run(
       double keptOfObjects, double keptOfNoise, List<BackgroundActivityShare> shares) {}
 

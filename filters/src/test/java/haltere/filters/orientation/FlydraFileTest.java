@@ -28,7 +28,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Lines that were found already are read from HDF5 as Flydra writes it. */
+/** Detected lines are read from HDF5 files of Flydra. */
 class FlydraFileTest {
   /** The flight of the files that make.py made. */
   private static final FlightScene SCENE =

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
-/** Settings of the wing tracker as files have them. */
+/** Settings of the wing tracker in files. */
 class WingTrackerSettingsTest {
   @Test
   void formerNamesOfPositionSettingsAreRead() {

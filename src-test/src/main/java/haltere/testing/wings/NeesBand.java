@@ -58,7 +58,7 @@ record NeesBand(double min, double max) {
     return nees >= min && nees <= max;
   }
 
-  /** How many of the scenes are within it. */
+  /** Number of scenes within the band. */
   int count(List<NormalisedErrors[]> scenes) {
     return (int) scenes.stream().filter(s -> contains(NormalisedErrors.meanSquare(s))).count();
   }

@@ -101,7 +101,7 @@ public final class WingEvaluation {
             "hertz");
   }
 
-  /** What is beyond the picture stands at its upper edge. */
+  /** Draws values beyond the picture at its upper edge. */
   private static void dots(SvgPlot plot, List<Result> results, ToDoubleFunction<Result> value) {
     for (boolean manoeuvres : new boolean[] {false, true}) {
       List<Result> kind =

@@ -36,7 +36,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
-/** The arrows of docs/architecture.md. A rule that stands in the way is discussed, not deleted. */
+/** The dependency rules of docs/architecture.md. Discuss a rule before you delete it. */
 class ArchitectureTest {
   private static final String INTERNAL = "haltere..internal..";
 

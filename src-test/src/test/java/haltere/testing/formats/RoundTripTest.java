@@ -43,7 +43,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class RoundTripTest {
   private static final Pattern LEFT_OUT = Pattern.compile("^(\\d+) events? .* left out");
 
-  /** What writers of text say, whose readers take rows to count from the top. */
+  /** Warning of text writers, whose readers count rows from the top. */
   private static final String ROWS_UP =
       "rows count from the bottom, as in the source; most programs, including this one, read text"
           + " from the top: use --origin top for these";
@@ -62,7 +62,7 @@ class RoundTripTest {
     return folder.resolve("recording-" + files++ + "." + format);
   }
 
-  /** What became of a recording: all empty if the writer refused it. */
+  /** Written recording and its warnings; empty if the writer rejected it. */
   private record Written(Path file, Optional<List<String>> warnings) {}
 
   private Written convert(RecordingReader from, String to, Conversion conversion)
@@ -127,7 +127,7 @@ class RoundTripTest {
     }
   }
 
-  /** How many events the writer says that it could not hold. */
+  /** Number of events that the writer reported as skipped. */
   private static long leftOut(List<String> losses) {
     return losses.stream()
         .map(LEFT_OUT::matcher)
@@ -266,7 +266,7 @@ class RoundTripTest {
     }
   }
 
-  /** What a chain that sees nothing else leaves of events, which stay as they are. */
+  /** Events that a new chain passes; the originals are unchanged. */
   private static EventPacket filtered(SensorGeometry sensor, EventPacket events) {
     EventPacket left = EventPackets.copy(events);
     FilterChain chain = chain(sensor);

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A build that is started with a Java that Gradle does not run on says so in one line. */
+/** A Java version that Gradle does not support is reported in one line. */
 class BuildJavaTest {
   @TempDir Path folder;
 

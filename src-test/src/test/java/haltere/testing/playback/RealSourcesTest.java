@@ -30,7 +30,7 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The player over what readers and scenes really give. */
+/** The player on recordings and scenes. */
 @Timeout(60)
 class RealSourcesTest {
   /** Order-sensitive digest of all events, with the grammar checked on the way. */

@@ -41,7 +41,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A recording job on two threads writes what it writes on one, and leaves no thread behind. */
+/** A recording job on two threads writes the same files as on one, and ends its threads. */
 @Timeout(120)
 class JobOnTwoThreadsTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(128, 128);

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Errors over the phase of a stroke are distinguished by what makes them. */
+/** Errors over the phase of a stroke are separated by cause. */
 class PhaseErrorsTest {
   @Test
   void constantAmplitudeDelayAndRemainderErrorsAreSeparated() {

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.simulation.internal.fly.RenderedFlySceneSettings;
 import org.junit.jupiter.api.Test;
 
-/** The flies that the wing tracker is evaluated on. */
+/** Random flies for the evaluation of the wing tracker. */
 class RenderedFliesTest {
   @Test
   void everySeedGivesAValidFlyWithAMembraneAboveThePixelThreshold() {

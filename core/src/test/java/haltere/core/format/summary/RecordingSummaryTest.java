@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What a recording holds, in numbers. */
+/** Summary of a recording: counts, times and rates. */
 class RecordingSummaryTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(240, 180);
 

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Round numbers on axes. */
+/** Ticks at round numbers. */
 class TicksTest {
   @Test
   void ticksAreRound() {

@@ -148,7 +148,7 @@ class ZeroMqLinesTest {
     }
   }
 
-  /** What peers say that ends in a frame of 2 GB, or is too long in another way. */
+  /** Bytes of peers that end in a frame of 2 GB, or are too long in another way. */
   @ParameterizedTest
   @ValueSource(
       strings = {

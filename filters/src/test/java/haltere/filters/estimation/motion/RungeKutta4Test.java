@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The comparison of integrators in the report that the worked examples come from. */
+/** The comparison of integrators by Casper (2012). */
 class RungeKutta4Test {
   /** How many steps depends on where the motion starts, so the start is part of the statement. */
   @ParameterizedTest

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What is no fly, or no whole one, ends in a stated condition, and wings are found again. */
+/** Inputs without a complete fly lead to a stated phase, and wings are found again. */
 class WingBadInputTest {
   private static final String STEADY = "disturbances.manoeuvres.everyS=0";
 

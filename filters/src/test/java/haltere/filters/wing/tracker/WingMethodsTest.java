@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the settings of the methods do. */
+/** Effects of the settings of the methods. */
 class WingMethodsTest {
   private static final String STEADY = "disturbances.manoeuvres.everyS=0";
   private static final String EVEN = "stroke.beat.frequencySdHz=0";

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the wing tracker publishes does not depend on the number of threads. */
+/** Results of the wing tracker do not depend on the number of threads. */
 @Timeout(120)
 class WingThreadsTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(128, 128);

@@ -27,7 +27,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-/** AEDAT-2.0 keeps the contract of all formats, and what it writes jAER can read. */
+/** AEDAT-2.0 keeps the contract of all formats, and jAER reads its files. */
 class Aedat2FormatTest extends RecordingFormatContract {
   private static final SensorGeometry DAVIS346 = new SensorGeometry(346, 260);
 

@@ -150,7 +150,7 @@ class AedatFuzzTest {
         });
   }
 
-  /** As the oldest files: no camera named and no end line. */
+  /** Header of the oldest files: no camera and no end line. */
   private static byte[] bareAedat2(long seed) {
     AedatFile bytes = AedatFile.version2().text("# Timestamps tick is 1 us\r\n");
     EventPacket events = events(DVS128, seed);

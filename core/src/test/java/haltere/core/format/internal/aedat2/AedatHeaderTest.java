@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Headers as they are found in the wild, and where the records behind them start. */
+/** Headers of existing files, and the start of the records behind them. */
 class AedatHeaderTest {
   @TempDir Path folder;
 

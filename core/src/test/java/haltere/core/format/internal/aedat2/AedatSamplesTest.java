@@ -47,7 +47,7 @@ class AedatSamplesTest {
     return APS | y << 22 | x << 12 | (signal ? SIGNAL : 0) | value;
   }
 
-  /** What a pixel is worth in the frames of these tests. */
+  /** Value of a pixel in the frames of these tests. */
   private static int brightness(int x, int y) {
     return (x * 3 + y) % 500;
   }

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Which camera a file is from, and what of its words are events. */
+/** The camera of a file, and the words that are events. */
 class AedatSensorTest {
   private static final SensorGeometry DVS128 = new SensorGeometry(128, 128);
   private static final SensorGeometry DAVIS240 = new SensorGeometry(240, 180);

@@ -43,7 +43,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Samples come back from AEDAT-4 as they were written. */
+/** Samples are read back from AEDAT-4 unchanged. */
 class Aedat4SamplesTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(24, 17, Origin.TOP);
   private static final WriteOptions ALL =

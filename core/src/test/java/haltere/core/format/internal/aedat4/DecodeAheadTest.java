@@ -25,7 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** With a thread that helps to decompress, a recording gives the same events. */
+/** Decoding ahead on a second thread yields the same events. */
 class DecodeAheadTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(346, 260, Origin.TOP);
   private static final int PACKETS = 60;

@@ -31,7 +31,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Seeking by the table of packets leads where seeking by a look at every event leads. */
+/** Seeking by the packet table equals seeking by reading all events. */
 class PacketTableTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(346, 260, Origin.TOP);
   private static final int TABLE_POSITION = Aedat4Header.TABLE_POSITION_OFFSET;

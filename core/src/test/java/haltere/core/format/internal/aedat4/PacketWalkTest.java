@@ -13,7 +13,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The way from packet to packet through a damaged file. */
+/** Search for packets in a damaged file. */
 class PacketWalkTest {
   private static final int PACKETS = 20_000;
 

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The reader of a bag names how the messages with events are compressed. */
+/** The reader of a bag states the compression of its event messages. */
 class BagCompressionTest {
   @TempDir Path folder;
 

@@ -10,7 +10,7 @@ import net.jpountz.lz4.LZ4Compressor;
 import net.jpountz.lz4.LZ4Factory;
 import org.junit.jupiter.api.Test;
 
-/** Blocks of LZ4, with native code and without, and what damaged ones must not do. */
+/** LZ4 blocks with and without native code, also damaged ones. */
 class Lz4CodecTest {
   private static final int BYTES = 4_000;
   private static final int MARGIN = 64;

@@ -31,7 +31,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** DAT keeps the contract of all formats and says what its clock cannot hold. */
+/** DAT keeps the contract of all formats and reports times beyond its clock. */
 class DatFormatTest extends RecordingFormatContract {
   private static final SensorGeometry GEN4 = new SensorGeometry(1280, 720, Origin.TOP);
 

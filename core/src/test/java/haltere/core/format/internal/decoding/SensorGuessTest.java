@@ -15,7 +15,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The size of a sensor that nobody states. */
+/** Guess of an unstated sensor size. */
 class SensorGuessTest {
   private static final int EVENTS = 1_100_000;
 

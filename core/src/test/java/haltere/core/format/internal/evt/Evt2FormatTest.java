@@ -12,7 +12,7 @@ import java.nio.ByteOrder;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** EVT2 keeps the contract of RAW files, and its words mean what Prophesee says. */
+/** EVT2 keeps the contract of RAW files and matches Prophesee's specification. */
 class Evt2FormatTest extends EvtContract {
   @Override
   protected RecordingFormat format() {

@@ -21,7 +21,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** EVT3 keeps the contract of RAW files, and its words mean what Prophesee says. */
+/** EVT3 keeps the contract of RAW files and matches Prophesee's specification. */
 class Evt3FormatTest extends EvtContract {
   @Override
   protected RecordingFormat format() {

@@ -31,7 +31,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** What the three encodings of RAW files keep. */
+/** Contract of the three encodings of RAW files. */
 abstract class EvtContract extends RecordingFormatContract {
   static final SensorGeometry GEN3 = new SensorGeometry(640, 480, Origin.TOP);
   static final SensorGeometry GEN4 = new SensorGeometry(1280, 720, Origin.TOP);
@@ -252,7 +252,7 @@ abstract class EvtContract extends RecordingFormatContract {
     assertTrue(refused.getMessage().contains("EVT4"), refused.getMessage());
   }
 
-  /** As a camera does: words in any order, cut at any place, with any size of packets. */
+  /** Decodes words in any order, truncated anywhere, with any packet size. */
   @Test
   void eventsOfArbitraryBytesDoNotDependOnPacketSizes() throws IOException {
     for (long seed = 0; seed < 40; seed++) {

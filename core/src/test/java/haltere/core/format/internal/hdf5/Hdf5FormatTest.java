@@ -34,7 +34,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** HDF5 keeps the contract of all formats, whoever laid the events out and however compressed. */
+/** HDF5 keeps the contract of all formats for all layouts and compressions. */
 class Hdf5FormatTest extends RecordingFormatContract {
   private static final SensorGeometry SENSOR = new SensorGeometry(346, 260);
   private static final int THEIRS = 300;
@@ -106,7 +106,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
     return file;
   }
 
-  /** What all of those files hold. */
+  /** Content of all of these files. */
   private static EventPacket theirEvents() {
     EventPacket events = new EventPacket(THEIRS);
     for (int i = 0; i < THEIRS; i++) {

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The index that is kept beside a recording if the user asks. */
+/** The index stored beside a recording on request. */
 class KeptIndexTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(240, 180, Origin.TOP);
   private static final ReadOptions KEEP = ReadOptions.DEFAULT.withKeptIndex(true);

@@ -23,7 +23,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** N-MNIST keeps the contract of all formats as far as files without a mark can. */
+/** N-MNIST keeps the contract of all formats as far as files without a signature can. */
 class NmnistFormatTest extends RecordingFormatContract {
   private static final SensorGeometry CALTECH = new SensorGeometry(240, 180, Origin.TOP);
 

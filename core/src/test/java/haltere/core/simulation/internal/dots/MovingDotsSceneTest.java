@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The dots keep to their paths and their events to the dots. */
+/** Dots follow their paths, and events lie on the dots. */
 class MovingDotsSceneTest {
   private static MovingDotsSettings quiet(String... assignments) {
     return MovingDotsSettings.defaults()

@@ -10,7 +10,7 @@ import haltere.core.simulation.SceneRuns;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The body flies as a body does, and all cameras see the same flight. */
+/** The flight is realistic, and all cameras see the same one. */
 class FlightSceneTest {
   private static FlightScene scene(String... assignments) {
     return new FlightScene(FlightSettings.defaults().with(assignments));

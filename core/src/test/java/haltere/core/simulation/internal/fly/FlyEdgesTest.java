@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Where the events of the fly's wings are, held against where the truth has their edges. */
+/** Positions of wing events compared with the true edges. */
 class FlyEdgesTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, 1.0, 2.5, 4.4})

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The fly as a stream of events. */
+/** The event stream of the fly scene. */
 class FlySceneTest {
   private static final StreamHandler NOBODY =
       new StreamHandler() {

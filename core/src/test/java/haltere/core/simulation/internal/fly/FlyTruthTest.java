@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The truth about the fly keeps its definitions. */
+/** The truth of the fly matches its definitions. */
 class FlyTruthTest {
   private static final String[] STEADY = {
     "stroke.beat.frequencySdHz=0", "stroke.beat.amplitudeSdRad=0"

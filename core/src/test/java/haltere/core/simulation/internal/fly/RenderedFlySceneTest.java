@@ -277,7 +277,7 @@ class RenderedFlySceneTest {
     assertTrue(slow > fast + 0.02, slow + " " + fast);
   }
 
-  /** How far OFF events of the left wing are behind its leading edge in mid stroke, radians. */
+  /** Mean lag of OFF events behind the left leading edge in mid stroke, radians. */
   private static double meanLag(String assignment) {
     RenderedFlyScene scene =
         pure(

@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The published waveforms have the numbers they were published with. */
+/** The published waveforms have their published figures. */
 class StrokeWaveformTest {
   @ParameterizedTest
   @CsvSource({

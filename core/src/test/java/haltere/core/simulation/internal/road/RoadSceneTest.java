@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The road as a stream of events. */
+/** The event stream of the road scene. */
 class RoadSceneTest {
   private static final StreamHandler NOBODY =
       new StreamHandler() {

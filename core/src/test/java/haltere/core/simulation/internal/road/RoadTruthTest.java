@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The truth about the vehicles: geometry, speeds and what they do. */
+/** The truth of the vehicles: geometry, speeds and manoeuvres. */
 class RoadTruthTest {
   private static final String[] NOTHING_BUT = {
     "traffic.encounters.cruise=0",

@@ -8,7 +8,7 @@ import haltere.core.simulation.SceneRuns;
 import haltere.core.simulation.internal.fly.FlySceneSettings;
 import org.junit.jupiter.api.Test;
 
-/** Noise has the rates of its settings, within what chance allows. */
+/** Noise has the configured rates, within statistical bounds. */
 class BackgroundNoiseTest {
   private static final int PIXELS = 128 * 128;
 

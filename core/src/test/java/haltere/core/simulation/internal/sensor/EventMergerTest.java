@@ -9,7 +9,7 @@ import haltere.core.simulation.RunSettings;
 import haltere.core.simulation.SceneRuns;
 import org.junit.jupiter.api.Test;
 
-/** From changes to a stream in order of time. */
+/** Merging of pixel events into an ordered stream. */
 class EventMergerTest {
   private static final SensorSettings SENSOR = new SensorSettings(128, 128);
 

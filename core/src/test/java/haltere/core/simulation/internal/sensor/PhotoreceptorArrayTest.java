@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A pixel that low-passes the photocurrent, against the formulas of its model. */
+/** A pixel that low-passes the photocurrent, compared with its model equations. */
 class PhotoreceptorArrayTest {
   private static final double TAU_US = 100;
   private static final double THRESHOLD = 0.2;

@@ -8,7 +8,7 @@ import haltere.core.simulation.RunSettings;
 import haltere.core.simulation.SceneRuns;
 import org.junit.jupiter.api.Test;
 
-/** A pixel against the formulas of its model. */
+/** A pixel compared with its model equations. */
 class PixelArrayTest {
   private static final double TAU_US = 100;
   private static final double BANDWIDTH_HZ = 1e6 / (2 * Math.PI * TAU_US);

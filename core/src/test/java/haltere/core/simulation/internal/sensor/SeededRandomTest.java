@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 
-/** The random numbers of scenes, and the functions from tables beside them. */
+/** Random numbers of scenes, and tabulated functions. */
 class SeededRandomTest {
   @Test
   void numbersAreReproducibleForSeedAndPurpose() {

@@ -29,7 +29,7 @@ class TunableSceneTest {
         .filter(name -> Scenes.named(name).create(List.of()) instanceof TunableScene<?>);
   }
 
-  /** What a scene makes with a change in the middle. */
+  /** Events of a scene with a change in the middle. */
   private static StreamRecorder run(String name, UnaryOperator<SensorTuning> change)
       throws IOException {
     TunableScene<?> scene = (TunableScene<?>) Scenes.named(name).create(List.of());

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What docs/estimation.md says of its two examples. */
+/** Statements of docs/estimation.md about its two examples. */
 class WorkedExamplesTest {
   private static final int RUNS = 100;
 

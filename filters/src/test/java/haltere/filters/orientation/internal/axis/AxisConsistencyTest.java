@@ -13,7 +13,7 @@ import java.util.SplittableRandom;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
 
-/** On data drawn from its own model the filter is as sure as it says. */
+/** The filter is consistent on data of its own model. */
 class AxisConsistencyTest {
   private static final int RUNS = 200;
   private static final int STEPS = 60;

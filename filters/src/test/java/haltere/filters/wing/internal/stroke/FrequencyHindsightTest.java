@@ -11,7 +11,7 @@ class FrequencyHindsightTest {
   private static final double SECONDS = 1;
   private static final double OMEGA = 2 * Math.PI * 200;
 
-  /** What the filter thinks its frequency is off by, radians a second. */
+  /** Stated deviation of the filter's frequency, radians a second. */
   private static final double SD = 2;
 
   /** A flight whose angular frequency changes evenly, and what a filter says of it. */

@@ -19,7 +19,7 @@ class StrokeEkfTest {
     return filter;
   }
 
-  /** What an event of an edge measures, written out plainly. */
+  /** Measurement equation of an event of an edge, written out. */
   private static double measured(double[] x, int edge) {
     double phase = edge < 0 ? x[2] - x[3] * x[5] : x[2];
     double angle = x[0] + x[1] * Math.sin(phase);
