@@ -86,14 +86,14 @@ class FramesOnlyTest {
   }
 
   @Test
-  void durationIsFromTheFirstToTheLastFrame() throws IOException {
+  void itLastsFromTheFirstToTheLastFrame() throws IOException {
     try (RecordingPlayable playable = playable()) {
       assertEquals((FRAMES - 1) * BETWEEN_US + 1, playable.durationUs().orElseThrow());
     }
   }
 
   @Test
-  void framesAreDeliveredInTheSliceOfTheirTime() throws IOException {
+  void framesComeInTheSliceOfTheirTime() throws IOException {
     Log log = new Log();
     EngineRig rig = rig(log);
     rig.ask(new PlaybackCommand.Play(true));
@@ -107,7 +107,7 @@ class FramesOnlyTest {
   }
 
   @Test
-  void seekAndStepsDeliverTheFramesOfTheirSlices() throws IOException {
+  void aSoughtMomentAndStepsGiveTheFramesOfTheirSlices() throws IOException {
     Log log = new Log();
     EngineRig rig = rig(log);
     rig.run();

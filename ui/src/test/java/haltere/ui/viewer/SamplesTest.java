@@ -36,7 +36,7 @@ class SamplesTest {
   }
 
   @Test
-  void frameOfARecordingWithoutEventsIsDrawn() {
+  void theOnlyFrameOfARecordingWithoutEventsIsDrawn() {
     Path file = Recorded.file("gray16-frame.aedat4");
     viewer.run(() -> viewer.window.context().sessions().open(file, ReadOptions.DEFAULT));
     // of 2 by 2 pixels with 10 bits, in 16, the right lower one alone is bright
@@ -76,7 +76,7 @@ class SamplesTest {
   }
 
   @Test
-  void framesAreDrawnBelowEventsEvenAfterASeekAndCanBeHidden() {
+  void framesLieBelowTheEventsAlsoAfterAJumpAndCanBeSwitchedOff() {
     viewer.waitFor(
         "the switch of frames", () -> viewer.onFx(viewer.node("frames", Node.class)::isVisible));
     viewer.waitFor("a frame", () -> brightness() > 0.15);
@@ -89,7 +89,7 @@ class SamplesTest {
   }
 
   @Test
-  void bothPicturesOfAComparisonShowFrames() {
+  void bothPicturesOfAComparisonHaveTheFrames() {
     viewer.run(() -> viewer.window.context().actions().run("compare"));
     viewer.waitFor("a second picture", () -> viewer.isThere("second-event-view"));
     viewer.waitFor("its frame", () -> brightness("second-event-view") > 0.15);
@@ -102,7 +102,7 @@ class SamplesTest {
   }
 
   @Test
-  void inertialSamplesArePlottedAsCurvesOfThreeAxes() {
+  void inertialSamplesAreCurvesOfThreeAxes() {
     viewer.run(() -> viewer.window.context().actions().run("show-plots"));
     viewer.run(() -> viewer.window.context().panels().plots().addLane(InertialFeed.ACCELERATION));
     viewer.waitFor(
@@ -116,7 +116,7 @@ class SamplesTest {
   }
 
   @Test
-  void triggersAreLabelledInThePictureAndListed() {
+  void triggersAreNamedOverThePictureAndListed() {
     viewer.waitFor(
         "the facts",
         () ->
