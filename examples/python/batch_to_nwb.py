@@ -4,21 +4,21 @@
 Usage:
     batch_to_nwb.py BATCH OUT [--recordings FOLDER] [--haltere PROGRAM] [--session-start ISO-TIME]
 
-BATCH is the folder that `haltere batch --out` wrote, with tables in CSV or Parquet. OUT gets one NWB file for each
-recording in it. Needs pynwb 4; for tables in Parquet also pyarrow.
+BATCH is the results folder of `haltere batch --out`, with tables in CSV or Parquet. One NWB file for each recording is
+written to OUT. Requires pynwb 4, and pyarrow for tables in Parquet.
 
-What goes where:
+Content of a file:
 - Each table is a processing module named after its stage and outlet. Each numeric column is a TimeSeries with its
   unit, one for each object, edge, side or lane that the table has: `left-leading angle_rad`.
 - With --recordings (the input folder of the batch), the camera's events are an EventsTable `camera_events` with the
   columns timestamp, x, y and on; `haltere convert` reads them.
 - Chain, program, source checksum and the offset of the clock are in the file's notes.
 
-Times in NWB count from the start of the session. The first time in the results (or events) of a recording is that
-start. Its date is --session-start; otherwise the recording's own clock where that counts from 1970, and otherwise the
-time at which the recording was last changed.
+Times in NWB count from the start of the session, which is the first time in the results (or events) of a recording. Its
+date is --session-start; by default that of the recording's clock if it counts from 1970, else the modification time of
+the recording.
 
-Each file is checked by pynwb's validator; the status is 1 if one is not valid.
+pynwb's validator checks each file; the exit status is 1 if one is invalid.
 """
 
 import argparse
@@ -36,7 +36,7 @@ from pynwb.event import EventsTable
 
 TIMES = ("t_us", "time_us")
 KEYS = ("id", "edge", "side", "lane", "object", "camera")
-UNITS = (  # as column names end; the longer ones first
+UNITS = (  # by the ending of a column name, the longest first
     ("_rad2_per_s2", "radians^2/second^2"), ("_rad2_per_s", "radians^2/second"), ("_rad2", "radians^2"),
     ("_rad_s", "radians/second"), ("_rad", "radians"), ("_px_s", "pixels/second"), ("_px", "pixels"),
     ("_m_s", "meters/second"), ("_km_h", "kilometers/hour"), ("_m", "meters"), ("_hz", "hertz"),
@@ -46,7 +46,7 @@ YEAR_2001_US = 978_307_200_000_000
 
 
 def read_table(path):
-    """The columns of a table by name, in order: numbers as float64 with NaN for empty fields, times as int64, texts."""
+    """Columns of a table by name, in order: numbers as float64 with NaN for empty fields, times as int64, texts."""
     if path.suffix == ".parquet":
         import pyarrow.parquet
 
@@ -74,7 +74,7 @@ def unit(name):
 
 
 def groups(columns):
-    """Rows of each key, such as an edge of a wing: (name, row numbers)."""
+    """Names and row indices of each key, such as an edge of a wing."""
     key = next((name for name in KEYS if name in columns), None)
     if key is None:
         return [("", slice(None))]
@@ -117,7 +117,7 @@ def add_events(nwb, events, offset_us):
             pynwb.core.VectorData(name="x", description="Column of the pixel.", data=events["x"]),
             pynwb.core.VectorData(name="y", description="Row of the pixel, as the recording counts.", data=events["y"]),
             pynwb.core.VectorData(
-                name="on", description="True where it became brighter.", data=events["p"].astype(bool)),
+                name="on", description="True if the light at the pixel rose.", data=events["p"].astype(bool)),
         ])
     nwb.add_events_table(table)
 
@@ -161,7 +161,7 @@ def convert(folder, out, recordings, haltere, given_start):
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("batch", type=pathlib.Path, help="what haltere batch --out wrote")
+    parser.add_argument("batch", type=pathlib.Path, help="results folder of haltere batch")
     parser.add_argument("out", type=pathlib.Path, help="folder of the NWB files")
     parser.add_argument("--recordings", type=pathlib.Path, help="input folder of the batch, for the events")
     parser.add_argument("--haltere", default="haltere", help="the program, for the events")

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Plots what `haltere wings` found: stroke angle, amplitude and frequency of both wings over time.
+"""Plots a table of `haltere wings`: stroke angle, amplitude and frequency of both wings over time.
 
 Usage:
     plot_wings.py WINGS.csv|WINGS.parquet PICTURE.png [--from S] [--to S]
 
-Needs matplotlib; for Parquet also pyarrow. The cells (# %%) run one by one in Jupyter, Spyder and VS Code.
+Requires matplotlib, and pyarrow for Parquet. The cells (# %%) run one by one in Jupyter, Spyder and VS Code.
 """
 
 # %% Read the table
@@ -32,14 +32,14 @@ else:
         rows = list(csv.DictReader(file))
 first_us = min(int(row["t_us"]) for row in rows)
 
-# %% Rows of each wing in the chosen stretch of time
+# %% Rows of each wing in the selected time range
 wings = {"left": [], "right": []}
 for row in rows:
     seconds = (int(row["t_us"]) - first_us) * 1e-6
     if row["edge"] in wings and options.start <= seconds <= options.end:
         wings[row["edge"]].append((seconds, row))
 
-# %% Plot: an empty field (null) is not known and leaves a gap
+# %% Plot: an empty field (null) is unknown and leaves a gap
 panels = [("angle_rad", "stroke angle (rad)"), ("amplitude_rad", "amplitude (rad)"), ("frequency_hz", "frequency (Hz)")]
 figure, axes = plt.subplots(len(panels), 1, sharex=True, figsize=(10, 7), layout="constrained")
 for axis, (column, label) in zip(axes, panels):

@@ -7,11 +7,11 @@ import haltere.core.sink.TableSink;
 import java.io.IOException;
 
 /**
- * Tables in Apache Parquet: the columns of CSV, each with its type. Integers are INT64 or INT32,
- * floating-point numbers DOUBLE or FLOAT in full, truth values BOOLEAN, texts and enum constants
- * STRING. What is an empty field in CSV is null. The file's metadata has the units of the columns
- * ({@code haltere.units}, a JSON object) and the entries of {@link TableMetadata}. The same rows
- * and entries give the same bytes.
+ * Table format Apache Parquet: the columns of CSV with their types. Integers are INT64 or INT32,
+ * floating-point numbers DOUBLE or FLOAT in full precision, booleans BOOLEAN, texts and enum
+ * constants STRING. An empty field of CSV is null. The metadata of the file contain the units of
+ * the columns ({@code haltere.units}, a JSON object) and the entries of {@link TableMetadata}. The
+ * same rows and entries give the same bytes.
  *
  * <p>Thread rule: all methods may be called from any thread.
  */

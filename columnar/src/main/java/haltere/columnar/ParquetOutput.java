@@ -7,7 +7,7 @@ import java.io.OutputStream;
 import org.apache.parquet.io.OutputFile;
 import org.apache.parquet.io.PositionOutputStream;
 
-/** Writes to a file that appears whole or not at all. */
+/** Output of Parquet to an atomic file, which appears complete or not at all. */
 final class ParquetOutput implements OutputFile {
   private final AtomicFile file;
   private boolean discarded;
@@ -16,7 +16,7 @@ final class ParquetOutput implements OutputFile {
     this.file = file;
   }
 
-  /** Leaves out all that is written from now on. */
+  /** Discards all further bytes. */
   void discard() {
     discarded = true;
   }

@@ -16,12 +16,12 @@ import org.apache.parquet.hadoop.metadata.CompressionCodecName;
 import org.apache.parquet.io.OutputFile;
 
 /**
- * One table.
+ * Table in a Parquet file.
  *
  * @param <R> type of the rows
  */
 final class ParquetTable<R extends Record> implements TableSink<R> {
-  /** Rows are held back up to this, in bytes; small against the heap of a batch's worker. */
+  /** Maximum size of a row group in memory, in bytes; small against the heap of a batch worker. */
   private static final long ROW_GROUP_BYTES = 4 << 20;
 
   private final AtomicFile file;
@@ -42,7 +42,7 @@ final class ParquetTable<R extends Record> implements TableSink<R> {
   }
 
   /**
-   * Joins output and rows.
+   * Builds a Parquet writer of an output file and a row writer.
    *
    * @param <R> type of the rows
    */
@@ -104,7 +104,7 @@ final class ParquetTable<R extends Record> implements TableSink<R> {
       if (!finished) {
         finished = true;
         output.discard();
-        writer.close(); // gives its buffers back
+        writer.close(); // releases its buffers
       }
     }
   }

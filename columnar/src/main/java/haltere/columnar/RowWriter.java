@@ -21,7 +21,7 @@ import org.apache.parquet.schema.Type;
 import org.apache.parquet.schema.Types;
 
 /**
- * Hands the components of records to Parquet, and at the end the metadata.
+ * Writes the components of records as Parquet columns, and the metadata at the end.
  *
  * @param <R> type of the rows
  */

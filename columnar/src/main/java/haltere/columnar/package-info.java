@@ -1,2 +1,2 @@
-/** Tables in Apache Parquet, found as a service; nothing else depends on this module. */
+/** Table format Apache Parquet, loaded as a service; no other module depends on this one. */
 package haltere.columnar;

@@ -25,10 +25,11 @@ class CommandTablesTest {
 
   /** Runs a command that must succeed, and says no more than it should. */
   private static void haltere(Object... args) throws IOException, InterruptedException {
-    assertEquals("", said(0, args));
+    assertEquals("", messagesOf(0, args));
   }
 
-  private static String said(int status, Object... args) throws IOException, InterruptedException {
+  private static String messagesOf(int status, Object... args)
+      throws IOException, InterruptedException {
     List<String> command = new ArrayList<>(List.of(PROGRAM.resolve("bin/haltere").toString()));
     Stream.of(args).map(Object::toString).forEach(command::add);
     command.add("--quiet");
@@ -79,7 +80,7 @@ class CommandTablesTest {
   }
 
   @Test
-  void wingsAndTheirBeatsAreThoseOfCsvAndNameTheirRecording() throws Exception {
+  void wingAndBeatTablesMatchCsvAndNameTheirRecording() throws Exception {
     Path fly = folder.resolve("in/fly.aedat");
     for (String ending : List.of(".csv", ".parquet")) {
       haltere(
@@ -102,7 +103,7 @@ class CommandTablesTest {
   }
 
   @Test
-  void tracksAreThoseOfCsv() throws Exception {
+  void trackTableMatchesCsv() throws Exception {
     for (String ending : List.of(".csv", ".parquet")) {
       haltere("track", folder.resolve("in/dots.aedat"), "--out", folder.resolve("tracks" + ending));
     }
@@ -110,7 +111,7 @@ class CommandTablesTest {
   }
 
   @Test
-  void eventsAreThoseOfCsv() throws Exception {
+  void eventTableMatchesCsv() throws Exception {
     for (String ending : List.of(".csv", ".parquet")) {
       Path out = folder.resolve("events" + ending);
       haltere("convert", folder.resolve("in/dots.aedat"), out, "--origin", "top", "--to", 200_000);
@@ -121,11 +122,12 @@ class CommandTablesTest {
     assertEquals("top", metadata.get("haltere.rows"));
     assertTrue(metadata.get("haltere.sensor").matches("\\d+x\\d+"), metadata.toString());
     Path again = folder.resolve("events.parquet");
-    assertTrue(said(1, "convert", folder.resolve("in/dots.aedat"), again).contains("--overwrite"));
+    assertTrue(
+        messagesOf(1, "convert", folder.resolve("in/dots.aedat"), again).contains("--overwrite"));
   }
 
   @Test
-  void whatASavedChainPublishesIsThatOfCsv() throws Exception {
+  void outletTablesOfASavedChainMatchCsv() throws Exception {
     Path chain = folder.resolve("chain.json");
     Files.writeString(chain, "{\"filters\": [{\"filter\": \"object-tracker\"}]}");
     for (String format : List.of("csv", "parquet")) {
@@ -145,7 +147,7 @@ class CommandTablesTest {
   }
 
   @Test
-  void orientationsAndWhatWasSimulatedAreThoseOfCsv() throws Exception {
+  void orientationAndSimulationTablesMatchCsv() throws Exception {
     for (String ending : List.of(".csv", ".parquet")) {
       haltere(
           "simulate",
@@ -173,7 +175,7 @@ class CommandTablesTest {
   }
 
   @Test
-  void aBatchWritesTheSameBytesWhateverTheNumberOfWorkers() throws Exception {
+  void batchTablesAreIdenticalWhateverTheNumberOfWorkers() throws Exception {
     for (int workers : new int[] {1, 2}) {
       haltere(
           "batch",
@@ -203,15 +205,15 @@ class CommandTablesTest {
   }
 
   @Test
-  void aTableWithoutAFolderToBeInIsOneLine() throws Exception {
-    String said =
-        said(
+  void missingFolderIsReportedInOneLine() throws Exception {
+    String messages =
+        messagesOf(
             1,
             "track",
             folder.resolve("in/dots.aedat"),
             "--out",
             folder.resolve("none/tracks.parquet"));
-    assertTrue(said.contains("there is no folder"), said);
-    assertEquals(1, said.lines().count(), said);
+    assertTrue(messages.contains("there is no folder"), messages);
+    assertEquals(1, messages.lines().count(), messages);
   }
 }

@@ -78,7 +78,7 @@ class ParquetTableTest {
   }
 
   @Test
-  void rowsReadBackWithTheColumnsOfCsvAndTheirTypes() throws IOException {
+  void rowsAreReadBackWithCsvColumnsAndTypes() throws IOException {
     ParquetTables.Content content = ParquetTables.read(write("a.parquet", 3));
     assertEquals(CsvSink.columns(Row.class), content.columns());
     assertEquals(
@@ -100,7 +100,7 @@ class ParquetTableTest {
   }
 
   @Test
-  void whatIsEmptyInCsvIsNull() throws IOException {
+  void emptyCsvValuesAreNull() throws IOException {
     List<Object> second = ParquetTables.read(write("a.parquet", 2)).rows().get(1);
     for (int column : new int[] {3, 6, 7, 8}) {
       assertEquals(null, second.get(column));
@@ -108,7 +108,7 @@ class ParquetTableTest {
   }
 
   @Test
-  void theFileNamesUnitsAndWhatItWasMadeWith() throws IOException {
+  void metadataContainsUnitsAndProgram() throws IOException {
     Map<String, String> metadata = ParquetTables.read(write("a.parquet", 1)).metadata();
     assertEquals("haltere test", metadata.get("haltere.program"));
     String units = metadata.get("haltere.units");
@@ -118,7 +118,7 @@ class ParquetTableTest {
   }
 
   @Test
-  void theSameRowsGiveTheSameBytesOverManyRowGroups() throws IOException {
+  void sameRowsGiveTheSameBytesAcrossRowGroups() throws IOException {
     Path first = write("a.parquet", 300_000);
     Path second = write("b.parquet", 300_000);
     assertArrayEquals(Files.readAllBytes(first), Files.readAllBytes(second));
@@ -129,7 +129,7 @@ class ParquetTableTest {
   }
 
   @Test
-  void aTableThatIsNotFinishedLeavesNothing() throws IOException {
+  void unfinishedTableLeavesNoFile() throws IOException {
     try (TableSink<Row> table =
         Tables.create(folder.resolve("a.parquet"), Row.class, false, MADE_WITH)) {
       table.accept(row(0));
@@ -140,13 +140,13 @@ class ParquetTableTest {
   }
 
   @Test
-  void aTableThatIsThereIsRefused() throws IOException {
+  void existingTableIsNotReplaced() throws IOException {
     Path file = write("a.parquet", 1);
     assertThrows(RecordingProblem.class, () -> Tables.create(file, Row.class, false, MADE_WITH));
   }
 
   @Test
-  void aFullDiskIsOneLineThatNamesTheFile() {
+  void fullDiskIsReportedWithTheFile() {
     OutputStream full =
         new OutputStream() {
           @Override
@@ -173,7 +173,7 @@ class ParquetTableTest {
   }
 
   @Test
-  void aRecordingThatCannotBeReadForItsChecksumLeavesNothing() throws IOException {
+  void unreadableMetadataLeavesNoFile() throws IOException {
     Path file = folder.resolve("a.parquet");
     TableMetadata gone =
         () -> {

@@ -66,7 +66,7 @@ class DefaultChainTest extends EventFilterContract {
   }
 
   @Test
-  void theOneForAFlyTracksItsWings() throws IOException {
+  void flyChainTracksWings() throws IOException {
     FilterChain chain = DefaultChain.forFly(SENSOR);
     assertEquals(
         List.of("background-activity", "hot-pixels", "wing-tracker"),
@@ -79,7 +79,7 @@ class DefaultChainTest extends EventFilterContract {
   }
 
   @Test
-  void aChainFileHoldsAllOfIt() throws IOException {
+  void defaultChainIsSavedAndReadBack() throws IOException {
     String text = ChainFile.write(DefaultChain.create(SENSOR));
     assertEquals(text, ChainFile.write(ChainFile.parse(text, "default", SENSOR)));
   }

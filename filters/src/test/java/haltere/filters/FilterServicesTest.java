@@ -14,14 +14,14 @@ import org.junit.jupiter.api.Test;
 
 class FilterServicesTest {
   @Test
-  void everyProviderStandsInTheServiceFileAndEveryLineOfItIsAProvider() {
+  void serviceFileAndProvidersMatch() {
     assertEquals(
         ServiceFiles.implementations(FilterProvider.class, RefractoryFilter.class),
         ServiceFiles.registered(FilterProvider.class));
   }
 
   @Test
-  void everyProviderIsFoundByItsName() {
+  void everyProviderIsFoundByName() {
     Set<String> found =
         Filters.all().values().stream()
             .map(provider -> provider.getClass().getName())
@@ -30,7 +30,7 @@ class FilterServicesTest {
   }
 
   @Test
-  void namesAreWordsJoinedByHyphensAndDescriptionsAreSentences() {
+  void namesAreHyphenatedWordsAndDescriptionsAreSentences() {
     Filters.all()
         .forEach(
             (name, provider) -> {

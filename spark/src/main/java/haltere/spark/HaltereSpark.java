@@ -17,10 +17,11 @@ import org.apache.spark.sql.Row;
 import org.apache.spark.sql.SparkSession;
 
 /**
- * One chain over many recordings on Spark. One recording is one task: copied from any file system
- * that Hadoop knows to the executor's disk ({@code spark.haltere.scratch}, else its folder for
- * temporary files), run by {@link haltere.core.pipeline.RecordingJob}, deleted. Rows are those of
- * {@code haltere batch}. Executors have the jar of this module, of core and of filters.
+ * Runs one chain over many recordings on Spark. Each recording is one task: the executor copies it
+ * from a Hadoop file system to its disk ({@code spark.haltere.scratch}, by default its folder for
+ * temporary files), runs it by {@link haltere.core.pipeline.RecordingJob} and deletes the copy. The
+ * rows equal those of {@code haltere batch}. Executors need the jars of this module, core and
+ * filters.
  *
  * <p>Thread rule: as {@link SparkSession}.
  */
@@ -28,15 +29,15 @@ public final class HaltereSpark {
   private HaltereSpark() {}
 
   /**
-   * The one table of a chain over recordings. Recordings that fail have no rows, see {@link
-   * SparkResults#failures()}.
+   * Runs a chain with a single table over recordings. A recording that fails has no rows, see
+   * {@link SparkResults#failures()}.
    *
    * @param spark the session
-   * @param paths URIs of recordings; in the column {@code recording} they are as given
+   * @param paths URIs of recordings, which also appear in the column {@code recording}
    * @param chain the chain as JSON, as the viewer saves it
-   * @return the column {@code recording} and those of the table in CSV
+   * @return the column {@code recording} and the columns of the table in CSV
    * @throws IOException if the chain cannot be read
-   * @throws IllegalArgumentException if the chain has no or several tables
+   * @throws IllegalArgumentException if the chain has no table or several tables
    */
   public static Dataset<Row> run(SparkSession spark, List<String> paths, String chain)
       throws IOException {
@@ -49,7 +50,7 @@ public final class HaltereSpark {
   }
 
   /**
-   * One table of a chain over recordings.
+   * Runs a chain over recordings and returns one of its tables.
    *
    * @param spark the session
    * @param paths URIs of recordings
@@ -57,7 +58,7 @@ public final class HaltereSpark {
    * @param table STAGE.OUTLET, such as {@code wing-tracker.wings}
    * @return as {@link #run(SparkSession, List, String)}
    * @throws IOException if the chain cannot be read
-   * @throws IllegalArgumentException if there is no such table
+   * @throws IllegalArgumentException if the chain has no such table
    */
   public static Dataset<Row> run(SparkSession spark, List<String> paths, String chain, String table)
       throws IOException {
@@ -65,12 +66,12 @@ public final class HaltereSpark {
   }
 
   /**
-   * All tables of a chain over recordings, and what failed.
+   * Prepares a run of a chain over recordings.
    *
    * @param spark the session
-   * @param recordings of different names, the largest first
+   * @param recordings recordings with different names, the largest first
    * @param chain the chain as JSON
-   * @return nothing of which has been run
+   * @return all tables and the failures, computed on first use
    * @throws IOException if the chain cannot be read
    */
   public static SparkResults open(SparkSession spark, List<SparkRecording> recordings, String chain)
@@ -83,13 +84,13 @@ public final class HaltereSpark {
   }
 
   /**
-   * Finds recordings by the endings of their names: one file, or all in a folder and the folders in
-   * it. Endings that other files share ({@code .csv}, {@code .txt}) and hidden files do not count.
+   * Finds recordings by file extension: one file, or all files of a folder and its subfolders.
+   * Hidden files and ambiguous extensions ({@code .csv}, {@code .txt}) are excluded.
    *
    * @param spark the session
    * @param input URI of a file or folder
-   * @return named relative to the folder, the largest first
-   * @throws IOException if it cannot be read
+   * @return recordings with names relative to the folder, the largest first
+   * @throws IOException if the input cannot be read
    */
   public static List<SparkRecording> find(SparkSession spark, String input) throws IOException {
     Path root = new Path(input);

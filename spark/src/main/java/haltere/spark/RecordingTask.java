@@ -25,9 +25,9 @@ import org.apache.spark.util.SerializableConfiguration;
 import org.apache.spark.util.TaskCompletionListener;
 
 /**
- * One recording through the chain, on an executor: copied to the local disk, run, read back row by
- * row, and deleted when Spark's task ends in whatever way. Rows have the number of their table
- * before them; a recording that fails has one row with {@link #FAILED}, its kind and cause.
+ * Task of one recording on an executor: copies it to the local disk, runs the chain and reads the
+ * rows back. The copy is deleted at the end of the task, even if the task fails. Each row starts
+ * with the index of its table; a failed recording has one row with {@link #FAILED}, kind and cause.
  */
 final class RecordingTask implements FlatMapFunction<SparkRecording, Row> {
   static final int FAILED = -1;
@@ -100,7 +100,7 @@ final class RecordingTask implements FlatMapFunction<SparkRecording, Row> {
     }
   }
 
-  /** The rows of all tables, of which one file is open at a time. */
+  /** Iterator over the rows of all tables; one file is open at a time. */
   private final class Rows implements Iterator<Row> {
     private final String recording;
     private final Path scratch;

@@ -15,19 +15,19 @@ import org.apache.spark.sql.types.DataTypes;
 import org.apache.spark.sql.types.StructType;
 
 /**
- * A table that a chain gives: an outlet whose results are rows.
+ * Table of results of a chain: an outlet whose results are records.
  *
  * @param name STAGE.OUTLET
- * @param schema {@link #RECORDING}, then the columns of CSV
+ * @param schema column {@link #RECORDING}, then the columns of CSV
  */
 record ResultTable(String name, StructType schema) implements Serializable {
   /** Name of the column that names the recording. */
   static final String RECORDING = "recording";
 
-  /** Any sensor: what is published does not depend on it. */
+  /** Arbitrary sensor: the outlets of a chain do not depend on it. */
   private static final SensorGeometry SENSOR = new SensorGeometry(128, 128);
 
-  /** The tables of a chain, in its order. */
+  /** Tables of a chain, in its order. */
   static List<ResultTable> of(String chain) throws IOException {
     List<ResultTable> tables = new ArrayList<>();
     try (FilterChain filters = ChainFile.parse(chain, "the chain", SENSOR)) {
@@ -62,7 +62,7 @@ record ResultTable(String name, StructType schema) implements Serializable {
     };
   }
 
-  /** Columns without the recording. */
+  /** Number of columns without the recording. */
   int columns() {
     return schema.size() - 1;
   }

@@ -18,8 +18,8 @@ import java.nio.file.Path;
 import java.util.function.Consumer;
 
 /**
- * Rows on the local disk between a job and Spark: each value with its kind before it. A format for
- * one machine and one moment only.
+ * Temporary table format between a job and Spark on one machine: each value is preceded by its
+ * kind.
  *
  * <p>Thread rule: all methods may be called from any thread.
  */
@@ -48,7 +48,7 @@ public final class RowsFormat implements TableFormat {
     return new Rows<>(file, new RowFields(type));
   }
 
-  /** Values of the next row; empty at the end of the file. */
+  /** Reads the values of the next row; returns false at the end of the file. */
   static boolean read(DataInputStream in, int columns, Consumer<Object> values) throws IOException {
     for (int i = 0; i < columns; i++) {
       int kind = in.read();
@@ -64,7 +64,7 @@ public final class RowsFormat implements TableFormat {
             case FLOAT -> in.readFloat();
             case FLAG -> in.readBoolean();
             case TEXT -> new String(in.readNBytes(in.readInt()), StandardCharsets.UTF_8);
-            default -> throw new EOFException("a row ends in its middle");
+            default -> throw new EOFException("a row is incomplete");
           });
     }
     return true;
@@ -75,7 +75,7 @@ public final class RowsFormat implements TableFormat {
   }
 
   /**
-   * A table.
+   * Table in this format.
    *
    * @param <R> type of the rows
    */

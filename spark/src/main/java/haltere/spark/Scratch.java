@@ -13,8 +13,8 @@ import java.util.UUID;
 import java.util.stream.Stream;
 
 /**
- * A folder on the local disk for one task. A lock on a file beside it says that the task runs; what
- * a process left that was killed is removed by the next task on the same disk.
+ * Temporary folder of one task on the local disk. A lock on a file beside it marks a running task;
+ * the next task on the same disk removes the folders of killed processes.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -23,8 +23,8 @@ final class Scratch implements Closeable {
   private static final String LOCK = ".lock";
 
   /**
-   * Begins the names of this process, which leaves its own locks alone: where a file is opened and
-   * closed once more, the process loses its lock.
+   * Prefix of the names of this process, which does not open its own lock files: closing a second
+   * channel on a lock file would release the lock.
    */
   private static final String OWN = PREFIX + UUID.randomUUID() + "-";
 
@@ -39,14 +39,14 @@ final class Scratch implements Closeable {
   }
 
   /**
-   * Makes a folder, and removes those of processes that have ended.
+   * Creates a folder, and removes the folders of processes that have ended.
    *
    * @param parent an existing folder on the local disk
    * @return an empty folder
-   * @throws IOException if it cannot be made
+   * @throws IOException if it cannot be created
    */
   static Scratch in(Path parent) throws IOException {
-    removeLeft(parent);
+    removeAbandoned(parent);
     while (true) {
       Path folder = parent.resolve(OWN + UUID.randomUUID());
       Path lock = lock(folder);
@@ -69,25 +69,26 @@ final class Scratch implements Closeable {
     return folder.resolveSibling(folder.getFileName() + LOCK);
   }
 
-  private static void removeLeft(Path parent) throws IOException {
+  private static void removeAbandoned(Path parent) throws IOException {
     try (DirectoryStream<Path> locks = Files.newDirectoryStream(parent, PREFIX + "*" + LOCK)) {
       for (Path lock : locks) {
         String name = lock.getFileName().toString();
         if (!name.startsWith(OWN)) {
-          removeIfLeft(lock.resolveSibling(name.substring(0, name.length() - LOCK.length())), lock);
+          removeIfAbandoned(
+              lock.resolveSibling(name.substring(0, name.length() - LOCK.length())), lock);
         }
       }
     }
   }
 
-  private static void removeIfLeft(Path folder, Path lock) throws IOException {
+  private static void removeIfAbandoned(Path folder, Path lock) throws IOException {
     try (FileChannel channel = FileChannel.open(lock, StandardOpenOption.WRITE)) {
       if (channel.tryLock() != null) {
         remove(folder);
         Files.deleteIfExists(lock);
       }
     } catch (NoSuchFileException removed) {
-      // by its own task, or by that of another process
+      // removed by its own task or by another process
     }
   }
 
@@ -106,7 +107,7 @@ final class Scratch implements Closeable {
     return folder;
   }
 
-  /** Removes the folder and all in it. */
+  /** Removes the folder and its contents. */
   @Override
   public void close() throws IOException {
     try (locked) {

@@ -11,9 +11,9 @@ import org.apache.hadoop.fs.Path;
 import org.apache.spark.sql.SparkSession;
 
 /**
- * What {@code spark-submit} runs: {@code --input URI --chain URI --output URI}. Status 1 where the
- * arguments are wrong or the input has no recording; a recording that fails is a row of the table
- * of failures.
+ * Main class for {@code spark-submit}: {@code --input URI --chain URI --output URI}. The exit
+ * status is 1 if the arguments are wrong or the input has no recording; a recording that fails is a
+ * row of the table of failures.
  */
 public final class SparkMain {
   private static final Set<String> OPTIONS = Set.of("--input", "--chain", "--output");
@@ -23,7 +23,7 @@ public final class SparkMain {
   /**
    * Runs a chain over all recordings of a folder.
    *
-   * @param args three options, each with its value
+   * @param args the three options with their values
    * @throws IOException if input, chain or output fails
    */
   public static void main(String[] args) throws IOException {

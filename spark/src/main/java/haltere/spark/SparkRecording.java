@@ -4,10 +4,10 @@ import java.io.Serializable;
 import java.util.Objects;
 
 /**
- * A recording on any file system that Hadoop knows.
+ * Recording on a file system that Hadoop supports.
  *
- * @param name what results call it; of one batch no two are the same
- * @param uri where it is, such as {@code s3a://bucket/day-1/fly.aedat4}
+ * @param name name of the recording in results, unique in a batch
+ * @param uri location, such as {@code s3a://bucket/day-1/fly.aedat4}
  */
 public record SparkRecording(String name, String uri) implements Serializable {
   /** Checks the values. */

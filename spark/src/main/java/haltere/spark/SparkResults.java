@@ -17,10 +17,10 @@ import org.apache.spark.storage.StorageLevel;
 import org.apache.spark.util.SerializableConfiguration;
 
 /**
- * What a chain gives over many recordings: a table for each outlet and one of failures. Nothing is
- * run before a table is used; then each recording is one task, whose rows stay on the executors'
- * disks for the other tables until this is closed. What is lost with an executor is made again, the
- * same.
+ * Results of a chain over many recordings: a table for each outlet and a table of failures. The
+ * chain runs when a table is used first; each recording is one task, whose rows stay on the disks
+ * of the executors for the other tables until this is closed. Rows lost with an executor are
+ * computed again and do not differ.
  *
  * <p>Thread rule: as {@link SparkSession}.
  */
@@ -60,20 +60,20 @@ public final class SparkResults implements AutoCloseable {
   }
 
   /**
-   * The tables that the chain gives.
+   * Names of the tables.
    *
-   * @return STAGE.OUTLET each, in the order of the chain
+   * @return names of the form STAGE.OUTLET, in the order of the chain
    */
   public List<String> tables() {
     return tables.stream().map(ResultTable::name).toList();
   }
 
   /**
-   * A table over all recordings.
+   * Table of results of all recordings.
    *
    * @param name one of {@link #tables()}
-   * @return the column {@code recording} and those of the table in CSV
-   * @throws IllegalArgumentException if there is no such table
+   * @return the column {@code recording} and the columns of the table in CSV
+   * @throws IllegalArgumentException if the chain has no such table
    */
   public Dataset<Row> table(String name) {
     int index = tables().indexOf(name);
@@ -85,9 +85,9 @@ public final class SparkResults implements AutoCloseable {
   }
 
   /**
-   * The recordings that failed.
+   * Table of the recordings that failed.
    *
-   * @return a row for each
+   * @return one row for each of them: recording, kind and cause
    */
   public Dataset<Row> failures() {
     return dataset(RecordingTask.FAILED, FAILURE);
@@ -108,11 +108,11 @@ public final class SparkResults implements AutoCloseable {
   }
 
   /**
-   * Writes all tables as Parquet, each into a folder of its name with a folder for each recording
-   * inside, and the failures into {@value #FAILURES}. Spark commits each table once.
+   * Writes all tables as Parquet, each into a folder of its name with a subfolder for each
+   * recording, and the failures into {@value #FAILURES}. Spark commits each table once.
    *
-   * @param folder on any file system that Hadoop knows
-   * @throws IOException if one of the tables is there already
+   * @param folder URI of a folder on a file system that Hadoop supports
+   * @throws IOException if one of the tables exists already
    */
   public void write(String folder) throws IOException {
     Path out = new Path(folder);
@@ -132,7 +132,7 @@ public final class SparkResults implements AutoCloseable {
     failures().coalesce(1).write().parquet(new Path(out, FAILURES).toString());
   }
 
-  /** Gives back what the executors hold. */
+  /** Releases the rows that the executors hold. */
   @Override
   public void close() {
     rows.unpersist(false);

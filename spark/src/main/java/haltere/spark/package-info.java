@@ -1,2 +1,2 @@
-/** One chain over many recordings on Apache Spark; nothing else depends on this module. */
+/** One chain over many recordings on Apache Spark; no other module depends on this one. */
 package haltere.spark;

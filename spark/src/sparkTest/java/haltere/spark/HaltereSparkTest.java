@@ -171,7 +171,7 @@ class HaltereSparkTest {
   }
 
   /** Runs all recordings into a folder of Parquet and reads it back. */
-  private static void assertThatTheRowsAreThoseOfABatch(
+  private static void assertRowsEqualABatch(
       SparkSession spark, String input, String output, Path out) throws IOException {
     try (SparkResults results = HaltereSpark.open(spark, HaltereSpark.find(spark, input), CHAIN)) {
       results.write(output);
@@ -184,33 +184,33 @@ class HaltereSparkTest {
     assertEquals("broken.aedat4", failures.get(0).getString(0));
     assertEquals("recording", failures.get(0).getString(1));
     assertTrue(Files.exists(out.resolve(TRACKS).resolve("recording=a0.aedat")));
-    assertThatTheScratchIsEmpty();
+    assertScratchIsEmpty();
   }
 
-  private static void assertThatTheScratchIsEmpty() throws IOException {
+  private static void assertScratchIsEmpty() throws IOException {
     try (Stream<Path> scratch = Files.list(folder.resolve("scratch"))) {
       assertEquals(List.of(), scratch.toList());
     }
   }
 
   @Test
-  void inOneProcessTheRowsAreThoseOfABatch() throws IOException {
+  void localRunWritesTheRowsOfABatch() throws IOException {
     try (SparkSession spark = spark("local[2]")) {
       Path out = folder.resolve("local");
-      assertThatTheRowsAreThoseOfABatch(spark, in.toUri().toString(), out.toUri().toString(), out);
+      assertRowsEqualABatch(spark, in.toUri().toString(), out.toUri().toString(), out);
     }
   }
 
   @Test
-  void onAnotherFileSystemTheRowsAreThoseOfABatch() throws IOException {
+  void runOnAnotherFileSystemWritesTheRowsOfABatch() throws IOException {
     try (SparkSession spark = spark("local[2]")) {
-      assertThatTheRowsAreThoseOfABatch(
+      assertRowsEqualABatch(
           spark, "elsewhere:///in", "elsewhere:///out/tables", folder.resolve("out/tables"));
     }
   }
 
   @Test
-  void whatAKilledProcessLeftIsRemovedAndWhatIsInUseIsNot() throws IOException {
+  void abandonedScratchFoldersAreRemovedAndUsedOnesRemain() throws IOException {
     Path parent = Files.createDirectories(folder.resolve("scratches"));
     Path left = Files.createDirectories(parent.resolve("haltere-left/more")).getParent();
     Files.writeString(left.resolve("more/recording.aedat"), "cut off");
@@ -227,7 +227,7 @@ class HaltereSparkTest {
   }
 
   @Test
-  void oneCallGivesTheTableOfAChainWithOne() throws IOException {
+  void runReturnsTheOnlyTableOfAChain() throws IOException {
     try (SparkSession spark = spark("local[2]")) {
       List<String> paths = List.of(in.resolve("a0.aedat").toString());
       String one = "{\"filters\": [{\"filter\": \"object-tracker\"}]}";
@@ -241,7 +241,7 @@ class HaltereSparkTest {
   }
 
   @Test
-  void onExecutorsOfTheirOwnOneOfWhichIsKilledTheRowsAreThoseOfABatch() throws IOException {
+  void clusterRunWithAKilledExecutorWritesTheRowsOfABatch() throws IOException {
     try (SparkSession spark = spark("local-cluster[2,1,1024]")) {
       AtomicInteger ended = new AtomicInteger();
       AtomicInteger killed = new AtomicInteger();
@@ -264,12 +264,12 @@ class HaltereSparkTest {
                   }
                 }
               });
-      assertThatTheRowsAreThoseOfABatchAfterAKill(spark, folder.resolve("cluster"));
+      assertRowsEqualABatchAfterAKill(spark, folder.resolve("cluster"));
       assertEquals(1, killed.get());
     }
   }
 
-  private static void assertThatTheRowsAreThoseOfABatchAfterAKill(SparkSession spark, Path out)
+  private static void assertRowsEqualABatchAfterAKill(SparkSession spark, Path out)
       throws IOException {
     try (SparkResults results =
         HaltereSpark.open(spark, HaltereSpark.find(spark, in.toUri().toString()), CHAIN)) {
@@ -278,7 +278,7 @@ class HaltereSparkTest {
     assertEquals(EXPECTED, rows(spark.read().parquet(out.resolve(TRACKS).toString())));
     assertEquals(1, spark.read().parquet(out.resolve(SparkResults.FAILURES).toString()).count());
     assertFalse(Files.exists(out.resolve(TRACKS).resolve("_temporary")));
-    assertThatTheScratchIsEmpty();
+    assertScratchIsEmpty();
   }
 
   private static boolean isExecutor(ProcessHandle process) {

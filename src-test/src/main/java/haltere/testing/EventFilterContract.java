@@ -79,7 +79,7 @@ public abstract class EventFilterContract {
   }
 
   @Test
-  void theResultsDoNotDependOnHowTheStreamIsCutIntoPackets() {
+  void resultsDoNotDependOnPacketBoundaries() {
     EventPacket stream = stream(SENSOR, 1);
     Results whole = run(create(SENSOR), List.of(EventPackets.copy(stream)));
     for (long seed = 1; seed <= 20; seed++) {
@@ -89,7 +89,7 @@ public abstract class EventFilterContract {
   }
 
   @Test
-  void aPacketForEachEventGivesTheSameResultsAsOneForAll() {
+  void oneEventPerPacketGivesTheResultsOfASinglePacket() {
     EventPacket all = stream(SENSOR, 2);
     EventPacket stream = EventPackets.part(all, 0, Math.min(20_000, all.size()));
     List<EventPacket> single = new ArrayList<>();
@@ -101,7 +101,7 @@ public abstract class EventFilterContract {
   }
 
   @Test
-  void theResultsDoNotDependOnCutsWhereTimesLeapAndAreNegative() {
+  void resultsDoNotDependOnPacketBoundariesWithTimeJumpsAndNegativeTimes() {
     EventPacket part = stream(SENSOR, 3);
     long[] startsUs = {
       -1L << 60, -SECOND_US * 3600, 0, SECOND_US * 1800, 1L << 31, 1L << 33, 3L << 40, 1L << 60
@@ -117,7 +117,7 @@ public abstract class EventFilterContract {
   }
 
   @Test
-  void afterAResetItBehavesLikeANewFilter() {
+  void resetFilterBehavesLikeANewFilter() {
     EventPacket second = stream(SENSOR, 5);
     Results expected = run(create(SENSOR), List.of(EventPackets.copy(second)));
     EventFilter used = create(SENSOR);
@@ -130,7 +130,7 @@ public abstract class EventFilterContract {
   }
 
   @Test
-  void afterEachCauseOfAResetAndAfterANewStartTimeMayGoBack() {
+  void timeMayDecreaseAfterAnyResetOrStart() {
     EventPacket first = EventPackets.shifted(stream(SENSOR, 4), 10 * SECOND_US);
     EventPacket second = stream(SENSOR, 5);
     Results expected = anonymous(run(create(SENSOR), List.of(EventPackets.copy(second))));
@@ -144,7 +144,7 @@ public abstract class EventFilterContract {
   }
 
   @Test
-  void afterAJumpAndANewStartTheSameEventsGetTheSameIdentities() {
+  void identitiesAreReproducedAfterASeekARewindOrAStart() {
     EventPacket second = stream(SENSOR, 5);
     Results expected = run(create(SENSOR), List.of(EventPackets.copy(second)));
     List<StreamNotification> jumps =
@@ -171,7 +171,7 @@ public abstract class EventFilterContract {
   }
 
   @Test
-  void everyNotificationIsAcceptedAtAnyPlace() {
+  void everyNotificationIsAcceptedAtAnyTime() {
     List<StreamNotification> notifications = new ArrayList<>(startsAndResets());
     notifications.add(new DataLost(512, 128, 1000, 2000, "the test"));
     notifications.add(
@@ -196,7 +196,7 @@ public abstract class EventFilterContract {
   }
 
   @Test
-  void theLossOfTheDeviceDoesNotDisturbWhatIsStillOnItsWay() {
+  void deviceLossDoesNotChangeResultsOfLaterPackets() {
     EventPacket stream = stream(SENSOR, 7);
     int half = stream.size() / 2;
     Results undisturbed = run(create(SENSOR), List.of(EventPackets.copy(stream)));
@@ -210,7 +210,7 @@ public abstract class EventFilterContract {
   }
 
   @Test
-  void anEmptyPacketStaysEmptyAndPublishesNothing() {
+  void emptyPacketStaysEmptyAndPublishesNothing() {
     EventFilter filter = create(SENSOR);
     Results results = new Results(filter);
     EventPacket empty = new EventPacket(0);
@@ -221,7 +221,7 @@ public abstract class EventFilterContract {
   }
 
   @Test
-  void itNeitherAddsNorReordersEvents() {
+  void eventsAreNeitherAddedNorReordered() {
     for (SensorGeometry geometry : SENSORS) {
       EventFilter filter = create(geometry);
       EventPacket stream = EventPackets.uniform(geometry, 8, 30_000, 0, 20);
@@ -246,7 +246,7 @@ public abstract class EventFilterContract {
   }
 
   @Test
-  void itKeepsNoPacketAndWritesToNoneAfterTheCall() {
+  void packetsAreNeitherRetainedNorWrittenAfterTheCall() {
     EventPacket stream = stream(SENSOR, 9);
     Results plain = run(create(SENSOR), EventPackets.cut(stream, 9));
     PoisoningChain poisoned = new PoisoningChain(create(SENSOR));
@@ -272,7 +272,7 @@ public abstract class EventFilterContract {
   }
 
   @Test
-  void nothingIsAllocatedPerEvent() {
+  void processingAllocatesNoMemoryPerEvent() {
     EventFilter filter = create(SENSOR);
     EventPacket stream = stream(SENSOR, 11);
     EventPacket packet = new EventPacket(stream.size());
@@ -295,7 +295,7 @@ public abstract class EventFilterContract {
   }
 
   @Test
-  void whenDisabledInAChainItLeavesPacketsUntouched() {
+  void disabledFilterLeavesPacketsUnchanged() {
     FilterChain chain = new FilterChain(SENSOR);
     EventFilter filter = create(SENSOR);
     Results results = new Results(filter);

@@ -46,7 +46,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
   protected RecordingFormatContract() {}
 
   @Test
-  void randomEventsComeBackAsTheyWereWritten() throws IOException {
+  void randomEventsAreReadBackUnchanged() throws IOException {
     long seed = 1;
     for (SensorGeometry sensor : sensors()) {
       for (int count : new int[] {1, 2, 1023, 20_000}) {
@@ -69,7 +69,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
   }
 
   @Test
-  void cornersAndTheEndsOfTheClockComeBackAsTheyWereWritten() throws IOException {
+  void cornerPixelsAndExtremeTimesAreReadBackUnchanged() throws IOException {
     for (SensorGeometry sensor : sensors()) {
       EventPacket events = new EventPacket(16);
       long[] times = {earliestUs(), earliestUs(), earliestUs() + 1, 0, 0, 1, latestUs()};
@@ -91,7 +91,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
   }
 
   @Test
-  void aRecordingWithoutEventsIsAStreamWithoutPackets() throws IOException {
+  void recordingWithoutEventsIsReadAsAStreamWithoutPackets() throws IOException {
     Path file = file("empty");
     write(file, usualSensor());
 
@@ -108,7 +108,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
   }
 
   @Test
-  void aFileCutAnywhereGivesTheEventsBeforeTheCut() throws IOException {
+  void truncatedFileYieldsTheEventsBeforeTheCut() throws IOException {
     EventPacket events = randomEvents(usualSensor(), 3, 60);
     Path whole = file("whole");
     write(whole, usualSensor(), events);
@@ -136,7 +136,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
   }
 
   @Test
-  void aFileThatLiesAboutSizesIsRefusedOrReadInBoundedMemory() throws IOException {
+  void fileWithFalseSizesIsRejectedOrReadInBoundedMemory() throws IOException {
     Path whole = file("truth");
     write(whole, usualSensor(), randomEvents(usualSensor(), 4, 500));
     List<byte[]> lies = lyingFiles(Files.readAllBytes(whole));
@@ -154,7 +154,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
   }
 
   @Test
-  void readingNeverDependsOnTheSizeOfPackets() throws IOException {
+  void eventsDoNotDependOnThePacketSize() throws IOException {
     Path file = file("packets");
     EventPacket first = randomEvents(usualSensor(), 10, 3000);
     EventPacket second =
@@ -171,7 +171,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
   }
 
   @Test
-  void whatAHandlerDoesToAPacketDoesNotChangeWhatFollows() throws IOException {
+  void packetsModifiedByAHandlerDoNotAffectLaterPackets() throws IOException {
     EventPacket events = randomEvents(usualSensor(), 14, 30_000);
     Path file = file("spoiled");
     write(file, usualSensor(), events);
@@ -195,7 +195,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
   }
 
   @Test
-  void theContentTellsTheFormatWhateverTheNameIs() throws IOException {
+  void formatIsDetectedByContentWhateverTheFileName() throws IOException {
     Path file = file("named");
     write(file, usualSensor(), randomEvents(usualSensor(), 15, 500));
     Path other = folder.resolve("no-ending-at-all");
@@ -206,7 +206,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
   }
 
   @Test
-  void closingTwiceDoesNoHarm() throws IOException {
+  void closingTwiceIsAllowed() throws IOException {
     Path file = file("closed");
     write(file, usualSensor(), randomEvents(usualSensor(), 16, 5));
     RecordingReader reader = format().open(file, options(usualSensor()));
@@ -215,7 +215,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
   }
 
   @Test
-  void whatIsWrittenAppearsWholeOrNotAtAll() throws IOException {
+  void writtenFileAppearsCompleteOrNotAtAll() throws IOException {
     Path file = file("whole-or-not");
     if (!format().writable()) {
       assertTrue(format().create(file, WriteOptions.of(usualSensor())).isEmpty());

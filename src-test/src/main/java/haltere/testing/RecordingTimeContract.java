@@ -23,10 +23,10 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** What every file format keeps of times: seeking, stretches, and clocks that go back. */
+/** Contract of the times of every file format: seeking, ranges, and clocks that go back. */
 abstract class RecordingTimeContract extends TestedFormat {
   @Test
-  void seekingGivesExactlyTheEventsFromThatTimeOn() throws IOException {
+  void seekYieldsExactlyTheEventsFromTheGivenTime() throws IOException {
     EventPacket events = randomEvents(usualSensor(), 5, 100_000);
     Path file = file("seek");
     write(file, usualSensor(), events);
@@ -75,7 +75,7 @@ abstract class RecordingTimeContract extends TestedFormat {
   }
 
   @Test
-  void seekingBeforeTheStartOfTheStreamStartsItThere() throws IOException {
+  void seekBeforeTheStartStartsTheStreamAtTheGivenTime() throws IOException {
     EventPacket events = randomEvents(usualSensor(), 7, 1000);
     Path file = file("seek-first");
     write(file, usualSensor(), events);
@@ -91,7 +91,7 @@ abstract class RecordingTimeContract extends TestedFormat {
   }
 
   @Test
-  void aStretchOfTimeIsHalfOpen() throws IOException {
+  void timeRangeIsHalfOpen() throws IOException {
     EventPacket events = randomEvents(usualSensor(), 8, 5000);
     Path file = file("range");
     write(file, usualSensor(), events);
@@ -116,9 +116,9 @@ abstract class RecordingTimeContract extends TestedFormat {
   }
 
   @Test
-  void aClockThatGoesBackStartsANewSegment() throws IOException {
+  void backwardClockJumpStartsANewSegment() throws IOException {
     if (!clockCanGoBack()) {
-      aClockThatCannotGoBackIsTold();
+      backwardClockJumpIsReportedAsLoss();
       return;
     }
     EventPacket first = randomEvents(usualSensor(), 12, 3000);
@@ -155,7 +155,7 @@ abstract class RecordingTimeContract extends TestedFormat {
     }
   }
 
-  private void aClockThatCannotGoBackIsTold() throws IOException {
+  private void backwardClockJumpIsReportedAsLoss() throws IOException {
     EventPacket first = randomEvents(usualSensor(), 12, 3000);
     EventPacket second = EventPackets.shifted(randomEvents(usualSensor(), 13, 2000), -50_000);
     Path file = file("restart");

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.DynamicContainer;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 
-/** What every settings record must keep to. A module's test extends this and names its records. */
+/** Contract of every settings record. The test of a module extends it and names its records. */
 public abstract class SettingsContract {
   private static final int MAX_COMPONENTS = 8;
   private static final int MAX_WORDS = 25;
@@ -40,7 +40,7 @@ public abstract class SettingsContract {
    * @return the tests
    */
   @TestFactory
-  Stream<DynamicContainer> everySettingsRecordKeepsItsContract() {
+  Stream<DynamicContainer> everySettingsRecordMeetsTheContract() {
     assertFalse(settingsTypes().isEmpty(), "there is no settings record to test");
     return settingsTypes().stream()
         .map(type -> dynamicContainer(type.getSimpleName(), tests(SettingsSchema.of(type))));

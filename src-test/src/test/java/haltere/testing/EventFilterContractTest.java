@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 
-/** The contract finds each kind of filter that breaks it. */
+/** The contract detects each kind of violation. */
 class EventFilterContractTest {
   /** A filter without any state that lets everything through. */
   private static class KeepsTheContract implements EventFilter {
@@ -44,25 +44,25 @@ class EventFilterContractTest {
   }
 
   @Test
-  void aCorrectFilterPasses() {
+  void correctFilterMeetsTheContract() {
     EventFilterContract contract = contractOf(KeepsTheContract::new);
-    contract.theResultsDoNotDependOnHowTheStreamIsCutIntoPackets();
-    contract.aPacketForEachEventGivesTheSameResultsAsOneForAll();
-    contract.theResultsDoNotDependOnCutsWhereTimesLeapAndAreNegative();
-    contract.afterAResetItBehavesLikeANewFilter();
-    contract.afterEachCauseOfAResetAndAfterANewStartTimeMayGoBack();
-    contract.everyNotificationIsAcceptedAtAnyPlace();
-    contract.theLossOfTheDeviceDoesNotDisturbWhatIsStillOnItsWay();
-    contract.anEmptyPacketStaysEmptyAndPublishesNothing();
-    contract.itNeitherAddsNorReordersEvents();
-    contract.itKeepsNoPacketAndWritesToNoneAfterTheCall();
+    contract.resultsDoNotDependOnPacketBoundaries();
+    contract.oneEventPerPacketGivesTheResultsOfASinglePacket();
+    contract.resultsDoNotDependOnPacketBoundariesWithTimeJumpsAndNegativeTimes();
+    contract.resetFilterBehavesLikeANewFilter();
+    contract.timeMayDecreaseAfterAnyResetOrStart();
+    contract.everyNotificationIsAcceptedAtAnyTime();
+    contract.deviceLossDoesNotChangeResultsOfLaterPackets();
+    contract.emptyPacketStaysEmptyAndPublishesNothing();
+    contract.eventsAreNeitherAddedNorReordered();
+    contract.packetsAreNeitherRetainedNorWrittenAfterTheCall();
     contract.randomEventsOnSmallAndLargeSensorsThrowNothing();
-    contract.nothingIsAllocatedPerEvent();
-    contract.whenDisabledInAChainItLeavesPacketsUntouched();
+    contract.processingAllocatesNoMemoryPerEvent();
+    contract.disabledFilterLeavesPacketsUnchanged();
   }
 
   @Test
-  void aFilterThatActsOncePerPacketIsFound() {
+  void filterThatPublishesPerPacketIsDetected() {
     EventFilterContract contract =
         contractOf(
             () ->
@@ -74,13 +74,12 @@ class EventFilterContractTest {
                     }
                   }
                 });
-    assertThrows(
-        AssertionError.class, contract::theResultsDoNotDependOnHowTheStreamIsCutIntoPackets);
-    assertThrows(AssertionError.class, contract::aPacketForEachEventGivesTheSameResultsAsOneForAll);
+    assertThrows(AssertionError.class, contract::resultsDoNotDependOnPacketBoundaries);
+    assertThrows(AssertionError.class, contract::oneEventPerPacketGivesTheResultsOfASinglePacket);
   }
 
   @Test
-  void aFilterThatForgetsToForgetIsFound() {
+  void filterWithIncompleteResetIsDetected() {
     EventFilterContract contract =
         contractOf(
             () ->
@@ -98,14 +97,13 @@ class EventFilterContractTest {
                     packet.truncate(kept);
                   }
                 });
-    contract.theResultsDoNotDependOnHowTheStreamIsCutIntoPackets();
-    assertThrows(AssertionError.class, contract::afterAResetItBehavesLikeANewFilter);
-    assertThrows(
-        AssertionError.class, contract::afterEachCauseOfAResetAndAfterANewStartTimeMayGoBack);
+    contract.resultsDoNotDependOnPacketBoundaries();
+    assertThrows(AssertionError.class, contract::resetFilterBehavesLikeANewFilter);
+    assertThrows(AssertionError.class, contract::timeMayDecreaseAfterAnyResetOrStart);
   }
 
   @Test
-  void aFilterThatKeepsAPacketIsFound() {
+  void filterThatRetainsAPacketIsDetected() {
     EventFilterContract contract =
         contractOf(
             () ->
@@ -120,11 +118,11 @@ class EventFilterContractTest {
                     }
                   }
                 });
-    assertThrows(AssertionError.class, contract::itKeepsNoPacketAndWritesToNoneAfterTheCall);
+    assertThrows(AssertionError.class, contract::packetsAreNeitherRetainedNorWrittenAfterTheCall);
   }
 
   @Test
-  void aFilterThatWritesToAPacketAfterTheCallIsFound() {
+  void filterThatWritesToAPacketAfterTheCallIsDetected() {
     EventFilterContract contract =
         contractOf(
             () ->
@@ -143,11 +141,11 @@ class EventFilterContractTest {
                     }
                   }
                 });
-    assertThrows(AssertionError.class, contract::itKeepsNoPacketAndWritesToNoneAfterTheCall);
+    assertThrows(AssertionError.class, contract::packetsAreNeitherRetainedNorWrittenAfterTheCall);
   }
 
   @Test
-  void aFilterThatAllocatesForEachEventIsFound() {
+  void filterThatAllocatesPerEventIsDetected() {
     EventFilterContract contract =
         contractOf(
             () ->
@@ -161,11 +159,11 @@ class EventFilterContractTest {
                     }
                   }
                 });
-    assertThrows(AssertionError.class, contract::nothingIsAllocatedPerEvent);
+    assertThrows(AssertionError.class, contract::processingAllocatesNoMemoryPerEvent);
   }
 
   @Test
-  void aFilterThatAddsOrChangesEventsIsFound() {
+  void filterThatAddsOrChangesEventsIsDetected() {
     EventFilterContract adding =
         contractOf(
             () ->
@@ -177,7 +175,7 @@ class EventFilterContractTest {
                     }
                   }
                 });
-    assertThrows(AssertionError.class, adding::itNeitherAddsNorReordersEvents);
+    assertThrows(AssertionError.class, adding::eventsAreNeitherAddedNorReordered);
     EventFilterContract changing =
         contractOf(
             () ->
@@ -189,11 +187,11 @@ class EventFilterContractTest {
                     }
                   }
                 });
-    assertThrows(AssertionError.class, changing::itNeitherAddsNorReordersEvents);
+    assertThrows(AssertionError.class, changing::eventsAreNeitherAddedNorReordered);
   }
 
   @Test
-  void aFilterThatTrustsNotificationsOrPacketsTooMuchIsFound() {
+  void filterThatFailsOnNotificationsOrPacketSizesIsDetected() {
     EventFilterContract contract =
         contractOf(
             () ->
@@ -213,8 +211,8 @@ class EventFilterContractTest {
                     }
                   }
                 });
-    assertThrows(AssertionError.class, contract::everyNotificationIsAcceptedAtAnyPlace);
-    assertThrows(AssertionError.class, contract::anEmptyPacketStaysEmptyAndPublishesNothing);
+    assertThrows(AssertionError.class, contract::everyNotificationIsAcceptedAtAnyTime);
+    assertThrows(AssertionError.class, contract::emptyPacketStaysEmptyAndPublishesNothing);
     assertThrows(AssertionError.class, contract::randomEventsOnSmallAndLargeSensorsThrowNothing);
   }
 }

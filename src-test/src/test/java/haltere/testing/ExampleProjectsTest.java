@@ -146,7 +146,7 @@ class ExampleProjectsTest {
         """);
   }
 
-  /** What an expression finds in docs/embedding.md. */
+  /** Matches of an expression in docs/embedding.md. */
   private static List<String> embedding(String expression) throws IOException {
     List<String> found =
         Pattern.compile(expression, Pattern.DOTALL)
@@ -204,7 +204,7 @@ class ExampleProjectsTest {
   }
 
   @Test
-  void theLinesOfTheReadmeFollowAMovingSpotInJavaAndInKotlin() {
+  void readmeExampleTracksAMovingSpotInJavaAndKotlin() {
     String log = text(folder.resolve("gradle.log"));
     for (String project : List.of("readme", "kotlin")) {
       String task = ":" + project + ":run\n";
@@ -221,7 +221,7 @@ class ExampleProjectsTest {
   }
 
   @Test
-  void jShellRunsTheLinesOfTheReadme() throws Exception {
+  void readmeExampleRunsInJShell() throws Exception {
     Path project = folder.resolve("examples/readme");
     Path installed = project.resolve("ui/build/install/haltere");
     Files.createDirectories(installed.getParent());
@@ -234,7 +234,7 @@ class ExampleProjectsTest {
   }
 
   @Test
-  void theExtensionKeepsTheContractOfFiltersAndIsFoundByTheProgram() throws Exception {
+  void extensionExampleMeetsTheFilterContractAndIsLoadedByTheProgram() throws Exception {
     assertTrue(tests("extension") > 5);
     Path jars = folder.resolve("examples/extension/build/libs");
     Path program = Path.of(System.getProperty("haltere.installed"), "bin", "haltere");
@@ -244,12 +244,12 @@ class ExampleProjectsTest {
   }
 
   @Test
-  void thePluginWorksInImageJ() throws IOException {
+  void imageJPluginTestsPass() throws IOException {
     assertTrue(tests("imagej") > 5);
   }
 
   @Test
-  void theProgramForSparkCountsTheObjectsOfRecordings() throws IOException {
+  void sparkExampleCountsTheObjectsOfRecordings() throws IOException {
     assertEquals(1, tests("spark"));
   }
 

@@ -30,7 +30,7 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The example in the README compiles as it stands there, and does what it says. */
+/** The example of the README compiles and works. */
 class ReadmeExampleTest {
   private static final Path README = Path.of("..", "README.md");
   private static final Pattern EXAMPLE = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL);
@@ -38,7 +38,7 @@ class ReadmeExampleTest {
   @TempDir Path folder;
 
   @Test
-  void theExampleCompilesAndFollowsAMovingSpot() throws Exception {
+  void readmeExampleCompilesAndTracksAMovingSpot() throws Exception {
     String example = example();
     assertTrue(example.lines().filter(line -> !line.startsWith("import ")).count() <= 12, example);
     Path recording = folder.resolve("recording.aedat");

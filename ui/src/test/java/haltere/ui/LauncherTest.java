@@ -43,7 +43,7 @@ class LauncherTest {
   }
 
   @Test
-  void theStatusOfTheProcessIsThatOfTheCommand() throws Exception {
+  void processStatusIsTheStatusOfTheCommand() throws Exception {
     Process good = start("--version");
     assertTrue(text(good.getInputStream()).startsWith("haltere "));
     assertEquals(0, good.waitFor());
@@ -56,7 +56,7 @@ class LauncherTest {
   }
 
   @Test
-  void aProcessThatIsToldToStopRemovesItsUnfinishedOutput() throws Exception {
+  void terminatedProcessRemovesItsUnfinishedOutput() throws Exception {
     try (WatchService watch = folder.getFileSystem().newWatchService()) {
       folder.register(watch, StandardWatchEventKinds.ENTRY_CREATE);
       Process process = start("simulate", "fly", "endless.aedat", "--duration", "100000");
@@ -73,7 +73,7 @@ class LauncherTest {
   }
 
   @Test
-  void noClassOfJavaFxIsLoadedForACommand() throws Exception {
+  void commandsLoadNoJavaFxClass() throws Exception {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-Xlog:class+load:file=classes.txt", "-cp"));

@@ -13,12 +13,12 @@ import org.junit.jupiter.api.io.TempDir;
 
 class NativeLibrariesTest {
   @Test
-  void aMachineWithAllOfThemHasNoComplaint() {
+  void completeLibrariesGiveNoMessage() {
     assertEquals(Optional.empty(), NativeLibraries.complaint(file -> true));
   }
 
   @Test
-  void aMachineWithoutThemIsToldThePackagesInOneLine() {
+  void missingLibrariesAreReportedWithPackagesInOneLine() {
     String line = NativeLibraries.complaint(file -> false).orElseThrow();
     assertTrue(line.contains("libgtk-3-0 libgl1 libxtst6"), line);
     assertTrue(line.contains("libgtk-3.so.0"), line);
@@ -26,18 +26,18 @@ class NativeLibrariesTest {
   }
 
   @Test
-  void onlyWhatIsMissingIsAskedFor() {
+  void onlyMissingLibrariesAreReported() {
     String line = NativeLibraries.complaint(file -> !file.equals("libXtst.so.6")).orElseThrow();
     assertTrue(line.contains("(libXtst.so.6): install the packages libxtst6 "), line);
   }
 
   @Test
-  void aLibraryThatNobodyHasIsNotFound() {
+  void unknownLibraryIsNotFound() {
     assertFalse(NativeLibraries.present("libhaltere-no-such-library.so.7"));
   }
 
   @Test
-  void theLinkersListIsBelievedOnlyAsFarAsItsFilesExist(@TempDir Path folder) throws IOException {
+  void linkerCacheEntriesCountOnlyIfTheirFilesExist(@TempDir Path folder) throws IOException {
     Path library = Files.createFile(folder.resolve("libreal.so.1"));
     String list =
         "2 libs found in cache\n"

@@ -63,7 +63,7 @@ class StartScriptTest {
   }
 
   @Test
-  void startsThroughALinkFromAnotherFolderWithoutAWord() throws Exception {
+  void scriptStartsThroughASymbolicLinkWithoutMessages() throws Exception {
     Path link = Files.createSymbolicLink(folder.resolve("my haltere"), script);
     Run run = run(link, Map.of(), "--version");
     assertEquals(new Run(0, run.out(), ""), run);
@@ -71,13 +71,13 @@ class StartScriptTest {
   }
 
   @Test
-  void argumentsWithBlanksArriveWhole() throws Exception {
+  void argumentsWithBlanksAreNotSplit() throws Exception {
     Run run = run(script, Map.of(), "info", "no such * file.aedat");
     assertEquals(new Run(1, "", "haltere: no such * file.aedat: there is no such file\n"), run);
   }
 
   @Test
-  void namesWithUmlautsOpenInTheLocaleThatKnowsAsciiOnly() throws Exception {
+  void fileNamesWithUmlautsOpenInTheCLocale() throws Exception {
     String commands =
         "name=$(printf 'Fl\\303\\274gel.csv'); printf 't_us,x,y,on\\n1,2,3,1\\n' > $name;"
             + " \"$HALTERE\" convert $name out-$name && \"$HALTERE\" info out-$name";
@@ -92,7 +92,7 @@ class StartScriptTest {
   }
 
   @Test
-  void otherOptionsForJavaCauseNoComplaint() throws Exception {
+  void additionalJavaOptionsCauseNoWarning() throws Exception {
     for (String options : List.of("-XX:+UseParallelGC", "-Xmx300m -Xss1m", "-Xshare:off")) {
       Run run = run(script, Map.of("JAVA_OPTS", options), "filters", "refractory");
       assertEquals(0, run.status(), run.err());
@@ -102,7 +102,7 @@ class StartScriptTest {
   }
 
   @Test
-  void aJavaThatIsNotThereIsExplained() throws Exception {
+  void missingJavaIsReported() throws Exception {
     Run run = run(script, Map.of("JAVA_HOME", "/nowhere"), "--version");
     assertEquals(1, run.status());
     assertEquals(1, run.err().lines().count(), run.err());
@@ -110,7 +110,7 @@ class StartScriptTest {
   }
 
   @Test
-  void eachLibraryOfADistributionHasItsLicenceInTheBillOfMaterials() throws IOException {
+  void billOfMaterialsHasTheLicenceOfEachLibrary() throws IOException {
     Path installed = script.getParent().getParent();
     Map<?, ?> bill = (Map<?, ?>) Json.read(installed.resolve("haltere.cdx.json"));
     Set<Object> named = new HashSet<>();
@@ -156,7 +156,7 @@ class StartScriptTest {
 
   @ParameterizedTest
   @MethodSource("installedJdks")
-  void onEachInstalledJdkNativeCodeIsLoadedWithoutAWarning(Path jdk) throws Exception {
+  void nativeCodeIsLoadedWithoutWarningOnEachInstalledJdk(Path jdk) throws Exception {
     Map<String, String> environment = Map.of("JAVA_HOME", jdk.toString());
     Files.writeString(folder.resolve("in.csv"), "t_us,x,y,on\n1,2,3,1\n");
     // Zstandard, libusb and the window toolkit
@@ -169,7 +169,7 @@ class StartScriptTest {
   }
 
   @Test
-  void viewWithoutADisplayIsOneLine() throws Exception {
+  void viewWithoutDisplayIsReportedInOneLine() throws Exception {
     Run run = run(script, Map.of(), "view");
     assertEquals(1, run.status());
     assertEquals(1, run.err().lines().count(), run.err());

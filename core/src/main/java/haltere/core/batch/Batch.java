@@ -237,13 +237,13 @@ public final class Batch {
       Progress progress = new Progress(item.bytes());
       if (options.existing() == BatchOptions.Existing.RESUME && results.isValid(item, place)) {
         progress.finish();
-        tell(() -> kept++);
+        update(() -> kept++);
         return;
       }
       Optional<ResultFolder> taken = ResultFolder.take(place);
       if (taken.isEmpty()) {
         progress.finish();
-        tell(() -> elsewhere++);
+        update(() -> elsewhere++);
         return;
       }
       ResultFolder folder = taken.get();
@@ -285,7 +285,7 @@ public final class Batch {
     }
 
     private void count(BatchItem item, JobReport report) {
-      tell(
+      update(
           () -> {
             done++;
             events += report.counters().get(Counter.EVENTS_IN);
@@ -296,15 +296,15 @@ public final class Batch {
     }
 
     private void fail(BatchFailure failure) {
-      tell(
+      update(
           () -> {
             failures.add(failure);
             listener.failed(failure);
           });
     }
 
-    private synchronized void tell(Runnable news) {
-      news.run();
+    private synchronized void update(Runnable change) {
+      change.run();
     }
 
     synchronized BatchReport report() {
@@ -325,7 +325,7 @@ public final class Batch {
         long now = Math.min(size, Math.max(reached, position));
         long more = now - reached;
         reached = now;
-        tell(
+        update(
             () -> {
               doneBytes += more;
               listener.progress(doneBytes, totalBytes);

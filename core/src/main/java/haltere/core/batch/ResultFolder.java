@@ -31,7 +31,7 @@ import java.util.Optional;
 final class ResultFolder implements Closeable {
   private static final String DONE = "done.json";
   private static final String OUTPUTS = "outputs";
-  private static final int LONGEST_JOURNAL_BYTES = 1 << 24;
+  private static final int MAX_JOURNAL_BYTES = 1 << 24;
 
   private final Path folder;
   private final Path part;
@@ -117,10 +117,10 @@ final class ResultFolder implements Closeable {
   }
 
   private Optional<Map<?, ?>> journalled() throws IOException {
-    long size = Math.min(journal.size(), LONGEST_JOURNAL_BYTES);
+    long size = Math.min(journal.size(), MAX_JOURNAL_BYTES);
     ByteBuffer bytes = ByteBuffer.allocate((int) size);
     while (bytes.hasRemaining() && journal.read(bytes, bytes.position()) >= 0) {
-      // until all is there
+      // until complete
     }
     try {
       String text = new String(bytes.array(), 0, bytes.position(), StandardCharsets.UTF_8);
@@ -128,7 +128,7 @@ final class ResultFolder implements Closeable {
           ? Optional.of(begun)
           : Optional.empty();
     } catch (IOException ignored) {
-      // nothing is written before the journal is whole
+      // no file is written before its journal is complete
       return Optional.empty();
     }
   }
@@ -227,7 +227,7 @@ final class ResultFolder implements Closeable {
       Files.deleteIfExists(part);
       Files.delete(folder);
     } catch (DirectoryNotEmptyException | NoSuchFileException ignored) {
-      // Files of others stay.
+      // the folder contains other files
     } finally {
       journal.close();
     }

@@ -51,9 +51,9 @@ public record CameraOptions(
     Objects.requireNonNull(whenFull, "whenFull");
   }
 
-  private static void require(String what, int value, int most) {
-    if (value < 0 || value > most) {
-      throw new IllegalArgumentException(what + " must be 0 to " + most + ", not " + value);
+  private static void require(String what, int value, int max) {
+    if (value < 0 || value > max) {
+      throw new IllegalArgumentException(what + " must be 0 to " + max + ", not " + value);
     }
   }
 

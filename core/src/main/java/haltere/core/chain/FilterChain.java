@@ -363,14 +363,14 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
     if (outside >= 0) {
       return;
     }
-    int kept = 0;
+    int passed = 0;
     for (int i = 0; i < size; i++) {
       if (geometry.contains(packet.x(i), packet.y(i))) {
-        packet.move(i, kept++);
+        packet.move(i, passed++);
       }
     }
-    outsideSensor += size - kept;
-    packet.truncate(kept);
+    outsideSensor += size - passed;
+    packet.truncate(passed);
   }
 
   @Override
@@ -389,13 +389,13 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
     }
     Thread before = enter();
     try {
-      tell(notification);
+      notifyStages(notification);
     } finally {
       busy = before;
     }
   }
 
-  private void tell(StreamNotification notification) {
+  private void notifyStages(StreamNotification notification) {
     FilterFailure first = null;
     for (ChainStage stage : stages) {
       try {

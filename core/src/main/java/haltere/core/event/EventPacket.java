@@ -280,9 +280,9 @@ public final class EventPacket {
     if (capacity <= timesUs.length) {
       return;
     }
-    int grown = Math.min(MAX_CAPACITY, Math.max(capacity, Math.max(16, timesUs.length * 2)));
-    timesUs = Arrays.copyOf(timesUs, grown);
-    addresses = Arrays.copyOf(addresses, grown);
+    int newLength = Math.min(MAX_CAPACITY, Math.max(capacity, Math.max(16, timesUs.length * 2)));
+    timesUs = Arrays.copyOf(timesUs, newLength);
+    addresses = Arrays.copyOf(addresses, newLength);
   }
 
   /**

@@ -14,7 +14,7 @@ import java.util.Objects;
  * @since 0.1
  */
 public final class Frame implements SensorSample {
-  /** How a value of a pixel is stored. */
+  /** Data type of the values of pixels. */
   public enum Depth {
     /** Whole numbers from 0 to 255. */
     UNSIGNED_8(1, 255),

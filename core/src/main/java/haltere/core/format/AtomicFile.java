@@ -30,7 +30,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   /** Ending of a file that is being written. */
   public static final String PART = ".part";
 
-  private final Path asked;
+  private final Path requested;
   private final Path target;
   private final Path temporary;
   private final boolean overwrite;
@@ -40,14 +40,14 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   private boolean committed;
 
   private AtomicFile(
-      Path asked,
+      Path requested,
       Path target,
       Path temporary,
       boolean overwrite,
       boolean staged,
       FileChannel channel,
       OutputStream stream) {
-    this.asked = asked;
+    this.requested = requested;
     this.target = target;
     this.temporary = temporary;
     this.overwrite = overwrite;
@@ -187,7 +187,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
    * @return the path as given
    */
   public Path path() {
-    return asked;
+    return requested;
   }
 
   /**
@@ -219,7 +219,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
         channel.write(source);
       }
     } catch (IOException e) {
-      throw RecordingProblem.writing(asked, e);
+      throw RecordingProblem.writing(requested, e);
     }
     return count;
   }
@@ -236,7 +236,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
    */
   public void commit() throws IOException {
     if (committed) {
-      throw new IllegalStateException(asked + " is in its place already");
+      throw new IllegalStateException(requested + " is in its place already");
     }
     try {
       if (stream != null) {
@@ -244,12 +244,12 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
       } else {
         channel.close();
         if (!staged) {
-          refuseExisting(asked, overwrite);
+          refuseExisting(requested, overwrite);
           move(temporary, target);
         }
       }
     } catch (IOException e) {
-      throw RecordingProblem.writing(asked, e);
+      throw RecordingProblem.writing(requested, e);
     }
     committed = true;
   }

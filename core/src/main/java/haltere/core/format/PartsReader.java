@@ -138,17 +138,17 @@ final class PartsReader implements RecordingReader {
         states[current] = State.ENDED;
         if (current == parts.size() - 1) {
           ended = true;
-          give(new EndOfStream(lastUs));
+          deliver(new EndOfStream(lastUs));
         }
       } else if (!started) {
         started = true;
-        give(new StreamStarted(geometry(), folder.toString()));
+        deliver(new StreamStarted(geometry(), folder.toString()));
       } else {
-        give(notification);
+        deliver(notification);
       }
     }
 
-    private void give(StreamNotification notification) {
+    private void deliver(StreamNotification notification) {
       given = true;
       out.notified(notification);
     }

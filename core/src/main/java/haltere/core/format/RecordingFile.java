@@ -19,14 +19,14 @@ import java.util.Objects;
  * truncated while it is open only ends early.
  *
  * <p>The bytes of a {@link #stream} are read once, from front to back: offsets may go back by
- * {@value #KEPT_BYTES} bytes, and its size is unknown until its end.
+ * {@value #BUFFERED_BYTES} bytes, and its size is unknown until its end.
  *
  * <p>Thread rule: one thread.
  *
  * @since 0.1
  */
 public final class RecordingFile implements Closeable {
-  private static final int KEPT_BYTES = 1 << 20;
+  private static final int BUFFERED_BYTES = 1 << 20;
 
   private final Path path;
   private FileChannel channel;
@@ -36,9 +36,9 @@ public final class RecordingFile implements Closeable {
   /** The stream, and its buffered bytes, which can be read again; null for a file. */
   private ReadableByteChannel stream;
 
-  private byte[] kept = {};
-  private long keptFrom;
-  private int keptCount;
+  private byte[] buffered = {};
+  private long bufferedFrom;
+  private int bufferedCount;
 
   /**
    * Opens a file.
@@ -210,43 +210,45 @@ public final class RecordingFile implements Closeable {
 
   private void readStream(ByteBuffer buffer, long offset) throws IOException {
     int wanted = buffer.remaining();
-    if (offset < keptFrom) {
+    if (offset < bufferedFrom) {
       buffer.limit(0);
       requireFile("save it to a file for this");
     }
     try {
-      while (size == Long.MAX_VALUE && keptFrom + keptCount < offset + wanted) {
+      while (size == Long.MAX_VALUE && bufferedFrom + bufferedCount < offset + wanted) {
         makeRoom(offset);
-        int count = stream.read(ByteBuffer.wrap(kept, keptCount, kept.length - keptCount));
+        int count =
+            stream.read(ByteBuffer.wrap(buffered, bufferedCount, buffered.length - bufferedCount));
         if (count < 0) {
-          size = keptFrom + keptCount;
+          size = bufferedFrom + bufferedCount;
         } else {
-          keptCount += count;
+          bufferedCount += count;
         }
       }
     } catch (IOException e) {
       buffer.limit(0);
       throw RecordingProblem.reading(path, offset, e);
     }
-    long there = Math.min(wanted, keptFrom + keptCount - offset);
-    if (there > 0) {
-      buffer.put(kept, (int) (offset - keptFrom), (int) there);
+    long available = Math.min(wanted, bufferedFrom + bufferedCount - offset);
+    if (available > 0) {
+      buffer.put(buffered, (int) (offset - bufferedFrom), (int) available);
     }
     buffer.flip();
   }
 
   /** Discards bytes far before an offset if the buffer is full. */
   private void makeRoom(long offset) {
-    if (keptCount < kept.length) {
+    if (bufferedCount < buffered.length) {
       return;
     }
-    int forgotten = (int) Math.max(0, Math.min(keptCount, offset - KEPT_BYTES - keptFrom));
-    int length = 2 * Math.max(KEPT_BYTES, keptCount - forgotten);
-    byte[] target = length > kept.length ? new byte[length] : kept;
-    System.arraycopy(kept, forgotten, target, 0, keptCount - forgotten);
-    kept = target;
-    keptFrom += forgotten;
-    keptCount -= forgotten;
+    int discarded =
+        (int) Math.max(0, Math.min(bufferedCount, offset - BUFFERED_BYTES - bufferedFrom));
+    int length = 2 * Math.max(BUFFERED_BYTES, bufferedCount - discarded);
+    byte[] target = length > buffered.length ? new byte[length] : buffered;
+    System.arraycopy(buffered, discarded, target, 0, bufferedCount - discarded);
+    buffered = target;
+    bufferedFrom += discarded;
+    bufferedCount -= discarded;
   }
 
   /**

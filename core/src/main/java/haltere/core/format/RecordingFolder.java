@@ -21,7 +21,7 @@ final class RecordingFolder {
   private static final String BAG_LIST = "metadata.yaml";
 
   private static final String BAG_PARTS = "relative_file_paths:";
-  private static final int LONGEST_LIST_BYTES = 1 << 20;
+  private static final int MAX_LIST_BYTES = 1 << 20;
 
   private RecordingFolder() {}
 
@@ -46,7 +46,7 @@ final class RecordingFolder {
     Path list = folder.resolve(BAG_LIST);
     List<Path> parts = new ArrayList<>();
     try {
-      if (!Files.isRegularFile(list) || Files.size(list) > LONGEST_LIST_BYTES) {
+      if (!Files.isRegularFile(list) || Files.size(list) > MAX_LIST_BYTES) {
         return parts;
       }
       boolean listed = false;

@@ -170,17 +170,17 @@ public final class Recordings {
         best = answer.support();
       }
     }
-    List<RecordingFormat> surest = new ArrayList<>();
+    List<RecordingFormat> bestFormats = new ArrayList<>();
     for (Map.Entry<RecordingFormat, ProbeResult> answer : answers.entrySet()) {
       if (answer.getValue().support() == best && best != Support.NONE) {
-        surest.add(answer.getKey());
+        bestFormats.add(answer.getKey());
       }
     }
-    if (surest.size() == 1) {
-      return surest.get(0);
+    if (bestFormats.size() == 1) {
+      return bestFormats.get(0);
     }
     Optional<String> decompressing =
-        surest.isEmpty() ? CompressedWhole.program(head) : Optional.empty();
+        bestFormats.isEmpty() ? CompressedWhole.program(head) : Optional.empty();
     if (decompressing.isPresent()) {
       throw new RecordingProblem(
           file, "it is compressed as a whole; decompress it first: " + decompressing.get());
@@ -190,13 +190,14 @@ public final class Recordings {
         answers.keySet().stream().anyMatch(format -> format.extensions().contains(extension));
     String reasons =
         answers.entrySet().stream()
-            .filter(answer -> surest.isEmpty() ? claimed : surest.contains(answer.getKey()))
+            .filter(
+                answer -> bestFormats.isEmpty() ? claimed : bestFormats.contains(answer.getKey()))
             .map(answer -> answer.getKey().name() + ": " + answer.getValue().reason())
             .collect(Collectors.joining("; "));
     String formats = reasons.isEmpty() ? String.join(", ", formats().keySet()) : reasons;
     throw new RecordingProblem(
         file,
-        (surest.isEmpty() ? "no known format (" : "several formats fit (")
+        (bestFormats.isEmpty() ? "no known format (" : "several formats fit (")
             + formats
             + ") (--format NAME reads it as one of them)");
   }

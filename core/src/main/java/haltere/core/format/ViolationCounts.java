@@ -128,13 +128,13 @@ public final class ViolationCounts {
   /**
    * A line for each kind with violations.
    *
-   * @param told kinds to omit because they are reported otherwise
+   * @param reported kinds to omit because they are reported otherwise
    * @return for users
    */
-  public List<String> describe(Set<Violation> told) {
+  public List<String> describe(Set<Violation> reported) {
     List<String> lines = new ArrayList<>();
     for (Violation kind : KINDS) {
-      if (count(kind) > 0 && !told.contains(kind)) {
+      if (count(kind) > 0 && !reported.contains(kind)) {
         lines.add(
             kind == Violation.CUT_OFF
                 ? kind.sentence() + " (byte " + firstOffset(kind) + ")"

@@ -10,7 +10,7 @@ import java.util.Objects;
  * @since 0.1
  */
 public record MarkStyle(Role role, int identity) {
-  /** What a mark stands for. */
+  /** Meaning of a mark. */
   public enum Role {
     /** An object that was found. */
     OBJECT,

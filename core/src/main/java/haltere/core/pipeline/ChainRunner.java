@@ -166,7 +166,7 @@ public final class ChainRunner implements StreamHandler {
       counters.add(Counter.PACKETS_IN, 1);
       counters.add(Counter.EVENTS_IN, in);
     }
-    hand(packet, rawSinks);
+    deliver(packet, rawSinks);
     long beforeUs = lastUs;
     if (in > 0) {
       lastUs = packet.lastTimeUs();
@@ -177,10 +177,10 @@ public final class ChainRunner implements StreamHandler {
     if (!runUp) {
       counters.add(Counter.EVENTS_OUT, packet.size());
     }
-    hand(packet, sinks);
+    deliver(packet, sinks);
   }
 
-  private void hand(EventPacket packet, List<StreamHandler> list) {
+  private void deliver(EventPacket packet, List<StreamHandler> list) {
     for (StreamHandler sink : list) {
       try {
         if (!runUp || followsRunUps.test(sink)) {
@@ -220,7 +220,7 @@ public final class ChainRunner implements StreamHandler {
 
   private void lose(DataLost lost) {
     counters.add(Counter.GAPS, runUp ? 0 : 1);
-    tellChain(lost);
+    notifyChain(lost);
     toAll(sinks, handler -> handler.notified(lost));
   }
 
@@ -238,7 +238,7 @@ public final class ChainRunner implements StreamHandler {
       lastUs = StreamNotification.NO_TIME_US;
     }
     toAll(rawSinks, handler -> handler.notified(notification));
-    tellChain(notification);
+    notifyChain(notification);
     toAll(sinks, handler -> handler.notified(notification));
   }
 
@@ -282,7 +282,7 @@ public final class ChainRunner implements StreamHandler {
     }
   }
 
-  private void tellChain(StreamNotification notification) {
+  private void notifyChain(StreamNotification notification) {
     try {
       chain.notified(notification);
     } catch (FilterFailure failure) {

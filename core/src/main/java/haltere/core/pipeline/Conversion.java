@@ -129,8 +129,9 @@ public final class Conversion {
     RecordingJob.requireWhole(reader, whole);
     writer.finish();
     List<String> warnings = new java.util.ArrayList<>(reader.remarks());
-    boolean told = !copy.samplesWritten.isEmpty() || !copy.samplesLeftOut.isEmpty();
-    warnings.addAll(reader.violations().describe(told ? Set.of(Violation.OTHER_DATA) : Set.of()));
+    boolean samplesReported = !copy.samplesWritten.isEmpty() || !copy.samplesLeftOut.isEmpty();
+    warnings.addAll(
+        reader.violations().describe(samplesReported ? Set.of(Violation.OTHER_DATA) : Set.of()));
     warnings.addAll(writer.losses());
     if (!copy.samplesLeftOut.isEmpty()) {
       warnings.add(

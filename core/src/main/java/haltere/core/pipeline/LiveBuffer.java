@@ -175,7 +175,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     EventPacket last = gathering ? waiting.lastPacket() : null;
     if (last != null && last.size() + to - from <= packetEvents) {
       last.append(packet, from, to);
-      waiting.grew(to - from);
+      waiting.lastGrew(to - from);
       return;
     }
     EventPacket copy = free.poll();
@@ -191,7 +191,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     changed.signalAll();
   }
 
-  /** How many more events may wait. */
+  /** Number of further events that may wait. */
   private int room() {
     int packets = waiting.packets() + (held ? 1 : 0);
     return packets >= maxPackets ? 0 : maxEvents - waiting.events();
@@ -297,7 +297,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
       try {
         handler.packet(packet);
       } finally {
-        giveBack(packet, events);
+        recycle(packet, events);
       }
     } else if (next instanceof SensorSample sample) {
       handler.sample(sample);
@@ -356,7 +356,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     }
   }
 
-  private void giveBack(EventPacket packet, int events) {
+  private void recycle(EventPacket packet, int events) {
     lock.lock();
     try {
       eventsOut += events;
@@ -419,7 +419,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   public Counts counts() {
     lock.lock();
     try {
-      return new Counts(eventsIn, eventsOut, eventsLost, waiting.packets(), waiting.mostPackets());
+      return new Counts(eventsIn, eventsOut, eventsLost, waiting.packets(), waiting.peakPackets());
     } finally {
       lock.unlock();
     }

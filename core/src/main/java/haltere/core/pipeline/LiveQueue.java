@@ -22,18 +22,19 @@ final class LiveQueue {
   private static final int BYTES_PER_READING = 256;
 
   /** Missing events at a position of the stream. */
-  private static final class Gap {
+  private static final class LossMark {
     long events;
   }
 
   private final String place;
-  // EventPacket, SensorSample, StreamNotification or Gap; a gap is never at the end of what may be
-  // taken.
+  // EventPacket, SensorSample, StreamNotification or LossMark; the last element that may be taken
+  // is
+  // never a mark.
   private final List<Object> waiting = new LinkedList<>(); // used at its ends
   private long lastTakenUs = StreamNotification.NO_TIME_US;
   private int packets;
   private int events;
-  private int mostPackets;
+  private int peakPackets;
   private int samples;
   private long sampleBytes;
 
@@ -57,13 +58,13 @@ final class LiveQueue {
   }
 
   /** Counts events that were added to the {@link #lastPacket() last packet}. */
-  void grew(int more) {
+  void lastGrew(int more) {
     events += more;
   }
 
   /** Maximum number of waiting packets so far. */
-  int mostPackets() {
-    return mostPackets;
+  int peakPackets() {
+    return peakPackets;
   }
 
   /** Number of waiting samples. */
@@ -86,7 +87,7 @@ final class LiveQueue {
     waiting.add(packet);
     packets++;
     events += packet.size();
-    mostPackets = Math.max(mostPackets, packets);
+    peakPackets = Math.max(peakPackets, packets);
   }
 
   void add(SensorSample sample) {
@@ -128,17 +129,17 @@ final class LiveQueue {
 
   /** Adds a gap before the element at an index. */
   private void addGap(int index, int events) {
-    Gap gap;
-    if (index > 0 && waiting.get(index - 1) instanceof Gap before) {
+    LossMark gap;
+    if (index > 0 && waiting.get(index - 1) instanceof LossMark before) {
       gap = before;
-      if (index < waiting.size() && waiting.get(index) instanceof Gap after) {
+      if (index < waiting.size() && waiting.get(index) instanceof LossMark after) {
         gap.events += after.events;
         waiting.remove(index);
       }
-    } else if (index < waiting.size() && waiting.get(index) instanceof Gap after) {
+    } else if (index < waiting.size() && waiting.get(index) instanceof LossMark after) {
       gap = after;
     } else {
-      gap = new Gap();
+      gap = new LossMark();
       waiting.add(index, gap);
     }
     gap.events += events;
@@ -146,13 +147,13 @@ final class LiveQueue {
 
   /** A gap waits for the next element, which may extend it and has the time of its end. */
   boolean hasNext() {
-    return waiting.size() > 1 || (!waiting.isEmpty() && !(waiting.get(0) instanceof Gap));
+    return waiting.size() > 1 || (!waiting.isEmpty() && !(waiting.get(0) instanceof LossMark));
   }
 
   /** Takes a packet, a sample or a notification, if there {@link #hasNext() is one}. */
   Object take() {
     Object next = waiting.remove(0);
-    if (next instanceof Gap gap) {
+    if (next instanceof LossMark gap) {
       long toUs =
           waiting.get(0) instanceof EventPacket packet
               ? packet.firstTimeUs()

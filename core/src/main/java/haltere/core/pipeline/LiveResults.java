@@ -39,7 +39,7 @@ import java.util.function.Predicate;
  */
 public final class LiveResults implements StreamHandler, Closeable {
   private static final int ROOM = 16_384;
-  private static final long PATIENCE_MS = 2000;
+  private static final long TIMEOUT_MS = 2000;
 
   /** A result or a notification to send, or a number of lost ones. */
   private record Message(long number, String from, Object content) {}
@@ -55,7 +55,7 @@ public final class LiveResults implements StreamHandler, Closeable {
   private final List<Outlet.Subscription> subscriptions = new ArrayList<>();
   private List<ChainStage> followed = List.of();
   private long number;
-  private volatile long untold;
+  private volatile long unreported;
   private final AtomicLong lost = new AtomicLong();
   private volatile boolean closed;
   private volatile String failure;
@@ -163,12 +163,12 @@ public final class LiveResults implements StreamHandler, Closeable {
       lost.incrementAndGet();
       return;
     }
-    if (untold > 0 && waiting.remainingCapacity() > 1) {
-      waiting.add(new Message(0, "", untold));
-      untold = 0;
+    if (unreported > 0 && waiting.remainingCapacity() > 1) {
+      waiting.add(new Message(0, "", unreported));
+      unreported = 0;
     }
-    if (untold > 0 || !waiting.offer(new Message(number, from, content))) {
-      untold++;
+    if (unreported > 0 || !waiting.offer(new Message(number, from, content))) {
+      unreported++;
       lost.incrementAndGet();
     }
   }
@@ -283,12 +283,12 @@ public final class LiveResults implements StreamHandler, Closeable {
     closed = true;
     unsubscribe();
     try {
-      if (untold > 0) {
-        waiting.offer(new Message(0, "", untold), PATIENCE_MS, TimeUnit.MILLISECONDS);
+      if (unreported > 0) {
+        waiting.offer(new Message(0, "", unreported), TIMEOUT_MS, TimeUnit.MILLISECONDS);
       }
       allPut = true;
       waiting.offer(END);
-      thread.join(PATIENCE_MS);
+      thread.join(TIMEOUT_MS);
     } catch (InterruptedException ignored) {
       Thread.currentThread().interrupt();
     }

@@ -55,11 +55,11 @@ public final class Recorder implements StreamHandler, Closeable {
   public static final int FLUSH_MS = 100;
 
   private static final int MAX_GAPS = 100;
-  private static final Duration PATIENCE = Duration.ofSeconds(10);
+  private static final Duration TIMEOUT = Duration.ofSeconds(10);
 
   private final RecordingWriter writer;
   private final LiveBuffer buffer;
-  private final Duration patience;
+  private final Duration timeout;
   private final Thread thread;
 
   // The producer's.
@@ -76,7 +76,7 @@ public final class Recorder implements StreamHandler, Closeable {
   private volatile Throwable failure;
   private volatile boolean complete;
   private volatile boolean finished;
-  private volatile boolean endAsked;
+  private volatile boolean endRequested;
 
   /**
    * Starts a recording.
@@ -86,7 +86,7 @@ public final class Recorder implements StreamHandler, Closeable {
    * @param policy reaction when the disk does not keep up
    */
   public Recorder(RecordingWriter writer, SensorGeometry geometry, OverflowPolicy policy) {
-    this(writer, geometry, policy, QUEUE_PACKETS, PATIENCE);
+    this(writer, geometry, policy, QUEUE_PACKETS, TIMEOUT);
   }
 
   Recorder(
@@ -94,9 +94,9 @@ public final class Recorder implements StreamHandler, Closeable {
       SensorGeometry geometry,
       OverflowPolicy policy,
       int queuePackets,
-      Duration patience) {
+      Duration timeout) {
     this.writer = Objects.requireNonNull(writer, "writer");
-    this.patience = Objects.requireNonNull(patience, "patience");
+    this.timeout = Objects.requireNonNull(timeout, "patience");
     buffer =
         LiveBuffer.gathering(
             geometry,
@@ -279,7 +279,7 @@ public final class Recorder implements StreamHandler, Closeable {
    */
   @Override
   public void close() throws IOException {
-    if (!endAsked) {
+    if (!endRequested) {
       end();
       if (failure != null) {
         throw problem();
@@ -288,14 +288,14 @@ public final class Recorder implements StreamHandler, Closeable {
   }
 
   private void end() throws IOException {
-    endAsked = true;
+    endRequested = true;
     buffer.notified(new EndOfStream(StreamNotification.NO_TIME_US));
     boolean interrupted = false;
     boolean waitAgain;
     do {
       long before = handed;
       try {
-        thread.join(patience.toMillis());
+        thread.join(timeout.toMillis());
         waitAgain = handed != before;
       } catch (InterruptedException e) {
         interrupted = true;
@@ -310,7 +310,7 @@ public final class Recorder implements StreamHandler, Closeable {
       stop();
       throw new IOException(
           "the disk has written nothing for "
-              + patience.toSeconds()
+              + timeout.toSeconds()
               + " s; the recording has its first "
               + written
               + " events");
@@ -340,9 +340,9 @@ public final class Recorder implements StreamHandler, Closeable {
    */
   public RecorderReport report() {
     LiveBuffer.Counts counts = buffer.counts();
-    List<DataLost> told;
+    List<DataLost> reportedGaps;
     synchronized (gaps) {
-      told = List.copyOf(gaps);
+      reportedGaps = List.copyOf(gaps);
     }
     boolean failed = failure != null;
     return new RecorderReport(
@@ -353,7 +353,7 @@ public final class Recorder implements StreamHandler, Closeable {
         counts.waitingPackets(),
         samplesLeftOut,
         buffer.samplesLost(),
-        told,
+        reportedGaps,
         Optional.ofNullable(stoppedBy),
         failed ? Optional.of(problem().getMessage()) : Optional.empty());
   }

@@ -91,8 +91,8 @@ public final class SessionRecorder implements StreamHandler, Closeable {
   private static final long EVENT_BYTES = 20;
 
   private static final long FILE_BYTES = 128 * 1024;
-  private static final int PACKETS_BETWEEN_LOOKS = 128;
-  private static final long EVENTS_BETWEEN_LOOKS = 200_000;
+  private static final int PACKETS_BETWEEN_CHECKS = 128;
+  private static final long EVENTS_BETWEEN_CHECKS = 200_000;
 
   private record Open(Path file, Recorder recorder) {}
 
@@ -107,8 +107,8 @@ public final class SessionRecorder implements StreamHandler, Closeable {
   private final ExecutorService finisher =
       Executors.newSingleThreadExecutor(work -> Daemon.thread(work, "haltere-session"));
   private Open current;
-  private int packetsSinceLook = PACKETS_BETWEEN_LOOKS;
-  private long eventsSinceLook;
+  private int packetsSinceCheck = PACKETS_BETWEEN_CHECKS;
+  private long eventsSinceCheck;
   private volatile long afterEnd;
   private volatile String endedEarly = "";
 
@@ -249,7 +249,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
       if (current != null && isFull(packet.size())) {
         endPart();
       }
-      if (current == null && !lookAtDisk()) {
+      if (current == null && !checkDisk()) {
         afterEnd = afterEnd + packet.size();
         return;
       }
@@ -260,9 +260,10 @@ public final class SessionRecorder implements StreamHandler, Closeable {
       throw new UncheckedIOException(problem);
     }
     current.recorder().packet(packet);
-    eventsSinceLook += packet.size();
-    if (++packetsSinceLook >= PACKETS_BETWEEN_LOOKS || eventsSinceLook >= EVENTS_BETWEEN_LOOKS) {
-      lookAtDisk();
+    eventsSinceCheck += packet.size();
+    if (++packetsSinceCheck >= PACKETS_BETWEEN_CHECKS
+        || eventsSinceCheck >= EVENTS_BETWEEN_CHECKS) {
+      checkDisk();
     }
   }
 
@@ -277,9 +278,9 @@ public final class SessionRecorder implements StreamHandler, Closeable {
   }
 
   /** Ends the session if the disk gets full; true if it continues. */
-  private boolean lookAtDisk() {
-    packetsSinceLook = 0;
-    eventsSinceLook = 0;
+  private boolean checkDisk() {
+    packetsSinceCheck = 0;
+    eventsSinceCheck = 0;
     long free = freeBytes.getAsLong();
     if (free >= limits.keepFreeBytes()) {
       return true;
@@ -383,7 +384,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
   }
 
   /**
-   * Why the session ended before it was told to.
+   * Reason for an early end of the session.
    *
    * @return a line for users, or empty
    */

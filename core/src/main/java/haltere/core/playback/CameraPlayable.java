@@ -31,7 +31,7 @@ import java.util.OptionalLong;
  * @since 0.1
  */
 public final class CameraPlayable implements Playable {
-  private static final long PATIENCE_NANOS = 5_000_000;
+  private static final long TIMEOUT_NANOS = 5_000_000;
 
   private final Camera camera;
   private final boolean reconnects;
@@ -121,7 +121,7 @@ public final class CameraPlayable implements Playable {
 
   @Override
   public boolean next(StreamHandler handler) throws IOException {
-    if (!camera.await(PATIENCE_NANOS)) {
+    if (!camera.await(TIMEOUT_NANOS)) {
       handler.packet(nothing);
       return true;
     }

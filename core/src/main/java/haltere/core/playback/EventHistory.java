@@ -193,7 +193,7 @@ final class EventHistory {
 
   /** Appends a sample. */
   void append(SensorSample sample, long offsetUs) {
-    samples.add(new KeptSamples.Kept(sample, offsetUs, events, pending != null));
+    samples.add(new KeptSamples.Entry(sample, offsetUs, events, pending != null));
     toEnd();
   }
 
@@ -236,7 +236,7 @@ final class EventHistory {
    */
   void next(EventPacket piece, LongConsumer offset, StreamHandler handler) {
     if (isSampleNext()) {
-      KeptSamples.Kept next = samples.peek();
+      KeptSamples.Entry next = samples.peek();
       samples.skip();
       offset.accept(next.offsetUs());
       handler.sample(next.sample());
@@ -256,7 +256,7 @@ final class EventHistory {
     if (samples.atEnd()) {
       return false;
     }
-    KeptSamples.Kept next = samples.peek();
+    KeptSamples.Entry next = samples.peek();
     return next.eventsBefore() < nextEvent()
         || next.eventsBefore() == nextEvent() && (notificationGiven || !next.afterNotification());
   }

@@ -138,9 +138,9 @@ public final class KeptPlayable implements Playable {
   @Override
   public boolean next(StreamHandler handler) throws IOException {
     if (jump != null) {
-      StreamNotification said = jump;
+      StreamNotification current = jump;
       jump = null;
-      handler.notified(said);
+      handler.notified(current);
       return true;
     }
     // Replay ends with the request after its last piece, so that this piece is paced too.

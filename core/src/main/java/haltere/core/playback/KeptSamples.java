@@ -28,14 +28,14 @@ final class KeptSamples {
    * @param eventsBefore number of events before it since the history began
    * @param afterNotification whether it came after the notification between the same two events
    */
-  record Kept(SensorSample sample, long offsetUs, long eventsBefore, boolean afterNotification) {
+  record Entry(SensorSample sample, long offsetUs, long eventsBefore, boolean afterNotification) {
     long elapsedUs() {
       return sample.timeUs() + offsetUs;
     }
   }
 
   private final long maxBytes;
-  private final List<Kept> all = new ArrayList<>();
+  private final List<Entry> all = new ArrayList<>();
   private long bytes;
   private int next;
 
@@ -44,17 +44,17 @@ final class KeptSamples {
     this.maxBytes = maxBytes;
   }
 
-  private static long bytes(Kept kept) {
-    return kept.sample() instanceof Frame frame
+  private static long bytes(Entry entry) {
+    return entry.sample() instanceof Frame frame
         ? BYTES_EACH
             + (long) frame.width() * frame.height() * frame.channels() * frame.depth().bytes()
         : BYTES_EACH;
   }
 
   /** Appends a sample; the read position moves to the end. */
-  void add(Kept kept) {
-    all.add(kept);
-    bytes += bytes(kept);
+  void add(Entry entry) {
+    all.add(entry);
+    bytes += bytes(entry);
     if (bytes > maxBytes) {
       // Several at a time, because all others move.
       forget(1 + all.size() / 16);
@@ -73,8 +73,8 @@ final class KeptSamples {
   }
 
   private void forget(int count) {
-    List<Kept> oldest = all.subList(0, Math.min(count, all.size()));
-    oldest.forEach(kept -> bytes -= bytes(kept));
+    List<Entry> oldest = all.subList(0, Math.min(count, all.size()));
+    oldest.forEach(entry -> bytes -= bytes(entry));
     oldest.clear();
   }
 
@@ -100,7 +100,7 @@ final class KeptSamples {
   }
 
   /** The next sample; must not be at the end. */
-  Kept peek() {
+  Entry peek() {
     return all.get(next);
   }
 

@@ -156,11 +156,11 @@ final class PlaybackMeter {
 
   private String slowestSinceWindow() {
     String name = "";
-    long most = 0;
+    long maxBusy = 0;
     for (ChainStage stage : chain.stages()) {
       long busy = stage.timing().busyNanos() - busyAtWindow.getOrDefault(stage, 0L);
-      if (busy > most) {
-        most = busy;
+      if (busy > maxBusy) {
+        maxBusy = busy;
         name = stage.name();
       }
     }

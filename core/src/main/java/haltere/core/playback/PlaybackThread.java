@@ -6,12 +6,12 @@ import java.util.concurrent.CompletableFuture;
 
 /** The processing thread of a {@link Player} and its queue of commands. */
 final class PlaybackThread {
-  private record Asked(PlaybackCommand command, CompletableFuture<Void> done) {}
+  private record Request(PlaybackCommand command, CompletableFuture<Void> done) {}
 
   private final PlaybackEngine engine;
   private final Sleeper sleeper;
   private final Object lock = new Object();
-  private final ArrayDeque<Asked> asked = new ArrayDeque<>();
+  private final ArrayDeque<Request> requests = new ArrayDeque<>();
   private Thread thread;
   private boolean closing;
 
@@ -34,7 +34,7 @@ final class PlaybackThread {
       if (closing) {
         return CompletableFuture.failedFuture(closed());
       }
-      asked.add(new Asked(command, done));
+      requests.add(new Request(command, done));
     }
     sleeper.wake();
     return done;
@@ -77,23 +77,23 @@ final class PlaybackThread {
   /** Applies commands; false at the end. */
   private boolean work() {
     while (true) {
-      Asked next;
+      Request next;
       boolean superseded;
       synchronized (lock) {
         if (closing) {
           return false;
         }
-        next = asked.poll();
+        next = requests.poll();
         if (next == null) {
           return true;
         }
         superseded =
             next.command() instanceof PlaybackCommand.Seek
-                && !asked.isEmpty()
-                && asked.peek().command() instanceof PlaybackCommand.Seek;
+                && !requests.isEmpty()
+                && requests.peek().command() instanceof PlaybackCommand.Seek;
         if (superseded) {
           CompletableFuture<Void> done = next.done();
-          asked
+          requests
               .peek()
               .done()
               .whenComplete(
@@ -113,11 +113,11 @@ final class PlaybackThread {
   }
 
   private void finish() {
-    ArrayDeque<Asked> left;
+    ArrayDeque<Request> left;
     synchronized (lock) {
       closing = true;
-      left = new ArrayDeque<>(asked);
-      asked.clear();
+      left = new ArrayDeque<>(requests);
+      requests.clear();
     }
     engine.close();
     left.forEach(one -> one.done().completeExceptionally(closed()));

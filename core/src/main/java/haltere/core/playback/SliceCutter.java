@@ -86,7 +86,7 @@ final class SliceCutter {
     return 1;
   }
 
-  /** Where the loop starts again, 0 without a loop. */
+  /** Start of the loop, 0 without a loop. */
   long inPoint() {
     return loop.on() ? loop.inUs().orElse(0) : 0;
   }
@@ -166,9 +166,8 @@ final class SliceCutter {
       keepGridTo = NO_POSITION;
     }
     if (!positionKnown || next < position || byCount() && next < outPoint) {
-      // A slice by count starts at its first event. By time, an event can lie before the start if
-      // it
-      // is of the microsecond after which the last slice was cut short.
+      // A slice by count starts at its first event. By time, an event can precede the start: it has
+      // the time at which the last slice was cut short.
       position = next;
     }
     positionKnown = true;

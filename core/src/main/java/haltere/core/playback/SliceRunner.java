@@ -372,8 +372,8 @@ final class SliceRunner {
       slices.keepGridTo(gridTo);
       return;
     }
-    int most = Math.min(cursor.countBefore(slices.toUs()), PlaybackEngine.CHUNK_EVENTS);
-    int count = (int) Math.min(most, slices.countLeft());
+    int max = Math.min(cursor.countBefore(slices.toUs()), PlaybackEngine.CHUNK_EVENTS);
+    int count = (int) Math.min(max, slices.countLeft());
     if (count == 0) {
       endSlice(slices.toUs());
       return;
@@ -389,16 +389,16 @@ final class SliceRunner {
   }
 
   private void endSlice(long to) {
-    boolean lastAsked = cut(to) && awaited.sliceShown();
+    boolean isLastStep = cut(to) && awaited.sliceShown();
     isExact &= isRepeating || !board.playing();
     if (isRepeating) {
       endRepeat();
     }
-    if (lastAsked) {
+    if (isLastStep) {
       hold();
     }
     board.publish();
-    if (lastAsked) {
+    if (isLastStep) {
       awaited.endSteps();
     }
   }

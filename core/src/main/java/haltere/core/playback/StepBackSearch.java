@@ -7,7 +7,7 @@ import java.io.IOException;
  * play forward only. It leaves its cursor at an arbitrary position.
  */
 final class StepBackSearch {
-  private static final long SMALLEST_WINDOW_US = 1000;
+  private static final long MIN_WINDOW_US = 1000;
 
   /**
    * A position among events.
@@ -28,7 +28,7 @@ final class StepBackSearch {
 
   Position before(Position boundary, long events) throws IOException {
     long end = boundary.elapsedUs();
-    long window = Math.max(SMALLEST_WINDOW_US, (long) (2 * events / eventRateEps * 1e6));
+    long window = Math.max(MIN_WINDOW_US, (long) (2 * events / eventRateEps * 1e6));
     long earliest = cursor.earliestUs();
     while (end > earliest) {
       long from = Math.max(earliest, end - window);
@@ -48,7 +48,7 @@ final class StepBackSearch {
   /**
    * Skips events between two positions, or a number of them; returns the position of the next one.
    */
-  private Position pass(long from, long to, long most) throws IOException {
+  private Position pass(long from, long to, long max) throws IOException {
     cursor.seek(from);
     passed = 0;
     long last = Long.MIN_VALUE;
@@ -62,7 +62,7 @@ final class StepBackSearch {
         }
         case EVENTS -> {
           long elapsedUs = cursor.elapsedUs();
-          if (elapsedUs >= to || passed == most) {
+          if (elapsedUs >= to || passed == max) {
             return new Position(elapsedUs, elapsedUs == last ? ties : 0);
           }
           ties = elapsedUs == last ? ties + 1 : 1;

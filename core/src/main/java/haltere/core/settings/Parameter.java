@@ -30,7 +30,7 @@ public record Parameter(
     Object defaultValue,
     List<String> choices,
     String label) {
-  private static final BigDecimal LARGEST_LONG = BigDecimal.valueOf(Long.MAX_VALUE);
+  private static final BigDecimal MAX_LONG = BigDecimal.valueOf(Long.MAX_VALUE);
 
   /**
    * The group that the setting belongs to.
@@ -89,7 +89,7 @@ public record Parameter(
       }
       // BigDecimal: 25000, 25000.0 and 2.5e4 are the same whole number
       BigDecimal number = new BigDecimal(text);
-      if (number.abs().compareTo(LARGEST_LONG) > 0) {
+      if (number.abs().compareTo(MAX_LONG) > 0) {
         throw outOfRange(text);
       }
       long whole = number.longValueExact();

@@ -19,7 +19,7 @@ public final class ReportClock {
 
   /** A clock of one report a second from time 0 on. */
   public ReportClock() {
-    // the fields have these values
+    // the initial values of the fields
   }
 
   /**

@@ -44,7 +44,7 @@ public interface StreamHandler {
     return new StreamHandler() {
       @Override
       public void packet(EventPacket packet) {
-        // only what stands between the events is wanted
+        // events are ignored
       }
 
       @Override

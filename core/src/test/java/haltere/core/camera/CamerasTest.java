@@ -28,14 +28,14 @@ class CamerasTest {
   }
 
   @Test
-  void withoutANameTheFirstPhysicalOneThatCanBeOpenedIsOpened() throws CameraProblem {
+  void unnamedCameraIsTheFirstPhysicalOneThatCanBeOpened() throws CameraProblem {
     cameras.open("", CameraOptions.DEFAULT);
 
     assertEquals(List.of("b:2"), opened);
   }
 
   @Test
-  void aCameraIsOpenedByItsName() throws CameraProblem {
+  void cameraIsOpenedByItsName() throws CameraProblem {
     cameras.open("simulated:fly", CameraOptions.DEFAULT);
 
     assertEquals(List.of("simulated:fly"), opened);
@@ -122,7 +122,7 @@ class CamerasTest {
   }
 
   @Test
-  void timesOfOneCameraAreFoundOnTheClockOfAnother() {
+  void timesOfOneCameraAreMappedToTheClockOfAnother() {
     ClockRelation one = new ClockRelation(1_000_000, 50_000_000_000L);
     ClockRelation other = new ClockRelation(0, 50_000_300_000L);
 

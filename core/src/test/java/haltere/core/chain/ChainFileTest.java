@@ -17,7 +17,7 @@ class ChainFileTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(10, 8);
 
   @Test
-  void aChainIsReadWithItsOrderItsSwitchesItsSettingsAndItsNesting() throws IOException {
+  void chainIsReadWithOrderSwitchesSettingsAndNesting() throws IOException {
     FilterChain chain =
         parse(
             """
@@ -119,7 +119,7 @@ class ChainFileTest {
   }
 
   @Test
-  void aValueOutOfItsRangeIsNamedWithTheRange() {
+  void valueOutOfRangeIsReportedWithTheRange() {
     assertEquals(
         "chain.json: filter 1 (every-nth): setting n is 101, it must be 1 to 100 events",
         problem(withSettings("\"n\": 101")));
@@ -132,7 +132,7 @@ class ChainFileTest {
   }
 
   @Test
-  void aValueOfTheWrongKindIsNamedWithTheRightOne() {
+  void valueOfTheWrongTypeIsReportedWithTheExpectedType() {
     assertEquals(
         "chain.json: filter 1 (every-nth): setting n is 2.5, it must be a whole number",
         problem(withSettings("\"n\": 2.5")));
@@ -152,7 +152,7 @@ class ChainFileTest {
   }
 
   @Test
-  void notANumberIsRefusedAsJsonAndAsText() {
+  void nanIsRejectedAsJsonAndAsText() {
     String json = problem(withSettings("\"extras\": {\"ratio\": NaN}"));
     assertTrue(json.startsWith("chain.json, line 1, column "), json);
     assertTrue(json.contains("NaN"), json);
@@ -162,13 +162,13 @@ class ChainFileTest {
   }
 
   @Test
-  void theOrderOfTheValuesDoesNotMatterWhereOnlyTheWholeIsValid() throws IOException {
+  void orderOfValuesDoesNotMatterIfOnlyTheWholeIsValid() throws IOException {
     FilterChain chain = parse(withSettings("\"extras\": {}, \"n\": 1e1"));
     assertEquals(EveryNthFilter.Settings.of(10), settings(chain, 0));
   }
 
   @Test
-  void aChainOfTheWrongShapeIsDescribed() {
+  void chainOfTheWrongStructureIsReported() {
     assertEquals("chain.json: the chain must be a JSON object, it is [1, 2]", problem("[1, 2]"));
     assertEquals("chain.json: the chain needs \"filters\", an array of filters", problem("{}"));
     assertEquals(
@@ -194,7 +194,7 @@ class ChainFileTest {
   }
 
   @Test
-  void aFileIsReadAsWellAndNamedInItsProblems(@TempDir Path folder) throws IOException {
+  void fileIsReadAndNamedInProblems(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("my chain.json");
     Files.writeString(file, withSettings("\"n\": 3"));
     assertEquals(EveryNthFilter.Settings.of(3), settings(ChainFile.read(file, SENSOR), 0));

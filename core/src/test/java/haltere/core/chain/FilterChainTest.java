@@ -26,7 +26,7 @@ class FilterChainTest {
   private final ChainStage secondStage = chain.add("every-nth", second);
 
   @Test
-  void aPacketGoesThroughTheFiltersInOrder() {
+  void packetPassesThroughFiltersInOrder() {
     EventPacket packet = events(0, 12);
     chain.process(packet);
     assertEquals(List.of("packet of 12"), first.log);
@@ -36,7 +36,7 @@ class FilterChainTest {
   }
 
   @Test
-  void stagesOfTheSameKindGetNamesOfTheirOwn() {
+  void stagesOfOneKindHaveDifferentNames() {
     assertEquals("every-nth", firstStage.name());
     assertEquals("every-nth-2", secondStage.name());
     assertSame(secondStage, chain.stage("every-nth-2"));
@@ -47,7 +47,7 @@ class FilterChainTest {
   }
 
   @Test
-  void packetsPassADisabledFilterByAndNotificationsDoNot() {
+  void disabledFilterReceivesOnlyNotifications() {
     chain.setEnabled(firstStage, false);
     chain.process(events(0, 12));
     chain.notified(new EndOfStream(11));
@@ -69,7 +69,7 @@ class FilterChainTest {
   }
 
   @Test
-  void anotherBreakInTheStreamMakesTheOneForReEnablingSuperfluous() {
+  void discontinuityReplacesTheResetOfReEnabling() {
     chain.process(events(0, 4));
     chain.setEnabled(firstStage, false);
     chain.setEnabled(firstStage, true);
@@ -101,7 +101,7 @@ class FilterChainTest {
   }
 
   @Test
-  void aStreamOfAnotherSizeIsRefused() {
+  void streamOfAnotherSensorSizeIsRejected() {
     ChainProblem problem =
         assertThrows(
             ChainProblem.class,
@@ -151,7 +151,7 @@ class FilterChainTest {
   }
 
   @Test
-  void unusedStagesHaveNoCost() {
+  void unusedStagesHaveZeroCost() {
     assertEquals(0, firstStage.timing().microsPerThousandEvents());
     assertEquals(2.5, new FilterTiming(1, 1000, 10, 2500).microsPerThousandEvents());
   }
@@ -173,7 +173,7 @@ class FilterChainTest {
   }
 
   @Test
-  void aChainInAChainIsAStageLikeAnyOther() {
+  void nestedChainIsAStage() {
     FilterChain outer = new FilterChain(SENSOR);
     ChainStage nested = outer.add("noise", chain);
     EventPacket packet = events(0, 12);
@@ -192,7 +192,7 @@ class FilterChainTest {
   }
 
   @Test
-  void aStageOfANestedChainCanBeSwitchedThroughTheOuterOne() {
+  void stageOfANestedChainIsSwitchedThroughTheOuterChain() {
     FilterChain outer = new FilterChain(SENSOR);
     outer.add("noise", chain);
     outer.setEnabled(firstStage, false);
@@ -201,7 +201,7 @@ class FilterChainTest {
   }
 
   @Test
-  void aNestedChainMustBeForTheSameSensor() {
+  void nestedChainForAnotherSensorIsRejected() {
     FilterChain other = new FilterChain(new SensorGeometry(128, 128));
     ChainProblem problem = assertThrows(ChainProblem.class, () -> other.add("noise", chain));
     assertEquals("a chain for 10x8 pixels does not fit into one for 128x128", problem.getMessage());
@@ -236,7 +236,7 @@ class FilterChainTest {
   }
 
   @Test
-  void newSettingsMustBeOfTheFiltersOwnType() {
+  void settingsOfAnotherTypeAreRejected() {
     chain.apply(firstStage, EveryNthFilter.Settings.of(4));
     assertEquals(4, first.settings().n());
     ChainProblem problem =

@@ -12,7 +12,7 @@ class OutletTest {
   private final Outlet<String> outlet = new Outlet<>("words", String.class);
 
   @Test
-  void everySubscriberGetsEveryResultInOrderUntilItsSubscriptionIsClosed() {
+  void subscribersReceiveResultsInOrderUntilTheyUnsubscribe() {
     List<String> early = new ArrayList<>();
     List<String> late = new ArrayList<>();
     Outlet.Subscription subscription = outlet.subscribe(early::add);
@@ -26,7 +26,7 @@ class OutletTest {
   }
 
   @Test
-  void aFilterCanSeeWhetherAnyoneListens() {
+  void filterKnowsWhetherAnOutletHasSubscribers() {
     assertFalse(outlet.hasSubscribers());
     Outlet.Subscription subscription = outlet.subscribe(word -> {});
     assertTrue(outlet.hasSubscribers());
@@ -36,7 +36,7 @@ class OutletTest {
   }
 
   @Test
-  void twoSubscriptionsOfTheSameSubscriberAreTwo() {
+  void subscriptionsOfOneSubscriberAreIndependent() {
     List<String> words = new ArrayList<>();
     java.util.function.Consumer<String> consumer = words::add;
     Outlet.Subscription first = outlet.subscribe(consumer);
@@ -50,7 +50,7 @@ class OutletTest {
   }
 
   @Test
-  void aSubscriberMayEndItsSubscriptionWhileItIsCalled() {
+  void subscriberMayUnsubscribeDuringACall() {
     List<String> words = new ArrayList<>();
     List<Outlet.Subscription> own = new ArrayList<>();
     own.add(

@@ -25,7 +25,7 @@ class ResultOrderTest {
   }
 
   @Test
-  void rowsOfALateDecisionComeAtTheirTimes() {
+  void lateRowsAreInsertedAtTheirTimes() {
     take(1_000_000, 2_000_000, 500_000, 1_500_000, 3_000_000);
     sorter.finish();
     assertEquals(List.of(500_000L, 1_000_000L, 1_500_000L, 2_000_000L, 3_000_000L), times());
@@ -41,7 +41,7 @@ class ResultOrderTest {
   }
 
   @Test
-  void noMoreIsHeldThanMayStillBePreceded() {
+  void onlyRowsThatMayBePrecededAreBuffered() {
     take(1_000_000, 2_000_000, 3_500_000);
     assertEquals(List.of(1_000_000L), times());
   }

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 
 class EventPacketTest {
   @Test
-  void anEventIsReadAsItWasAppended() {
+  void appendedEventIsReadBack() {
     EventPacket packet = new EventPacket(0);
     packet.append(Long.MIN_VALUE, 0, EventAddress.MAX_COORDINATE, false);
     packet.append(Long.MAX_VALUE, EventAddress.MAX_COORDINATE, 0, true);
@@ -28,7 +28,7 @@ class EventPacketTest {
   }
 
   @Test
-  void addressesHoldEveryCoordinateAndOrderByRowThenColumn() {
+  void addressesHoldAllCoordinatesOrderedByRowAndColumn() {
     SplittableRandom random = new SplittableRandom(1);
     for (int i = 0; i < 10_000; i++) {
       int x = random.nextInt(EventAddress.MAX_COORDINATE + 1);
@@ -46,7 +46,7 @@ class EventPacketTest {
   }
 
   @Test
-  void aPacketGrowsAndKeepsItsEvents() {
+  void packetGrowsAndKeepsItsEvents() {
     EventPacket packet = new EventPacket(0);
     for (int i = 0; i < 10_000; i++) {
       packet.append(i, i % 100, i % 50, i % 2 == 0);
@@ -60,7 +60,7 @@ class EventPacketTest {
   }
 
   @Test
-  void aPacketHasAnUpperLimit() {
+  void packetCapacityIsLimited() {
     EventPacket packet = new EventPacket(4);
     assertThrows(IllegalArgumentException.class, () -> packet.ensureCapacity((1 << 28) + 1));
     assertThrows(IllegalArgumentException.class, () -> packet.ensureCapacity(-1));
@@ -100,7 +100,7 @@ class EventPacketTest {
   }
 
   @Test
-  void wrappedArraysAreThePacketsOwn() {
+  void wrappedArraysAreNotCopied() {
     long[] timesUs = {1, 2};
     int[] addresses = {3, 4};
     EventPacket packet = EventPacket.of(timesUs, addresses);
@@ -138,7 +138,7 @@ class EventPacketTest {
   }
 
   @Test
-  void theFirstEventAtOrAfterATimeIsFound() {
+  void firstEventAtOrAfterATimeIsFound() {
     EventPacket packet = EventPacket.of(new long[] {1, 3, 3, 5}, new int[4]);
     assertEquals(0, packet.indexAtOrAfter(Long.MIN_VALUE));
     assertEquals(1, packet.indexAtOrAfter(2));
@@ -151,7 +151,7 @@ class EventPacketTest {
   }
 
   @Test
-  void packetsAreEqualByTheirEventsAndNotByTheirRoom() {
+  void packetsAreEqualByEventsNotByCapacity() {
     EventPacket packet = new EventPacket(100);
     packet.append(1, 2, 3, true);
     EventPacket same = new EventPacket(0);
@@ -173,7 +173,7 @@ class EventPacketTest {
   }
 
   @Test
-  void aDecoderStatesHowManyEventsItHasFilledIn() {
+  void decoderSetsTheNumberOfEvents() {
     EventPacket packet = new EventPacket(4);
     packet.timesUs()[0] = 5;
     packet.addresses()[0] = EventAddress.pack(1, 2, true);

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 
 class SensorGeometryTest {
   @Test
-  void itHoldsThePixelsFromZeroToOneLessThanItsSize() {
+  void sensorContainsPixelsFromZeroToSizeMinusOne() {
     SensorGeometry sensor = new SensorGeometry(3, 2);
     assertTrue(sensor.contains(0, 0) && sensor.contains(2, 1));
     assertFalse(sensor.contains(3, 0) || sensor.contains(0, 2));
@@ -21,7 +21,7 @@ class SensorGeometryTest {
   }
 
   @Test
-  void aSensorHasAtLeastOnePixelAndNoMoreThanAnAddressCanName() {
+  void sensorSizesOutOfRangeAreRejected() {
     assertThrows(IllegalArgumentException.class, () -> new SensorGeometry(0, 5));
     assertThrows(IllegalArgumentException.class, () -> new SensorGeometry(5, -1));
     assertThrows(IllegalArgumentException.class, () -> new SensorGeometry(32_769, 5));

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** An output file appears whole or not at all. */
+/** An output file appears complete or not at all. */
 class AtomicFileTest {
   @TempDir Path folder;
 
@@ -56,7 +56,7 @@ class AtomicFileTest {
   }
 
   @Test
-  void anExistingFileStaysUntilTheNewOneIsWhole() throws IOException {
+  void existingFileRemainsUntilTheNewOneIsComplete() throws IOException {
     Path target = Files.writeString(folder.resolve("a.txt"), "old");
     assertThrows(RecordingProblem.class, () -> AtomicFile.create(target, false));
     try (AtomicFile file = AtomicFile.create(target, true)) {
@@ -85,7 +85,7 @@ class AtomicFileTest {
   }
 
   @Test
-  void aSymbolicLinkStaysOneAndItsTargetIsReplaced() throws IOException {
+  void targetOfASymbolicLinkIsReplaced() throws IOException {
     Path real = Files.writeString(folder.resolve("real.txt"), "old");
     Path link = Files.createSymbolicLink(folder.resolve("link.txt"), real);
     try (AtomicFile file = AtomicFile.create(link, true)) {
@@ -113,7 +113,8 @@ class AtomicFileTest {
     "Input/output error, copy what can be read",
     "Read-only file system, choose another place"
   })
-  void systemErrorsNameTheFileTheCauseAndARemedy(String cause, String advice) throws IOException {
+  void systemErrorsAreReportedWithFileCauseAndRemedy(String cause, String advice)
+      throws IOException {
     OutputStream full =
         new OutputStream() {
           @Override

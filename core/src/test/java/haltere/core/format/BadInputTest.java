@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What is no recording is refused in one line that names it. */
+/** Files other than recordings are rejected in one line with their name. */
 class BadInputTest {
   private static final byte[] PNG = {
     (byte) 0x89,
@@ -74,12 +74,12 @@ class BadInputTest {
   }
 
   @Test
-  void anEmptyFileIsRefused() throws IOException {
+  void emptyFileIsRejected() throws IOException {
     assertSays("empty", refused(Files.createFile(folder.resolve("empty.aedat"))));
   }
 
   @Test
-  void aMissingFileIsRefused() {
+  void missingFileIsRejected() {
     assertSays("no such file", refused(folder.resolve("missing.aedat")));
   }
 
@@ -102,7 +102,7 @@ class BadInputTest {
   }
 
   @Test
-  void aFileCompressedAsAWholeIsRefusedWithItsDecompressor() throws IOException {
+  void compressedFileIsRejectedWithItsDecompressor() throws IOException {
     ByteArrayOutputStream compressed = new ByteArrayOutputStream();
     try (GZIPOutputStream out = new GZIPOutputStream(compressed)) {
       out.write("#!AER-DAT2.0\n\0\0\0\0\0\0\0\7".getBytes(StandardCharsets.ISO_8859_1));
@@ -116,7 +116,7 @@ class BadInputTest {
   }
 
   @Test
-  void textNamedLikeARecordingIsRefused() throws IOException {
+  void textNamedLikeARecordingIsRejected() throws IOException {
     String text = "# Notes of Monday\nThe fly flew, and then it did not fly any more.\n".repeat(50);
     for (String name : new String[] {"notes.aedat", "notes.dat", "notes.txt"}) {
       assertSays("no known format", refused(Files.writeString(folder.resolve(name), text)));
@@ -124,7 +124,7 @@ class BadInputTest {
   }
 
   @Test
-  void randomAndConstantBytesAreRefused() throws IOException {
+  void randomAndConstantBytesAreRejected() throws IOException {
     byte[] random = new byte[10_000];
     new java.util.Random(5).nextBytes(random);
     assertSays("no known format", refused(Files.write(folder.resolve("random.dat"), random)));
@@ -144,7 +144,7 @@ class BadInputTest {
   }
 
   @Test
-  void aRecordingWithAnotherNameIsReadAllTheSame() throws IOException {
+  void recordingWithAnotherExtensionIsRead() throws IOException {
     byte[] bytes = "#!AER-DAT2.0\n\0\0\0\0\0\0\0\7".getBytes(StandardCharsets.ISO_8859_1);
     try (RecordingReader reader = Recordings.open(Files.write(folder.resolve("a.png"), bytes))) {
       assertEquals("aedat2", reader.formatName());

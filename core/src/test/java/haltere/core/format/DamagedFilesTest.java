@@ -150,7 +150,7 @@ class DamagedFilesTest {
 
   @ParameterizedTest
   @MethodSource("formats")
-  void damageIsFoundAndEarlierEventsAreRead(String name) {
+  void damageIsDetectedAndEarlierEventsAreRead(String name) {
     assertTimeoutPreemptively(SOON, () -> damageAndRead(Recordings.formats().get(name)));
   }
 
@@ -190,7 +190,7 @@ class DamagedFilesTest {
   /** Nothing is invented, and nothing is lost that arrived whole. */
   @ParameterizedTest
   @MethodSource("formats")
-  void aCutFileGivesTheFirstEventsOfTheWholeAndALongerOneNeverFewer(String name) {
+  void longerTruncatedFileNeverYieldsFewerEvents(String name) {
     assertTimeoutPreemptively(SOON, () -> cutAndRead(Recordings.formats().get(name)));
   }
 

@@ -24,7 +24,7 @@ class FuzzedFormatsTest {
 
   @ParameterizedTest
   @MethodSource("inputs")
-  void anInputOfTheFuzzerIsReadOrRefused(Path input) throws IOException {
+  void inputOfTheFuzzerIsReadOrRejected(Path input) throws IOException {
     byte[] bytes = Files.readAllBytes(input);
     for (RecordingFormat format : Recordings.formats().values()) {
       FormatFuzzer.check(format, bytes, folder.resolve("input"));

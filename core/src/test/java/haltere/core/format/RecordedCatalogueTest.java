@@ -17,7 +17,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Every recording of the catalogue gives what other programs read from it. */
+/** Every recording of the catalogue yields the events that other programs read. */
 class RecordedCatalogueTest {
   static List<RecordedPackets> recordings() {
     return Stream.of(

@@ -90,7 +90,7 @@ class RecordedSamplesTest {
   }
 
   @Test
-  void triggersOfADavisTellWhenFramesWereTaken() throws IOException {
+  void triggersOfADavisMatchItsFrameTimes() throws IOException {
     List<Trigger> triggers = read(DAVIS346, WITH_SAMPLES).samples(Trigger.class);
     assertEquals(236, triggers.size());
     assertEquals(
@@ -105,7 +105,7 @@ class RecordedSamplesTest {
   }
 
   @Test
-  void inertialSamplesOfAnAedat2FileHaveTheRangeThatItsHeaderStates() throws IOException {
+  void inertialSamplesOfAedat2HaveTheRangeOfTheHeader() throws IOException {
     StreamRecorder stream = read(DAVIS240, WITH_SAMPLES);
     List<InertialSample> samples = stream.samples(InertialSample.class);
     assertEquals(51_688 / 7, samples.size());
@@ -121,7 +121,7 @@ class RecordedSamplesTest {
   }
 
   @Test
-  void aRecordingWithoutEventsGivesItsFrame() throws IOException {
+  void frameOfARecordingWithoutEventsIsRead() throws IOException {
     StreamRecorder stream = read("gray16-frame.aedat4", WITH_SAMPLES);
     Frame frame = stream.samples(Frame.class).get(0);
     assertEquals("2x2x1 UNSIGNED_16 frame at 950 us", frame.toString());
@@ -134,7 +134,7 @@ class RecordedSamplesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {DAVIS346, DAVIS240, DVXPLORER})
-  void eachSampleStandsAtItsTimeAmongTheSameEvents(String name) throws IOException {
+  void samplesAreOrderedAmongEventsByTime(String name) throws IOException {
     StreamRecorder with = read(name, WITH_SAMPLES);
     EventPacket events = read(name, ReadOptions.DEFAULT).events();
     assertEquals(events, with.events());
@@ -159,7 +159,7 @@ class RecordedSamplesTest {
 
   @ParameterizedTest
   @MethodSource("counted")
-  void samplesAreCountedWithoutSampleTheStream(String line) throws IOException {
+  void samplesAreCountedEvenIfNotRequested(String line) throws IOException {
     String[] parts = line.split(": ");
     try (RecordingReader reader = Recordings.open(Recorded.file(parts[0]))) {
       assertEquals(parts[1], reader.countSamples().toString());
@@ -169,7 +169,7 @@ class RecordedSamplesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {DAVIS346, DAVIS240})
-  void seekingGivesTheSamplesFromThatTimeOn(String name) throws IOException {
+  void seekYieldsTheSamplesFromTheGivenTime(String name) throws IOException {
     StreamRecorder all = read(name, WITH_SAMPLES);
     try (RecordingReader reader = Recordings.open(Recorded.file(name), WITH_SAMPLES)) {
       for (int share = 0; share < 10; share++) {

@@ -13,7 +13,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** The bytes of a stream, which are read once. */
+/** Reading of streams, which cannot be reopened. */
 class RecordingFileTest {
   private static final int BYTES = 5_000_000;
   private static final int PIECE = 60_000;
@@ -26,7 +26,7 @@ class RecordingFileTest {
   }
 
   @Test
-  void aStreamIsReadForthWithShortWaysBack() throws IOException {
+  void streamIsReadForwardsWithShortBackwardSeeks() throws IOException {
     try (RecordingFile stream = stream()) {
       assertEquals(Long.MAX_VALUE, stream.size());
       int offset = 0;
@@ -43,7 +43,7 @@ class RecordingFileTest {
   }
 
   @Test
-  void behindTheEndOfAStreamThereIsNothing() throws IOException {
+  void readingBehindTheEndOfAStreamYieldsNothing() throws IOException {
     try (RecordingFile stream = stream()) {
       assertEquals(0, stream.read(BYTES + 3_000_000_000L, 10).length);
       assertEquals(5, stream.read(BYTES - 5, 10).length);

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A folder is read as the recording that it holds. */
+/** Folders as recordings. */
 class RecordingFolderTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(64, 48);
 
@@ -83,7 +83,7 @@ class RecordingFolderTest {
   }
 
   @Test
-  void theOnlyRecordingOfAFolderIsMeant() throws IOException {
+  void folderWithOneRecordingIsThatRecording() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 1, 1_000, 500, 7);
     Path only = write(bag.resolve("fly.aedat4"), SENSOR, events);
     Files.writeString(bag.resolve("notes.md"), "of today");
@@ -96,7 +96,7 @@ class RecordingFolderTest {
   }
 
   @Test
-  void theRecordingsOfAFolderThatNothingJoinsAreNamed() throws IOException {
+  void folderWithSeveralRecordingsIsRejectedWithTheirNames() throws IOException {
     assertTrue(refusal(bag).contains("without any recording"), refusal(bag));
     Files.createFile(bag.resolve("b.raw"));
     Files.createFile(bag.resolve("a.raw"));
@@ -104,7 +104,7 @@ class RecordingFolderTest {
   }
 
   @Test
-  void aBagInPartsIsOneStreamOfOneSegment() throws IOException {
+  void splitBagIsOneStreamOfOneSegment() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 2, 30_000, 500, 7);
     cut(events, 0, 9_000, 9_001, 20_000);
 
@@ -125,7 +125,7 @@ class RecordingFolderTest {
   }
 
   @Test
-  void aBagInPartsIsSoughtAsIfItWereWhole() throws IOException {
+  void seekInASplitBagEqualsThatInAWholeOne() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 3, 20_000, 500, 7);
     cut(events, 0, 7_000, 14_000);
     SplittableRandom random = new SplittableRandom(4);

@@ -9,14 +9,14 @@ import org.junit.jupiter.api.Test;
 /** Formats are found as services. */
 class RecordingServicesTest {
   @Test
-  void theServiceFileNamesEveryFormatOfThisModule() {
+  void serviceFileNamesEveryFormat() {
     assertEquals(
         ServiceFiles.implementations(RecordingFormat.class, Recordings.class),
         ServiceFiles.registered(RecordingFormat.class));
   }
 
   @Test
-  void everyFormatIsFoundUnderItsName() {
+  void everyFormatIsFoundByItsName() {
     assertEquals(
         Set.of(
             "aedat1", "aedat2", "aedat3", "aedat4", "csv", "dat", "es", "evt2", "evt21", "evt3",

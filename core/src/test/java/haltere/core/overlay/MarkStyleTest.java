@@ -12,14 +12,14 @@ import org.junit.jupiter.api.Test;
 
 class MarkStyleTest {
   @Test
-  void aStyleIsItsMeaningAndItsIdentity() {
+  void styleConsistsOfRoleAndIdentity() {
     assertEquals(new MarkStyle(Role.OBJECT, -1), MarkStyle.of(Role.OBJECT));
     assertNotEquals(MarkStyle.of(Role.OBJECT, 1), MarkStyle.of(Role.OBJECT, 2));
     assertThrows(NullPointerException.class, () -> MarkStyle.of(null));
   }
 
   @Test
-  void aLayerTakesItsSnapshotsFromAnOutletUntilItIsClosed() throws Exception {
+  void layerReceivesSnapshotsOfAnOutletUntilItIsClosed() throws Exception {
     Outlet<String> outlet = new Outlet<>("words", String.class);
     OverlayLayer<String> layer =
         new OverlayLayer<String>("words", outlet::subscribe, (snapshot, canvas) -> {});

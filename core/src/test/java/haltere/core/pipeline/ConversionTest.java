@@ -74,7 +74,7 @@ class ConversionTest {
 
   @ParameterizedTest
   @MethodSource("recordings")
-  void aCopyOfARealRecordingHoldsTheSameEvents(RecordedPackets facts) throws IOException {
+  void copyOfARecordingContainsTheSameEvents(RecordedPackets facts) throws IOException {
     Path target = folder.resolve(facts.file() + ".copy.aedat");
     try (RecordingReader reader = facts.open();
         RecordingWriter writer =
@@ -126,7 +126,7 @@ class ConversionTest {
   }
 
   @Test
-  void aStageHearsTheEndOfAPartOnce() throws IOException {
+  void stageReceivesTheEndOfARangeOnce() throws IOException {
     Path source = write("source.aedat", EventPackets.uniform(SENSOR, 2, 50_000, 0, 10));
     StreamRecorder heard = new StreamRecorder();
     try (RecordingReader reader = Recordings.open(source);
@@ -142,7 +142,7 @@ class ConversionTest {
   }
 
   @Test
-  void aStretchOfTimeIsCopiedFromEverySegment() throws IOException {
+  void timeRangeIsCopiedFromEverySegment() throws IOException {
     EventPacket first = EventPackets.uniform(SENSOR, 3, 5000, 10_000, 10);
     EventPacket second = EventPackets.uniform(SENSOR, 4, 5000, 9_000, 10);
     Path source = write("source.aedat", first, second);
@@ -162,7 +162,7 @@ class ConversionTest {
   }
 
   @Test
-  void aStretchWithoutEventsGivesAnEmptyRecording() throws IOException {
+  void rangeWithoutEventsGivesAnEmptyRecording() throws IOException {
     Path source = write("source.aedat", EventPackets.uniform(SENSOR, 5, 100, 0, 10));
     Path target = folder.resolve("nothing.aedat");
     try (RecordingReader reader = Recordings.open(source);
@@ -174,7 +174,7 @@ class ConversionTest {
   }
 
   @Test
-  void aFailingStageLeavesNothing() throws IOException {
+  void failingStageLeavesNoFile() throws IOException {
     Path source = write("source.aedat", EventPackets.uniform(SENSOR, 6, 100, 0, 10));
     Path target = folder.resolve("failed.aedat");
     StreamHandler failing =

@@ -147,7 +147,7 @@ class HostFaultTest {
   }
 
   @Test
-  void aSettingIsSetByItsNames() {
+  void settingIsChangedByItsName() {
     chain.set("counter", "every", 12);
     assertEquals(12, counter.settings.every());
     assertThrows(SettingsProblem.class, () -> chain.set("counter", "every", 0));

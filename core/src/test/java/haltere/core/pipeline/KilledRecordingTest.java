@@ -41,8 +41,8 @@ class KilledRecordingTest {
 
   @TempDir Path folder;
 
-  /** What the process said last about a recording. */
-  private record Said(long recording, long events, boolean finished) {}
+  /** Last report of the process about a recording. */
+  private record ReportedState(long recording, long events, boolean finished) {}
 
   @Test
   void aRecordingIsReadableWheneverItsProcessIsKilled() throws Exception {
@@ -82,31 +82,32 @@ class KilledRecordingTest {
                 packings[seed % 2].name())
             .redirectError(own.resolve("errors.txt").toFile())
             .start();
-    List<Said> said;
+    List<ReportedState> reported;
     try (DataInputStream out = new DataInputStream(process.getInputStream())) {
-      said = listen(out, process, 1 + random.nextInt(MAX_REPORTS));
+      reported = listen(out, process, 1 + random.nextInt(MAX_REPORTS));
     } finally {
       process.destroyForcibly();
     }
     assertEquals("", Files.readString(own.resolve("errors.txt")));
-    return check(own, said);
+    return check(own, reported);
   }
 
-  /** What was said last about each recording; kills the process after some reports. */
-  private static List<Said> listen(DataInputStream out, Process process, int reports)
+  /** Returns the last report of each recording; kills the process after some reports. */
+  private static List<ReportedState> listen(DataInputStream out, Process process, int reports)
       throws Exception {
-    List<Said> last = new ArrayList<>();
+    List<ReportedState> last = new ArrayList<>();
     int left = reports;
     try {
       while (true) {
-        Said said = new Said(out.readLong(), out.readLong(), out.readLong() == 1);
-        if (said.recording() == last.size()) {
-          last.add(said);
+        ReportedState reported =
+            new ReportedState(out.readLong(), out.readLong(), out.readLong() == 1);
+        if (reported.recording() == last.size()) {
+          last.add(reported);
         } else {
-          last.set((int) said.recording(), said);
+          last.set((int) reported.recording(), reported);
         }
         if (--left == 0) {
-          // Not by the process, which would drop what was said and is not yet read.
+          // Not by Process, which would drop reports that are not read yet.
           process.toHandle().destroyForcibly();
           assertTrue(process.waitFor(20, TimeUnit.SECONDS));
         }
@@ -118,16 +119,19 @@ class KilledRecordingTest {
   }
 
   /** Returns how many recordings were cut short: none or one. */
-  private static int check(Path folder, List<Said> said) throws IOException {
-    for (Said one : said.subList(0, said.size() - 1)) {
+  private static int check(Path folder, List<ReportedState> reported) throws IOException {
+    for (ReportedState one : reported.subList(0, reported.size() - 1)) {
       assertTrue(one.finished());
     }
     int unfinished = 0;
     // It may have begun another without a word.
-    for (int recording = 0; recording <= said.size(); recording++) {
+    for (int recording = 0; recording <= reported.size(); recording++) {
       Path file = RecordingProcess.file(folder, recording);
-      Said last = recording < said.size() ? said.get(recording) : new Said(recording, 0, false);
-      if (recording == said.size() && !Files.exists(file)) {
+      ReportedState last =
+          recording < reported.size()
+              ? reported.get(recording)
+              : new ReportedState(recording, 0, false);
+      if (recording == reported.size() && !Files.exists(file)) {
         continue;
       }
       StreamRecorder read = new StreamRecorder();

@@ -113,7 +113,7 @@ class LiveBufferTest {
   }
 
   @Test
-  void notificationsAreNeverDroppedAndGapsStayOnTheirSideOfThem() throws IOException {
+  void notificationsAreNeverDroppedAndLossesKeepTheirOrder() throws IOException {
     LiveBuffer buffer = buffer(2, OverflowPolicy.DROP_OLDEST);
     buffer.notified(new StreamStarted(SENSOR, "test"));
     buffer.packet(at(100));
@@ -136,7 +136,7 @@ class LiveBufferTest {
   }
 
   @Test
-  void aStormOfResetsTakesNoMemory() throws IOException {
+  void manyResetsTakeBoundedMemory() throws IOException {
     LiveBuffer buffer = buffer(2, OverflowPolicy.DROP_NEWEST);
     buffer.notified(new StreamStarted(SENSOR, "test"));
     buffer.packet(at(7));
@@ -160,7 +160,7 @@ class LiveBufferTest {
   }
 
   @Test
-  void largePacketsAreCutAndTheCallersPacketIsLeftAlone() throws IOException {
+  void largePacketsAreSplitAndTheOriginalIsUnchanged() throws IOException {
     LiveBuffer buffer = buffer(12, OverflowPolicy.DROP_NEWEST);
     EventPacket large = at(1, 2, 3, 4, 5, 6, 7, 8, 9);
     buffer.notified(new StreamStarted(SENSOR, "test"));
@@ -172,7 +172,7 @@ class LiveBufferTest {
   }
 
   @Test
-  void asManyEventsWaitInSmallPacketsAsInLargeOnes() throws IOException {
+  void capacityCountsEventsNotPackets() throws IOException {
     for (int size : new int[] {1, 10, 100}) {
       for (boolean gathering : new boolean[] {false, true}) {
         LiveBuffer buffer =
@@ -252,7 +252,7 @@ class LiveBufferTest {
   }
 
   @Test
-  void closingFreesAProducerThatWaits() throws Exception {
+  void closingReleasesAWaitingProducer() throws Exception {
     LiveBuffer buffer = buffer(2, OverflowPolicy.BLOCK);
     CountDownLatch full = new CountDownLatch(1);
     Thread producer =
@@ -272,7 +272,7 @@ class LiveBufferTest {
   }
 
   @Test
-  void anInterruptEndsTheWaitOfEitherSide() throws Exception {
+  void interruptEndsTheWaitOfEitherSide() throws Exception {
     LiveBuffer buffer = buffer(2, OverflowPolicy.BLOCK);
     Thread.currentThread().interrupt();
     assertThrows(InterruptedIOException.class, () -> buffer.next(new Log()));
@@ -286,7 +286,7 @@ class LiveBufferTest {
   }
 
   @Test
-  void packetsOfAPoolGoRoundBetweenTwoThreads() throws Exception {
+  void poolPacketsCirculateBetweenTwoThreads() throws Exception {
     PacketPool pool = new PacketPool(3, 16);
     Thread producer =
         new Thread(

@@ -175,7 +175,7 @@ class LiveResultsTest {
   }
 
   @Test
-  void resultsAndNoticesComeInOrderWithNumbers() throws IOException {
+  void resultsAndNotificationsAreNumberedInOrder() throws IOException {
     FilterChain chain = new FilterChain(SENSOR);
     chain.add("every-event", new EveryEvent());
     Kept output = new Kept(false);
@@ -196,7 +196,7 @@ class LiveResultsTest {
   }
 
   @Test
-  void blockedOutputsBlockNobodyAndEveryLossIsReported() throws IOException {
+  void blockedOutputsBlockNoOthersAndLossesAreReported() throws IOException {
     FilterChain chain = new FilterChain(SENSOR);
     chain.add("every-event", new EveryEvent());
     Kept output = new Kept(true);
@@ -243,7 +243,7 @@ class LiveResultsTest {
   }
 
   @Test
-  void stagesThatComeAndGoAreFollowed() throws IOException {
+  void addedAndRemovedStagesAreFollowed() throws IOException {
     FilterChain chain = new FilterChain(SENSOR);
     ChainStage old = chain.add("old", new EveryEvent());
     Kept output = new Kept(false);

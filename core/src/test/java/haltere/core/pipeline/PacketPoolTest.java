@@ -15,7 +15,7 @@ class PacketPoolTest {
   private final PacketPool pool = new PacketPool(3, 4);
 
   @Test
-  void thePacketThatWasReleasedLastIsGivenOutFirst() throws InterruptedException {
+  void lastReleasedPacketIsReusedFirst() throws InterruptedException {
     EventPacket first = pool.take();
     EventPacket second = pool.take();
     second.append(5, 1, 1, true);
@@ -27,7 +27,7 @@ class PacketPoolTest {
   }
 
   @Test
-  void whoFindsNoneFreeWaitsForOne() throws InterruptedException {
+  void takeWaitsForAFreePacket() throws InterruptedException {
     EventPacket last = pool.take();
     pool.take();
     pool.take();
@@ -39,7 +39,7 @@ class PacketPoolTest {
   }
 
   @Test
-  void aPacketOfNoPoolIsRefused() {
+  void packetOfNoPoolIsRejected() {
     assertThrows(IllegalStateException.class, () -> pool.release(new EventPacket(1)));
   }
 }

@@ -123,7 +123,7 @@ class PipelineTest {
   }
 
   @Test
-  void aFilterInANestedChainIsSwitchedOffAlone() throws IOException {
+  void failingFilterOfANestedChainIsDisabledAlone() throws IOException {
     FilterChain inner = new FilterChain(SENSOR);
     ChainStage weak = inner.add("weak", filter(packet -> failAt(packet, 6000)));
     ChainStage outer = chain.add("chain", inner);
@@ -133,7 +133,7 @@ class PipelineTest {
   }
 
   @Test
-  void aRunCanBeInterrupted() {
+  void runCanBeInterrupted() {
     chain.add(
         "interrupting",
         filter(
@@ -150,7 +150,7 @@ class PipelineTest {
   }
 
   @Test
-  void everyCounterHasASentence() {
+  void everyCounterHasADescription() {
     for (Counter counter : Counter.values()) {
       assertTrue(counter.sentence().matches("[A-Z].*\\."), counter.name());
       assertTrue(counters.toString().contains(counter.sentence()));

@@ -95,7 +95,7 @@ class RecorderTest {
   }
 
   @Test
-  void itRecordsUntilPlaybackJumpsAndCountsTheRest() throws IOException {
+  void seekEndsTheRecordingAndLaterEventsAreCounted() throws IOException {
     try (Recorder recorder = recorder(OverflowPolicy.BLOCK, 2, LONG)) {
       recorder.notified(new StreamStarted(SENSOR, "test"));
       recorder.notified(new Reset(Reset.Cause.SEEK));
@@ -117,7 +117,7 @@ class RecorderTest {
   }
 
   @Test
-  void theEndOfTheStreamEndsTheRecording() throws IOException {
+  void endOfStreamEndsTheRecording() throws IOException {
     try (Recorder recorder = recorder(OverflowPolicy.BLOCK, 2, LONG)) {
       recorder.packet(packet(3, 0));
       recorder.notified(new EndOfStream(2));
@@ -224,7 +224,7 @@ class RecorderTest {
   }
 
   @Test
-  void whoeverIsInterruptedWhileItEndsHasNoRecording() throws Exception {
+  void interruptDuringTheEndLeavesNoRecording() throws Exception {
     disk.gate = new CountDownLatch(1);
     try (Recorder recorder = recorder(OverflowPolicy.BLOCK, 2, LONG)) {
       recorder.packet(packet(3, 0));
@@ -237,7 +237,7 @@ class RecorderTest {
   }
 
   @Test
-  void closedWithoutBeingFinishedItLeavesAFileThatCanBeRead() throws IOException {
+  void unfinishedRecordingInPlaceIsReadable() throws IOException {
     Path file = folder.resolve("open.aedat4");
     EventPacket all = EventPackets.uniform(SENSOR, 1, 20_000, 0, 3);
     try (Recorder recorder =
@@ -248,7 +248,7 @@ class RecorderTest {
   }
 
   @Test
-  void finishedItIsAWholeRecording() throws IOException {
+  void finishedRecordingIsComplete() throws IOException {
     Path file = folder.resolve("whole.aedat4");
     EventPacket all = EventPackets.uniform(SENSOR, 2, 20_000, 0, 3);
     try (Recorder recorder =

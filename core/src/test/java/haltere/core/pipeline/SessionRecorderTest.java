@@ -99,7 +99,7 @@ class SessionRecorderTest {
   }
 
   @Test
-  void aNewStreamAndARestartedClockAreNewParts() throws IOException {
+  void newStreamsAndClockRestartsStartNewParts() throws IOException {
     List<Part> parts;
     try (SessionRecorder session = session()) {
       session.notified(new StreamStarted(SENSOR, "camera"));
@@ -126,7 +126,7 @@ class SessionRecorderTest {
   }
 
   @Test
-  void noPartIsLargerThanAllowedAndNoEventIsMissing() throws IOException {
+  void partsStayBelowTheLimitWithoutMissingEvents() throws IOException {
     List<Part> parts;
     try (SessionRecorder session = session(new Limits(Limits.MIN_PART_BYTES, 0))) {
       session.notified(new StreamStarted(SENSOR, "camera"));
@@ -196,7 +196,7 @@ class SessionRecorderTest {
   }
 
   @Test
-  void withoutEventsThereIsNoFile() throws IOException {
+  void recordingWithoutEventsLeavesNoFile() throws IOException {
     try (SessionRecorder session = session()) {
       session.notified(new StreamStarted(SENSOR, "camera"));
       session.packet(new EventPacket(1));

@@ -26,7 +26,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import org.junit.jupiter.api.Test;
 
-/** What continues where a filter, a sink or a source fails. */
+/** Playback after a failure of a filter, a sink or a source. */
 class EngineFailuresTest {
   @Test
   void throwingFiltersAreDisabledAndPlaybackContinues() throws IOException {
@@ -128,7 +128,7 @@ class EngineFailuresTest {
   }
 
   @Test
-  void throwingEditsFailAlone() throws IOException {
+  void throwingEditsDoNotAffectOthers() throws IOException {
     EngineRig rig = new EngineRig(recording(even(8)), byTime(20));
     CompletableFuture<Void> edit =
         rig.ask(new PlaybackCommand.Edit(chain -> chain.stage("none"), false));
@@ -139,7 +139,7 @@ class EngineFailuresTest {
   }
 
   @Test
-  void aChainForAnotherSensorIsRefused() throws IOException {
+  void chainForAnotherSensorIsRejected() throws IOException {
     RecordingPlayable playable = recording(even(8));
     assertThrows(
         IllegalArgumentException.class,
@@ -151,7 +151,7 @@ class EngineFailuresTest {
   }
 
   @Test
-  void eventsOffTheSensorAreCountedAsDropped() throws IOException {
+  void eventsOutsideTheSensorAreCountedAsDropped() throws IOException {
     EventPacket packet = even(3);
     packet.append(1100, 15, 16, true);
     EngineRig rig = new EngineRig(recording(packet), byTime(20));

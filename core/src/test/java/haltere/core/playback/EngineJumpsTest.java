@@ -18,10 +18,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What the stream says of jumps, restarts and losses. */
+/** Notifications of jumps, restarts and losses. */
 class EngineJumpsTest {
   @Test
-  void aClockRestartInTheMiddleEndsTheSliceThere() throws IOException {
+  void clockRestartEndsTheSlice() throws IOException {
     EngineRig rig = new EngineRig(recording(events(100, 150), events(20, 90)), byTime(60)).run();
     assertEquals(
         List.of(
@@ -37,7 +37,7 @@ class EngineJumpsTest {
   }
 
   @Test
-  void lostDataEndsTheSliceAndTheNextOneKeepsToTheGrid() throws IOException {
+  void dataLossEndsTheSliceAndTheNextOneKeepsTheGrid() throws IOException {
     MemoryRecording lossy = new MemoryRecording(SENSOR, events(100, 110, 170, 260)).losing(2, 77);
     EngineRig rig = new EngineRig(new RecordingPlayable(lossy), byTime(100)).run();
     assertEquals(
@@ -92,7 +92,7 @@ class EngineJumpsTest {
   }
 
   @Test
-  void jumpsWithNothingPlayedBetweenAreOne() throws IOException {
+  void successiveJumpsWithoutPlaybackAreOne() throws IOException {
     EngineRig rig = new EngineRig(recording(even(20)), byTime(20).withPaused(true)).run();
     rig.ask(new PlaybackCommand.Seek(100));
     rig.ask(new PlaybackCommand.Rewind());
@@ -120,7 +120,7 @@ class EngineJumpsTest {
   }
 
   @Test
-  void aJumpInTheMiddleOfASliceEndsItThere() throws IOException {
+  void jumpWithinASliceEndsIt() throws IOException {
     EngineRig rig =
         new EngineRig(recording(even(20)), byTime(100).withSpeed(Double.POSITIVE_INFINITY));
     assertEquals(0, rig.engine.turn());
@@ -142,7 +142,7 @@ class EngineJumpsTest {
   }
 
   @Test
-  void afterTheEndAJumpRestartsTheStream() throws IOException {
+  void jumpAfterTheEndRestartsTheStream() throws IOException {
     EngineRig rig = new EngineRig(recording(even(3)), byTime(100)).run();
     assertEquals(State.ENDED, rig.engine.status().state());
     rig.ask(new PlaybackCommand.Seek(10));

@@ -11,10 +11,10 @@ import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What the engine does at the ends of loops. */
+/** Playback at the ends of loops. */
 class EngineLoopsTest {
   @Test
-  void aLoopGoesFromItsOutPointToItsInPointWithARewind() throws IOException {
+  void loopRewindsFromItsOutPointToItsInPoint() throws IOException {
     EngineRig rig = new EngineRig(recording(even(20)), byTime(20).withLoop(Loop.between(50, 80)));
     rig.runUntil(149_000);
     assertEquals(
@@ -50,7 +50,7 @@ class EngineLoopsTest {
   }
 
   @Test
-  void aLoopKeepsItsPaceOverManyRounds() throws IOException {
+  void loopKeepsItsPaceOverManyRounds() throws IOException {
     EngineRig rig = new EngineRig(recording(even(101)), byTime(7).withLoop(Loop.between(100, 900)));
     rig.log.quiet = true;
     rig.raw.quiet = true;
@@ -60,7 +60,7 @@ class EngineLoopsTest {
   }
 
   @Test
-  void behindTheOutPointPlaybackContinuesToTheEndFirst() throws IOException {
+  void playbackBehindTheOutPointContinuesToTheEnd() throws IOException {
     EngineRig rig =
         new EngineRig(
             recording(even(6)), byTime(20).withPaused(true).withLoop(Loop.between(0, 20)));
@@ -82,14 +82,14 @@ class EngineLoopsTest {
   }
 
   @Test
-  void aLoopWithoutEventsEndsInsteadOfSpinning() throws IOException {
+  void loopWithoutEventsEnds() throws IOException {
     EngineRig rig = new EngineRig(recording(), byTime(20).withLoop(Loop.ALL)).run();
     assertEquals(List.of("StreamStarted", "EndOfStream"), rig.log.take());
     assertEquals(State.ENDED, rig.engine.status().state());
   }
 
   @Test
-  void aLoopThroughSilenceByCountTakesItsTime() throws IOException {
+  void loopByCountThroughSilenceTakesItsTime() throws IOException {
     EngineRig rig =
         new EngineRig(
             recording(events(0, 10, 1_000_000)),

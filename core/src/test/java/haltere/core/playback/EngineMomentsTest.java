@@ -18,7 +18,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What is shown of a moment does not depend on how it was reached. */
+/** The display of a moment does not depend on its history. */
 class EngineMomentsTest {
   private static final long MEMORY_US = 400;
 
@@ -26,7 +26,7 @@ class EngineMomentsTest {
     return new EngineRig(recording(even(400)), byTime(100).withPaused(paused), MEMORY_US);
   }
 
-  /** What the chain has been told since it restarted. */
+  /** Elements that the chain has received since it restarted. */
   private static List<String> run(EngineRig rig) {
     return List.copyOf(rig.told.subList(rig.told.lastIndexOf("Reset SEEK"), rig.told.size()));
   }
@@ -66,7 +66,7 @@ class EngineMomentsTest {
   }
 
   @Test
-  void aLoopRunsTheChainBeforeItsStart() throws IOException {
+  void loopRunsTheChainBeforeItsStart() throws IOException {
     EngineRig rig = rig(true).run();
     rig.ask(
         new PlaybackCommand.SetLoop(
@@ -116,7 +116,7 @@ class EngineMomentsTest {
   }
 
   @Test
-  void editsInAPauseCostOneRunOverTheMemoryAndThoseDuringARunOneMore() throws IOException {
+  void editsDuringAPauseCostOneRunUpAndThoseDuringARunUpOneMore() throws IOException {
     EngineRig rig = sought(2000);
     long once = (MEMORY_US + MEMORY_US / 4 + 100) / 10;
     long before = eventsRunUp(rig);
@@ -176,7 +176,7 @@ class EngineMomentsTest {
   }
 
   @Test
-  void keptScenesRepeatSlicesFromKeptEvents() throws IOException {
+  void scenesRepeatSlicesFromStoredEvents() throws IOException {
     KeptPlayable kept = new KeptPlayable(recording(even(400)), 100_000);
     EngineRig rig = new EngineRig(kept, byTime(100), MEMORY_US);
     rig.runUntil(2_050_000);

@@ -22,7 +22,7 @@ import java.util.Random;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 
-/** How fast the engine plays, and what it says when it cannot. */
+/** Pace of playback, and messages if it is too slow. */
 class EnginePaceTest {
   @Test
   void realTimePlaybackDoesNotDriftWithTheCostOfTheChain() throws IOException {
@@ -128,7 +128,7 @@ class EnginePaceTest {
   }
 
   @Test
-  void theAchievedSpeedIsMeasured() throws IOException {
+  void achievedSpeedIsMeasured() throws IOException {
     long[] times = LongStream.range(0, 4_000).map(i -> i * 1000).toArray();
     RecordingPlayable playable = new RecordingPlayable(new MemoryRecording(SENSOR, events(times)));
     EngineRig rig = new EngineRig(playable, byTime(10_000).withSpeed(2));
@@ -156,7 +156,7 @@ class EnginePaceTest {
   }
 
   @Test
-  void aCommandIsAppliedBetweenTwoPiecesOfALongSlice() throws IOException {
+  void commandIsAppliedWithinALongSlice() throws IOException {
     long[] times = LongStream.range(0, 100_000).toArray();
     EngineRig rig =
         new EngineRig(
@@ -176,7 +176,7 @@ class EnginePaceTest {
   }
 
   @Test
-  void aNewSpeedCountsAlsoWhileASliceIsWaitedFor() throws IOException {
+  void newSpeedAppliesToAWaitingSlice() throws IOException {
     EngineRig rig = new EngineRig(recording(events(0, 100, 200)), byTime(100).withSpeed(1e-4));
     rig.runUntil(500_000_000);
     assertEquals(1, rig.log.slices);

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 /** Scenes in the engine. */
 class EngineSceneTest {
   @Test
-  void scenesRestartOnRewindAndSeekNowhereElse() {
+  void scenesRestartOnRewindAndAreNotSeekable() {
     int[] made = new int[1];
     ScenePlayable scene =
         new ScenePlayable(

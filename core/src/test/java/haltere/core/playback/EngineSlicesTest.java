@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-/** How the engine cuts slices. */
+/** Division of the stream into slices. */
 class EngineSlicesTest {
   @Test
   void slicesOfTimeAreHalfOpenAndContinueThroughSilence() throws IOException {
@@ -32,7 +32,7 @@ class EngineSlicesTest {
   }
 
   @Test
-  void slicesOfCountHoldExactlySoManyEvents() throws IOException {
+  void slicesByCountContainExactlyTheirCount() throws IOException {
     EngineRig rig =
         new EngineRig(
                 recording(events(10, 20, 20, 20, 90, 91, 92)),
@@ -79,7 +79,7 @@ class EngineSlicesTest {
   }
 
   @Test
-  void aSlicePerPictureFollowsTheSpeed() throws IOException {
+  void slicePerPictureFollowsTheSpeed() throws IOException {
     EngineRig rig =
         new EngineRig(
             recording(even(10_000)),

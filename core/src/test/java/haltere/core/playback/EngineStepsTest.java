@@ -22,7 +22,7 @@ class EngineStepsTest {
   private static final String SLICE = "[1100,1120) [1100, 1110]";
 
   @Test
-  void stepsGoForwardAndBackAndShowTheSameSlices() throws IOException {
+  void stepsForwardAndBackShowTheSameSlices() throws IOException {
     EngineRig rig = new EngineRig(recording(even(20)), byTime(20).withPaused(true)).run();
     CompletableFuture<Void> forward = rig.ask(new PlaybackCommand.Step(3));
     assertFalse(forward.isDone());
@@ -40,7 +40,7 @@ class EngineStepsTest {
   }
 
   @Test
-  void aStepBackRunsTheChainFromAsFarBeforeAsItRemembers() throws IOException {
+  void stepBackRunsTheChainOverItsMemory() throws IOException {
     EngineRig rig = new EngineRig(recording(even(20)), byTime(20).withPaused(true), 40).run();
     rig.ask(new PlaybackCommand.Seek(120));
     rig.run();
@@ -57,7 +57,7 @@ class EngineStepsTest {
   }
 
   @Test
-  void stepsByCountShowTheSameEventsBothWaysAlsoAmongEventsOfOneTime() throws IOException {
+  void stepsByCountAreReversibleAmongSimultaneousEvents() throws IOException {
     long[] times = new Random(7).longs(500, 0, 200).sorted().toArray();
     EngineRig rig =
         new EngineRig(
@@ -83,7 +83,7 @@ class EngineStepsTest {
   }
 
   @Test
-  void aStepBackFromTheEndRestartsTheStream() throws IOException {
+  void stepBackFromTheEndRestartsTheStream() throws IOException {
     EngineRig rig = new EngineRig(recording(even(6)), byTime(20)).run();
     rig.log.take();
     rig.ask(new PlaybackCommand.Step(-1));
@@ -93,7 +93,7 @@ class EngineStepsTest {
   }
 
   @Test
-  void aPauseHoldsAndPlayContinuesWhereItWas() throws IOException {
+  void playContinuesAtThePositionOfAPause() throws IOException {
     EngineRig rig = new EngineRig(recording(even(100)), byTime(100));
     rig.runUntil(250_000);
     assertEquals(3, rig.log.slices);

@@ -105,7 +105,7 @@ class KeptPlayableTest {
   }
 
   @Test
-  void keptEventsAreReplayedBeforeNewOnes() throws IOException {
+  void storedEventsAreReplayedBeforeNewOnes() throws IOException {
     KeptPlayable kept = kept();
     StreamRecorder first = new StreamRecorder();
     pull(kept, first, 900_000);
@@ -152,7 +152,7 @@ class KeptPlayableTest {
   }
 
   @Test
-  void keptEventsDoNotDependOnPacketBorders() throws IOException {
+  void storedEventsDoNotDependOnPacketBoundaries() throws IOException {
     SplittableRandom random = new SplittableRandom(5);
     EventHistory history = new EventHistory(16 * ROOM);
     List<Long> expected = new ArrayList<>();
@@ -217,7 +217,7 @@ class KeptPlayableTest {
   }
 
   @Test
-  void aCopyHoldsAPartAndNothingElse() throws IOException {
+  void copyContainsOnlyItsPart() throws IOException {
     KeptPlayable kept = kept();
     pull(kept, new StreamRecorder(), 300_000);
     Playable copy = kept.copy(100_000, 100_100);
@@ -231,7 +231,7 @@ class KeptPlayableTest {
   }
 
   @Test
-  void playbackStepsBackAndLoopsInASceneAsInARecording() throws IOException {
+  void sceneIsSteppedAndLoopedLikeARecording() throws IOException {
     EngineRig rig =
         new EngineRig(
             kept(), byTime(1000).withLoop(new Loop(true, OptionalLong.of(2000), at(4000))));
@@ -254,7 +254,7 @@ class KeptPlayableTest {
   }
 
   @Test
-  void aCameraIsPacedWhileItsLastMomentsArePlayedAgain() throws IOException {
+  void replayOfACameraIsPaced() throws IOException {
     Object[] items = new Object[1001];
     items[0] = new StreamStarted(SENSOR, "script");
     for (int i = 0; i < 1000; i++) {

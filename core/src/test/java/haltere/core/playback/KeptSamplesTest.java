@@ -100,7 +100,7 @@ class KeptSamplesTest {
   }
 
   @Test
-  void samplesTakeNoMoreThanTheirRoomAndGoWithTheEventsBesideThem() {
+  void samplesAreBoundedAndRemovedWithTheirEvents() {
     SplittableRandom random = new SplittableRandom(11);
     long roomBytes = 24 * 1024;
     EventHistory history = new EventHistory(ROOM, roomBytes);

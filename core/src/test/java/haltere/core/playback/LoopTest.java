@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 class LoopTest {
   @Test
-  void eitherPointMayBeLeftOpen() {
+  void loopPointsAreOptional() {
     Loop toTheEnd = new Loop(true, OptionalLong.of(1_000_000), OptionalLong.empty());
     assertEquals(1_000_000, toTheEnd.inUs().getAsLong());
     Loop fromTheStart = new Loop(true, OptionalLong.empty(), OptionalLong.of(1));
@@ -16,7 +16,7 @@ class LoopTest {
   }
 
   @Test
-  void refusesALoopWithoutLength() {
+  void emptyLoopIsRejected() {
     assertThrows(IllegalArgumentException.class, () -> Loop.between(5, 5));
     assertThrows(IllegalArgumentException.class, () -> Loop.between(-1, 5));
     assertThrows(

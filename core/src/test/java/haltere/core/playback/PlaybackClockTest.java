@@ -12,7 +12,7 @@ class PlaybackClockTest {
   private final PlaybackClock clock = new PlaybackClock(time, time);
 
   @Test
-  void itStandsUntilItIsResumed() {
+  void clockStandsUntilResumed() {
     time.advance(5_000_000);
     assertEquals(0, clock.positionUs());
     assertFalse(clock.running());
@@ -25,7 +25,7 @@ class PlaybackClockTest {
   }
 
   @Test
-  void aNewSpeedCountsFromNowOn() {
+  void newSpeedAppliesFromNowOn() {
     clock.resume();
     time.advance(1_000_000);
     clock.setSpeed(1e-4);
@@ -37,7 +37,7 @@ class PlaybackClockTest {
   }
 
   @Test
-  void speedsOfTenThousandthsToWithoutLimitAreTaken() {
+  void speedsFromOneTenThousandthToUnlimitedAreAccepted() {
     clock.setSpeed(Double.POSITIVE_INFINITY);
     clock.resume();
     assertEquals(0, clock.nanosUntil(1_000_000_000));
@@ -47,7 +47,7 @@ class PlaybackClockTest {
   }
 
   @Test
-  void aDayAtAnOddSpeedDoesNotDrift() {
+  void clockDoesNotDriftOverADayAtAnUnevenSpeed() {
     clock.setSpeed(0.3);
     clock.resume();
     long day = 86_400_000_000_000L;

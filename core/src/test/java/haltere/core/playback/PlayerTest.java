@@ -62,7 +62,7 @@ class PlayerTest {
   }
 
   @Test
-  void itPlaysOnAThreadOfItsOwnInVirtualTime() throws Exception {
+  void playerPlaysOnItsOwnThreadInVirtualTime() throws Exception {
     ManualClock clock = new ManualClock();
     try (Player player = player(recording(60_000), byTime(10_000).withClock(clock, clock))) {
       End end = new End();
@@ -76,7 +76,7 @@ class PlayerTest {
   }
 
   @Test
-  void inRealTimeItDoesNotDrift() throws Exception {
+  void realTimePlaybackDoesNotDrift() throws Exception {
     try (Player player = player(recording(600), PlayerOptions.defaults())) {
       End end = new End();
       player.addSink(end);
@@ -92,7 +92,7 @@ class PlayerTest {
   }
 
   @Test
-  void commandsAreAppliedWhileItWaitsForItsClock() throws Exception {
+  void commandsAreAppliedWhileThePlayerWaits() throws Exception {
     PlayerOptions slow =
         PlayerOptions.defaults().withSlicing(new Slicing.ByTime(1_000_000)).withSpeed(1e-4);
     try (Player player = player(recording(10_000), slow)) {
@@ -114,7 +114,7 @@ class PlayerTest {
   }
 
   @Test
-  void futuresTellWhenACommandIsDone() throws Exception {
+  void futuresCompleteWithTheirCommands() throws Exception {
     try (Player player = player(recording(1000), byTime(1000).withPaused(true))) {
       SliceLog log = new SliceLog();
       player.addSink(log);
@@ -137,7 +137,7 @@ class PlayerTest {
   }
 
   @Test
-  void ofManySeeksInARowOnlyTheLastIsPlayedButAllAreAnswered() throws Exception {
+  void onlyTheLastOfManySeeksIsPlayedAndAllComplete() throws Exception {
     try (Player player = player(recording(1000), byTime(1000).withPaused(true))) {
       SliceLog log = new SliceLog();
       player.addSink(log);
@@ -195,7 +195,7 @@ class PlayerTest {
   }
 
   @Test
-  void itCanBeClosedFromItsOwnThread() throws Exception {
+  void playerCanBeClosedFromItsOwnThread() throws Exception {
     AtomicReference<Player> self = new AtomicReference<>();
     MemoryRecording memory = new MemoryRecording(SENSOR, events(0, 1));
     self.set(player(new RecordingPlayable(memory), byTime(1000).withPaused(true)));
@@ -207,7 +207,7 @@ class PlayerTest {
   }
 
   @Test
-  void marksAreKeptInOrder() throws Exception {
+  void marksAreOrdered() throws Exception {
     try (Player player = player(recording(10), byTime(1000))) {
       assertTrue(player.addMark(new Mark("turn", 500)));
       assertTrue(player.addMark(new Mark("start", 100)));
@@ -219,7 +219,7 @@ class PlayerTest {
   }
 
   @Test
-  void valuesThatMakeNoSenseAreRefused() {
+  void invalidValuesAreRejected() {
     assertThrows(IllegalArgumentException.class, () -> new Slicing.ByTime(0));
     assertThrows(IllegalArgumentException.class, () -> new Slicing.ByCount(0));
     assertThrows(IllegalArgumentException.class, () -> new Slicing.PerFrame(Double.NaN));

@@ -11,7 +11,7 @@ import haltere.core.stream.StreamNotification;
 import java.util.List;
 import java.util.OptionalLong;
 
-/** What a camera gives, told beforehand. */
+/** A source with a scripted stream. */
 final class ScriptedPlayable implements Playable {
   private final List<Object> items;
   private int next;

@@ -92,7 +92,7 @@ final class SliceLog implements SliceSink {
     }
   }
 
-  /** What was written since the last call. */
+  /** The log since the last call. */
   List<String> take() {
     List<String> taken = List.copyOf(lines);
     lines.clear();

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
-/** Settings that have other names than in an earlier version, or are no more. */
+/** Settings that were renamed or removed since an earlier version. */
 class FormerNamesTest {
   record Outer(@Help("A switch.") boolean on, Inner inner) {
     Outer {
@@ -47,7 +47,7 @@ class FormerNamesTest {
   }
 
   @Test
-  void aValueOfAFormerNameIsTakenOverAndALineSaysItsNameNow() {
+  void valueOfAFormerNameIsAppliedWithAHintToTheNewName() {
     assertEquals(new Outer(true, new Inner(7)), read(Map.of("enabled", true, "inner", inner())));
     assertEquals(1, notes.size());
     assertTrue(notes.get(0).contains("inner.mostPx -> inner.maxSizePx"), notes.get(0));
@@ -67,7 +67,7 @@ class FormerNamesTest {
   }
 
   @Test
-  void withoutFormerNamesThereIsNoNote() {
+  void currentNamesGiveNoHint() {
     assertEquals(new Outer(true, new Inner(3)), read(Map.of("on", true, "inner", now())));
     assertEquals(List.of(), notes);
   }
@@ -82,7 +82,7 @@ class FormerNamesTest {
   }
 
   @Test
-  void anAssignmentToAFormerNameIsRefusedWithItsSuccessor() {
+  void assignmentToAFormerNameIsRejectedWithItsSuccessor() {
     assertEquals(
         "there is no setting inner.mostPx any more: inner.maxSizePx", problem("inner.mostPx=3"));
     assertEquals("there is no setting inner.mostPx any more: inner.maxSizePx", problem("mostPx=3"));

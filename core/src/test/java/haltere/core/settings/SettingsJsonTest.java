@@ -14,7 +14,7 @@ class SettingsJsonTest {
   private final SettingsSchema<Whole> schema = SettingsSchema.of(Whole.class);
 
   @Test
-  void everyValueSurvivesTheWayThroughText() throws Exception {
+  void valuesOfAllTypesAreReadBack() throws Exception {
     Whole settings =
         new Whole(-3, 1_000_000_000_000L, true, Mood.VERY_BUSY, "\"ü\"\n", new Band(0.1, 1.0 / 3));
     String text = Json.write(SettingsJson.toMap(settings, schema));
@@ -48,14 +48,14 @@ class SettingsJsonTest {
   }
 
   @Test
-  void onlyTheWholeHasToBeValid() {
+  void onlyTheCombinationOfValuesMustBeValid() {
     assertEquals(
         new Band(0.8, 0.9),
         SettingsJson.fromMap(Map.of("band", Map.of("low", 0.8, "high", 0.9)), schema).band());
   }
 
   @Test
-  void anObjectWhereAValueBelongsAndAValueWhereAnObjectBelongsAreRefused() {
+  void objectsAndValuesAtTheWrongPlaceAreRejected() {
     assertThrows(
         SettingsProblem.class, () -> SettingsJson.fromMap(Map.of("count", Map.of()), schema));
     assertThrows(

@@ -46,7 +46,7 @@ class SettingsSchemaTest {
   private final Whole defaults = Whole.defaults();
 
   @Test
-  void everyLeafIsAParameterInTheOrderOfTheRecord() {
+  void everyLeafIsAParameterInRecordOrder() {
     assertEquals(
         List.of("count", "timeUs", "on", "mood", "text", "band.low", "band.high"),
         schema.parameters().stream().map(Parameter::name).toList());
@@ -68,12 +68,12 @@ class SettingsSchemaTest {
   }
 
   @Test
-  void aClassHasOneSchema() {
+  void schemaOfAClassIsCached() {
     assertSame(schema, SettingsSchema.of(Whole.class));
   }
 
   @Test
-  void aValueIsReplacedInANewRecord() {
+  void changedValueGivesANewRecord() {
     Whole changed = schema.with(defaults, "band.low", 0.5);
     assertEquals(new Band(0.5, 0.75), changed.band());
     assertEquals(new Band(0.25, 0.75), defaults.band());
@@ -82,7 +82,7 @@ class SettingsSchemaTest {
   }
 
   @Test
-  void textsAreReadAsTheTypeOfTheSetting() {
+  void textsAreParsedAsTheTypeOfTheSetting() {
     Whole changed =
         schema.withAssignments(
             defaults,
@@ -91,7 +91,7 @@ class SettingsSchemaTest {
   }
 
   @Test
-  void severalValuesAreChangedAtOnceSoThatOnlyTheResultHasToBeValid() {
+  void severalValuesAreChangedAtOnceAndOnlyTheResultMustBeValid() {
     Map<String, Object> values = Map.of("band.low", 0.8, "band.high", 0.9);
     assertEquals(new Band(0.8, 0.9), schema.with(defaults, values).band());
     assertEquals(
@@ -103,7 +103,7 @@ class SettingsSchemaTest {
   }
 
   @Test
-  void bothEndsOfARangeAreValidAndNothingBeyond() {
+  void endsOfARangeAreValidAndValuesBeyondAreNot() {
     assertEquals(10, schema.with(defaults, "count", 10).count());
     assertEquals(-5, schema.with(defaults, "count", -5).count());
     assertProblem("setting count is 11, it must be -5 to 10 events", "count", 11);
@@ -119,7 +119,7 @@ class SettingsSchemaTest {
   }
 
   @Test
-  void notANumberAndInfinitiesAreNeverValid() {
+  void nanAndInfinitiesAreInvalid() {
     assertProblem("setting band.low is NaN, it must be 0 to 1", "band.low", Double.NaN);
     assertProblem(
         "setting band.low is Infinity, it must be 0 to 1", "band.low", Double.POSITIVE_INFINITY);
@@ -129,7 +129,7 @@ class SettingsSchemaTest {
   }
 
   @Test
-  void aValueOfTheWrongKindIsRefused() {
+  void valueOfTheWrongTypeIsRejected() {
     assertProblem("setting count is 1.5, it must be a whole number", "count", 1.5);
     assertProblem("setting count is many, it must be a whole number", "count", "many");
     assertProblem("setting on is yes, it must be true or false", "on", "yes");
@@ -139,7 +139,7 @@ class SettingsSchemaTest {
   }
 
   @Test
-  void theConstructorChecksAsWell() {
+  void constructorChecksValues() {
     SettingsProblem problem =
         assertThrows(
             SettingsProblem.class, () -> new Whole(11, 0, false, Mood.CALM, "", new Band(0, 1)));
@@ -162,13 +162,13 @@ class SettingsSchemaTest {
   }
 
   @Test
-  void theLastPartOfANameIsEnoughWhereOnlyOneSettingEndsInIt() {
+  void uniqueLastPartOfANameSuffices() {
     Whole changed = schema.withAssignments(defaults, List.of("low=0.5", "band.high=0.625"));
     assertEquals(new Band(0.5, 0.625), changed.band());
   }
 
   @Test
-  void anEndingOfSeveralSettingsIsAnsweredWithTheirNames() {
+  void ambiguousLastPartIsReportedWithTheFullNames() {
     record Two(Band left, Band right) {
       Two {
         SettingsSchema.validate(Two.class, left, right);
@@ -186,7 +186,7 @@ class SettingsSchemaTest {
   }
 
   @Test
-  void anAssignmentNeedsANameAndAnEqualsSign() {
+  void assignmentNeedsANameAndAnEqualsSign() {
     for (String assignment : List.of("count", "=5", "")) {
       SettingsProblem problem =
           assertThrows(

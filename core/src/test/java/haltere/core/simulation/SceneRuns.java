@@ -10,7 +10,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.function.IntPredicate;
 
-/** What the tests of scenes share: settings for pure geometry, and pulling a scene dry. */
+/** Helpers of scene tests: settings for ideal geometry, and reading a scene to its end. */
 public final class SceneRuns {
   /** No noise, no motion of the body, no manoeuvre, a pixel without delay or mismatch. */
   private static final String[] PURE = {

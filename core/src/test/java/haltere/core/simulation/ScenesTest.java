@@ -21,7 +21,7 @@ class ScenesTest {
   }
 
   @Test
-  void aSceneIsMadeFromItsNameAndChangesOfItsSettings() {
+  void sceneIsCreatedByNameAndChangedSettings() {
     Scene<?> scene = Scenes.named("fly").create(List.of("run.durationS=0.5", "run.startUs=7000"));
 
     assertEquals(FlyTruth.class, scene.truthType());

@@ -105,7 +105,7 @@ class CsvSinkTest {
   }
 
   @Test
-  void aCommaLocaleChangesNothing() {
+  void localeDoesNotChangeNumbers() {
     Locale before = Locale.getDefault();
     try {
       Locale.setDefault(Locale.GERMANY);
@@ -118,7 +118,7 @@ class CsvSinkTest {
   }
 
   @Test
-  void textIsQuotedWhereItMustBe() {
+  void textIsQuotedIfNecessary() {
     record Text(String value) {}
     for (String[] pair :
         new String[][] {
@@ -136,7 +136,7 @@ class CsvSinkTest {
   }
 
   @Test
-  void wordsForAPersonStandBetweenRowsAndAreNoRows() throws IOException {
+  void commentsBetweenRowsDoNotCountAsRows() throws IOException {
     record Row(int value) {}
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     CsvSink<Row> sink = CsvSink.on(out, Row.class);
@@ -150,7 +150,7 @@ class CsvSinkTest {
   }
 
   @Test
-  void numbersReadBackAsTheSameNumbers() {
+  void numbersAreReadBackExactly() {
     Random random = new Random(3);
     for (int i = 0; i < 20_000; i++) {
       double value =
@@ -220,7 +220,7 @@ class CsvSinkTest {
   }
 
   @Test
-  void onlyPlainRecordsAreRows() {
+  void onlyFlatRecordsAreRows() {
     assertTrue(CsvSink.isFlat(Row.class));
     assertFalse(CsvSink.isFlat(Nested.class));
     assertFalse(CsvSink.isFlat(Empty.class));
@@ -231,7 +231,7 @@ class CsvSinkTest {
   }
 
   @Test
-  void aTableAppearsWholeOrNotAtAllAndReplacesNothing(@TempDir Path folder) throws IOException {
+  void tableAppearsCompleteOrNotAtAllAndReplacesNoFile(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("rows.csv");
     try (CsvSink<Numbers> sink = CsvSink.create(file, Numbers.class, false)) {
       for (int i = 0; i < 20_000; i++) {

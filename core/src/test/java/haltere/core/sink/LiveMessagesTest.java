@@ -46,7 +46,7 @@ class LiveMessagesTest {
   }
 
   @Test
-  void aResultSaysWhereItIsFromWhenItWasSentAndItsColumns() {
+  void resultMessageHasOriginSendTimeAndColumns() {
     Row row = new Row(7, 3, 1.005, 0.5f, true, Side.LEFT, "a\"b\\\n\u00e4", OptionalLong.of(9));
     assertEquals(
         "{\"number\":5,\"sent_us\":12345678,\"from\":\"tracker/rows\",\"row\":{\"t_us\":7,\"id\":3,"
@@ -110,7 +110,7 @@ class LiveMessagesTest {
   }
 
   @Test
-  void recordsThatAreNoRowsAreRejected() {
+  void nonTabularRecordsAreRejected() {
     record Nested(Row row) {}
     assertThrows(IllegalArgumentException.class, () -> messages.result(1, "a/b", new Nested(null)));
   }

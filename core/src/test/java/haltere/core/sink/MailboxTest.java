@@ -22,7 +22,7 @@ class MailboxTest {
 
   @Test
   @Timeout(20)
-  void everyValueIsTakenOrConflatedAndNeverGoesBack() throws InterruptedException {
+  void valuesAreTakenOrConflatedInOrder() throws InterruptedException {
     Mailbox<Integer> mailbox = new Mailbox<>();
     int count = 200_000;
     Thread producer =

@@ -37,7 +37,7 @@ class TablesTest {
   }
 
   @Test
-  void aFormatWhoseModuleIsNotInstalledIsRefusedWithItsName() throws IOException {
+  void formatOfAMissingModuleIsRejectedWithItsName() throws IOException {
     RecordingProblem problem = assertThrows(RecordingProblem.class, () -> write("a.parquet"));
     assertTrue(problem.getMessage().contains("haltere-columnar"), problem.getMessage());
     AtomicFile begun = AtomicFile.create(folder.resolve("b.parquet"), false);
@@ -48,7 +48,7 @@ class TablesTest {
   }
 
   @Test
-  void aColumnNamesItsUnit() {
+  void columnNameStatesTheUnit() {
     assertEquals("px/s", ColumnUnit.of("vx_px_s").orElseThrow().symbol());
     assertEquals("rad/s", ColumnUnit.of("p_rad_s").orElseThrow().symbol());
     assertEquals("\u00b5s", ColumnUnit.of("t_us").orElseThrow().symbol());

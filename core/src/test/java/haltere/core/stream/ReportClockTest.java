@@ -21,7 +21,7 @@ class ReportClockTest {
 
   @ParameterizedTest
   @ValueSource(longs = {-1L << 60, -3_600_000_000L, -1, 0, 1, 999_999_999, 1L << 33, 1L << 60})
-  void itSkipsToTheFirstTimeAtOrAfterAnyTime(long timeUs) {
+  void clockSkipsToTheFirstReportAtOrAfterATime(long timeUs) {
     for (double rate : new double[] {0.001, 0.3, 1, 29.97, 100, 1000, 100_000}) {
       ReportClock clock = new ReportClock();
       clock.setRate(rate);
@@ -36,7 +36,7 @@ class ReportClockTest {
   }
 
   @Test
-  void theTimesAreTheSameFromWhereverOneComes() {
+  void reportTimesDoNotDependOnTheStart() {
     ReportClock walking = new ReportClock();
     walking.setRate(70);
     walking.skipTo(123_456);

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(60)
 class SharedWorkTest {
   @Test
-  void eachPieceIsDoneOnceHoweverManyThereAre() {
+  void everyPieceRunsOnce() {
     try (SharedWork work = new SharedWork(2)) {
       for (int round = 0; round < 20_000; round++) {
         int[] done = new int[round % 7];
@@ -32,7 +32,7 @@ class SharedWorkTest {
   }
 
   @Test
-  void twoPiecesAreDoneAtOnceByTwoThreads() {
+  void twoPiecesRunConcurrentlyOnTwoThreads() {
     AtomicReferenceArray<Thread> threads = new AtomicReferenceArray<>(2);
     CountDownLatch both = new CountDownLatch(2);
     try (SharedWork work = new SharedWork(2)) {
@@ -48,7 +48,7 @@ class SharedWorkTest {
   }
 
   @Test
-  void aloneItIsDoneInOrderByTheCaller() {
+  void singleThreadRunsPiecesInOrder() {
     Thread caller = Thread.currentThread();
     StringBuilder order = new StringBuilder();
     SharedWork.ALONE.each(
@@ -92,7 +92,7 @@ class SharedWorkTest {
   }
 
   @Test
-  void theThreadEndsWithItAndWorkContinuesWithoutIt() throws InterruptedException {
+  void closingEndsTheThreadAndWorkContinuesWithoutIt() throws InterruptedException {
     Thread[] second = new Thread[1];
     Thread caller = Thread.currentThread();
     CountDownLatch both = new CountDownLatch(2);
@@ -141,7 +141,7 @@ class SharedWorkTest {
   }
 
   @Test
-  void moreThanTwoThreadsAreRefused() {
+  void moreThanTwoThreadsAreRejected() {
     String message =
         assertThrows(IllegalArgumentException.class, () -> new SharedWork(3)).getMessage();
     assertTrue(message.contains("1 or 2"), message);

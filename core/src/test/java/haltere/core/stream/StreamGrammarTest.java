@@ -66,7 +66,7 @@ class StreamGrammarTest {
   }
 
   @Test
-  void nothingMayComeBeforeTheStart() {
+  void elementsBeforeTheStartAreRejected() {
     refused("a packet came before the start of the stream", () -> grammar.packet(event(0, 0, 0)));
     refused(END, "the end of stream came before the start of the stream");
     refused(RESET, RESET + " came before the start of the stream");
@@ -74,13 +74,13 @@ class StreamGrammarTest {
   }
 
   @Test
-  void aStreamStartsOnlyOnce() {
+  void secondStartIsRejected() {
     grammar.notified(START);
     refused(START, "the stream started while the stream was running");
   }
 
   @Test
-  void afterTheLossOfTheDeviceOnlyTheEndMayCome() {
+  void onlyTheEndMayFollowADeviceLoss() {
     grammar.notified(START);
     grammar.notified(LOST);
     refused("a packet came after the device was lost", () -> grammar.packet(event(0, 0, 0)));
@@ -91,7 +91,7 @@ class StreamGrammarTest {
   }
 
   @Test
-  void afterTheEndOnlyAStartMayCome() {
+  void onlyAStartMayFollowTheEnd() {
     grammar.notified(START);
     grammar.notified(END);
     refused("a packet came after the end of the stream", () -> grammar.packet(event(0, 0, 0)));
@@ -100,7 +100,7 @@ class StreamGrammarTest {
   }
 
   @Test
-  void timeMayNotGoBackWithinAPacketOrFromOneToTheNext() {
+  void descendingTimesAreRejected() {
     grammar.notified(START);
     grammar.packet(event(5, 0, 0));
     grammar.packet(event(5, 0, 0));
@@ -113,7 +113,7 @@ class StreamGrammarTest {
   }
 
   @Test
-  void everyPixelLiesOnTheSensor() {
+  void pixelsOutsideTheSensorAreRejected() {
     grammar.notified(START);
     refused("pixel (10, 0) is outside of 10x8", () -> grammar.packet(event(0, 10, 0)));
     refused("pixel (0, 8) is outside of 10x8", () -> grammar.packet(event(0, 0, 8)));

@@ -13,8 +13,8 @@ import haltere.device.usb.UsbTransport;
  * <p>Thread rule: one thread at a time; {@link #buffers} may be called by any.
  */
 final class CameraLink {
-  private static final long USUAL_MAX_WAITING_BYTES = 8 << 20;
-  private static final int USUAL_MAX_WAITING_BUFFERS = 2048;
+  private static final long DEFAULT_MAX_BYTES = 8 << 20;
+  private static final int DEFAULT_MAX_BUFFERS = 2048;
 
   private final CameraDriver driver;
   private final UsbTransport transport;
@@ -36,12 +36,11 @@ final class CameraLink {
     this.driver = driver;
     this.transport = transport;
     DataEndpoint from = driver.endpoint();
-    int transfers = options.transfers() == 0 ? from.usualTransfers() : options.transfers();
-    int bytes = options.bufferBytes() == 0 ? from.usualBufferBytes() : options.bufferBytes();
+    int transfers = options.transfers() == 0 ? from.defaultTransfers() : options.transfers();
+    int bytes = options.bufferBytes() == 0 ? from.defaultBufferBytes() : options.bufferBytes();
     int waiting =
         options.waitingBuffers() == 0
-            ? (int)
-                Math.min(USUAL_MAX_WAITING_BUFFERS, Math.max(8, USUAL_MAX_WAITING_BYTES / bytes))
+            ? (int) Math.min(DEFAULT_MAX_BUFFERS, Math.max(8, DEFAULT_MAX_BYTES / bytes))
             : options.waitingBuffers();
     try {
       driver.connect(transport);

@@ -32,7 +32,7 @@ interface CameraModel {
   }
 
   /** Its sensor, as far as known before opening. */
-  SensorGeometry usualGeometry();
+  SensorGeometry nominalGeometry();
 
   /** Why it is not supported, and advice; or empty. */
   default String obstacle() {

@@ -14,21 +14,21 @@ final class ClockWatch {
   private static final long NANOS_PER_US = 1000;
 
   private volatile ClockRelation relation;
-  private ClockRelation shortestLately;
+  private ClockRelation recentShortest;
   private long windowEndNanos;
 
   /** Registers the arrival of the last event of a buffer. */
   void note(long cameraUs, long arrivedNanos) {
     ClockRelation best = relation;
     boolean turn = best == null || arrivedNanos - windowEndNanos > 0;
-    if (turn || shortestLately == null || shorter(cameraUs, arrivedNanos, shortestLately)) {
+    if (turn || recentShortest == null || shorter(cameraUs, arrivedNanos, recentShortest)) {
       ClockRelation now = new ClockRelation(cameraUs, arrivedNanos);
       if (turn) {
         windowEndNanos = arrivedNanos + WINDOW_NANOS;
-        relation = shortestLately == null ? now : shortestLately;
-        shortestLately = now;
+        relation = recentShortest == null ? now : recentShortest;
+        recentShortest = now;
       } else {
-        shortestLately = now;
+        recentShortest = now;
       }
       if (shorter(cameraUs, arrivedNanos, relation)) {
         relation = now;
@@ -44,7 +44,7 @@ final class ClockWatch {
   /** The camera's clock restarts. */
   void restart() {
     relation = null;
-    shortestLately = null;
+    recentShortest = null;
   }
 
   Optional<ClockRelation> relation() {

@@ -35,7 +35,7 @@ final class ControlLine {
     transport().send(request, value, index, data);
   }
 
-  byte[] ask(int request, int value, int index, int length) throws CameraProblem {
-    return transport().ask(request, value, index, length);
+  byte[] query(int request, int value, int index, int length) throws CameraProblem {
+    return transport().query(request, value, index, length);
   }
 }

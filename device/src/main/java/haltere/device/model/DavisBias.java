@@ -55,12 +55,12 @@ record DavisBias(String name, int parameter, Kind kind, int first, int second, i
     return new DavisBias(name, parameter, Kind.SHIFTED_SOURCE, 1, 33, 0);
   }
 
-  double usual() {
+  double defaultValue() {
     return kind == Kind.CURRENT ? FULL_PA[first] * second / FINE : first;
   }
 
   /** The largest value that the chip can set. */
-  double most() {
+  double max() {
     return kind == Kind.CURRENT ? FULL_PA[FULL_PA.length - 1] : LEVELS;
   }
 
@@ -71,14 +71,14 @@ record DavisBias(String name, int parameter, Kind kind, int first, int second, i
         double.class,
         current ? "pA" : "1/64",
         0,
-        most(),
+        max(),
         current,
         switch (kind) {
           case CURRENT -> "Current of the bias " + name + ".";
           case VOLTAGE -> "Voltage of the bias " + name + ", in 64ths of the supply.";
           case SHIFTED_SOURCE -> "Reference level of the shifted source " + name + ".";
         },
-        usual(),
+        defaultValue(),
         List.of(),
         "");
   }
@@ -109,7 +109,7 @@ record DavisBias(String name, int parameter, Kind kind, int first, int second, i
    * finest steps.
    */
   private int coarse(double value) {
-    if (value == usual()) {
+    if (value == defaultValue()) {
       return first;
     }
     int coarse = 0;

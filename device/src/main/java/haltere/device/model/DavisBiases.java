@@ -16,7 +16,7 @@ import java.util.Map;
  * or as a set.
  */
 final class DavisBiases implements Biases, BiasSliders {
-  private static final String USUAL = "default";
+  private static final String DEFAULT = "default";
   private static final String P = "P";
 
   private static final List<DavisBias> DAVIS240 =
@@ -97,7 +97,7 @@ final class DavisBiases implements Biases, BiasSliders {
     this.registers = registers;
     for (DavisBias bias : isSmall ? DAVIS240 : DAVIS346) {
       byName.put(bias.name(), bias);
-      middle.put(bias.name(), bias.usual());
+      middle.put(bias.name(), bias.defaultValue());
     }
   }
 
@@ -112,9 +112,9 @@ final class DavisBiases implements Biases, BiasSliders {
   }
 
   private double effective(DavisBias bias, SliderPositions positions) {
-    double usual = middle.get(bias.name());
+    double defaultValue = middle.get(bias.name());
     double factor = positions.factor(bias.name());
-    return factor == 1 ? usual : bias.nearest(Math.min(bias.most(), usual * factor));
+    return factor == 1 ? defaultValue : bias.nearest(Math.min(bias.max(), defaultValue * factor));
   }
 
   @Override
@@ -123,7 +123,7 @@ final class DavisBiases implements Biases, BiasSliders {
     double near = bias.nearest((Double) bias.asParameter().convert(value));
     send(bias, near);
     // biases set by name become the middle of the sliders
-    middle.replaceAll((other, usual) -> effective(bias(other), sliders));
+    middle.replaceAll((other, defaultValue) -> effective(bias(other), sliders));
     middle.put(name, near);
     sliders = sliders.centred();
   }
@@ -134,18 +134,18 @@ final class DavisBiases implements Biases, BiasSliders {
 
   @Override
   public List<String> sets() {
-    return List.of(USUAL);
+    return List.of(DEFAULT);
   }
 
   @Override
   public synchronized void apply(String name) throws CameraProblem {
-    if (!name.equals(USUAL)) {
+    if (!name.equals(DEFAULT)) {
       throw new IllegalArgumentException(
-          "there is no set of biases " + name + "; there is " + USUAL);
+          "there is no set of biases " + name + "; there is " + DEFAULT);
     }
     for (DavisBias bias : byName.values()) {
-      send(bias, bias.usual());
-      middle.put(bias.name(), bias.usual());
+      send(bias, bias.defaultValue());
+      middle.put(bias.name(), bias.defaultValue());
     }
     sliders = sliders.centred();
   }
@@ -168,13 +168,13 @@ final class DavisBiases implements Biases, BiasSliders {
         }
       }
     } catch (CameraProblem problem) {
-      takeBack(sent);
+      restore(sent);
       throw problem;
     }
     sliders = moved;
   }
 
-  private void takeBack(List<DavisBias> sent) {
+  private void restore(List<DavisBias> sent) {
     for (DavisBias bias : sent) {
       try {
         send(bias, effective(bias, sliders));

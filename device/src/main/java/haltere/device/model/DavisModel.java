@@ -39,7 +39,7 @@ final class DavisModel implements CameraModel {
   }
 
   @Override
-  public SensorGeometry usualGeometry() {
+  public SensorGeometry nominalGeometry() {
     return new SensorGeometry(346, 260, Origin.TOP);
   }
 

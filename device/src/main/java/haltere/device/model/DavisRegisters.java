@@ -38,7 +38,7 @@ final class DavisRegisters {
   }
 
   static int get(UsbTransport transport, int module, int parameter) throws CameraProblem {
-    return ByteBuffer.wrap(transport.ask(SET_OR_GET, module, parameter, Integer.BYTES)).getInt();
+    return ByteBuffer.wrap(transport.query(SET_OR_GET, module, parameter, Integer.BYTES)).getInt();
   }
 
   /** Sets a parameter to 1 and then to 0. */

@@ -12,13 +12,13 @@ import java.util.List;
  * @param scale steps of the logic for one unit
  */
 record DavisSetting(Parameter parameter, int module, int number, double scale) {
-  static DavisSetting flag(int module, int number, String name, String help, boolean usual) {
-    return new DavisSetting(Settings.flag(name, help, usual), module, number, 1);
+  static DavisSetting flag(int module, int number, String name, String help, boolean defaultValue) {
+    return new DavisSetting(Settings.flag(name, help, defaultValue), module, number, 1);
   }
 
   static DavisSetting number(
-      int module, int number, String name, String help, String unit, int most, int usual) {
-    return scaled(module, number, name, help, unit, most, usual, 1);
+      int module, int number, String name, String help, String unit, int max, int defaultValue) {
+    return scaled(module, number, name, help, unit, max, defaultValue, 1);
   }
 
   static DavisSetting scaled(
@@ -27,11 +27,11 @@ record DavisSetting(Parameter parameter, int module, int number, double scale) {
       String name,
       String help,
       String unit,
-      int most,
-      int usual,
+      int max,
+      int defaultValue,
       double scale) {
     return new DavisSetting(
-        new Parameter(name, int.class, unit, 0, most, most > 1000, help, usual, List.of(), ""),
+        new Parameter(name, int.class, unit, 0, max, max > 1000, help, defaultValue, List.of(), ""),
         module,
         number,
         scale);

@@ -65,7 +65,7 @@ final class Dvs128Biases implements Biases, BiasSliders {
   }
 
   private static final List<String> SETS = List.of("fast", "slow", "standard", "jaer");
-  private static final int LARGEST = (1 << 24) - 1;
+  private static final int MAX_BIAS = (1 << 24) - 1;
   private static final int BYTES = 3;
   private static final int REQUEST = 0xb8;
 
@@ -104,7 +104,7 @@ final class Dvs128Biases implements Biases, BiasSliders {
               int.class,
               "2^-24",
               0,
-              LARGEST,
+              MAX_BIAS,
               true,
               bias.help,
               bias.inSets[0],
@@ -122,9 +122,9 @@ final class Dvs128Biases implements Biases, BiasSliders {
   @Override
   public synchronized void set(String name, double value) throws CameraProblem {
     Bias bias = bias(name);
-    if (!(value >= 0 && value <= LARGEST)) {
+    if (!(value >= 0 && value <= MAX_BIAS)) {
       throw new IllegalArgumentException(
-          "bias " + name + " is " + value + ", it must be 0 to " + LARGEST);
+          "bias " + name + " is " + value + ", it must be 0 to " + MAX_BIAS);
     }
     // biases set by name become the middle of the sliders
     int[] values = effective(middle, sliders);
@@ -184,7 +184,7 @@ final class Dvs128Biases implements Biases, BiasSliders {
     int[] values = middle.clone();
     for (Bias bias : Bias.values()) {
       double value = values[bias.ordinal()] * sliders.factor(bias.label);
-      values[bias.ordinal()] = (int) Math.min(LARGEST, Math.round(value));
+      values[bias.ordinal()] = (int) Math.min(MAX_BIAS, Math.round(value));
     }
     return values;
   }

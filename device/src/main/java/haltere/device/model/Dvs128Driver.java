@@ -30,7 +30,7 @@ final class Dvs128Driver
   private static final int PULSE_ARRAY = 0xbd;
   private static final int MASTER = 0xbe;
   private static final int EMPTY_QUEUE = 0xc4;
-  private static final int ASK_MASTER = 0xcb;
+  private static final int GET_MASTER = 0xcb;
   private static final int LED = 0xcd;
 
   private static final DataEndpoint ENDPOINT = new DataEndpoint(0x86, 16, 4096);
@@ -175,7 +175,7 @@ final class Dvs128Driver
 
   @Override
   public boolean isMaster() throws CameraProblem {
-    return line.ask(ASK_MASTER, 0, 0, 2)[1] != 0;
+    return line.query(GET_MASTER, 0, 0, 2)[1] != 0;
   }
 
   @Override

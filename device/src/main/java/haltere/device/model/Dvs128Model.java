@@ -26,7 +26,7 @@ final class Dvs128Model implements CameraModel {
   }
 
   @Override
-  public SensorGeometry usualGeometry() {
+  public SensorGeometry nominalGeometry() {
     return GEOMETRY;
   }
 

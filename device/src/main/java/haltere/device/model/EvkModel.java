@@ -37,7 +37,7 @@ final class EvkModel implements CameraModel {
   }
 
   @Override
-  public SensorGeometry usualGeometry() {
+  public SensorGeometry nominalGeometry() {
     return GEOMETRY;
   }
 

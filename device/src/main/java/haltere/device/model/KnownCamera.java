@@ -14,11 +14,11 @@ import java.util.List;
  * @param key prefix of its ids
  * @param name for users
  * @param usbId vendor in the upper 16 bits, product in the lower
- * @param usualGeometry its sensor, or the largest of its models
+ * @param nominalGeometry its sensor, or the largest of its models
  * @param obstacle why it is not supported, and advice
  */
 record KnownCamera(
-    String key, String name, int usbId, SensorGeometry usualGeometry, String obstacle)
+    String key, String name, int usbId, SensorGeometry nominalGeometry, String obstacle)
     implements CameraModel {
   private static final SensorGeometry IMX636 = new SensorGeometry(1280, 720, Origin.TOP);
 

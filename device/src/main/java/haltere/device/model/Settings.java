@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
 final class Settings {
   private Settings() {}
 
-  static Parameter flag(String name, String help, boolean usual) {
+  static Parameter flag(String name, String help, boolean defaultValue) {
     return new Parameter(
         name,
         boolean.class,
@@ -20,13 +20,13 @@ final class Settings {
         Double.POSITIVE_INFINITY,
         false,
         help,
-        usual,
+        defaultValue,
         List.of(),
         "");
   }
 
   static Parameter choice(
-      String name, String help, Class<?> type, Object usual, List<String> choices) {
+      String name, String help, Class<?> type, Object defaultValue, List<String> choices) {
     return new Parameter(
         name,
         type,
@@ -35,7 +35,7 @@ final class Settings {
         Double.POSITIVE_INFINITY,
         false,
         help,
-        usual,
+        defaultValue,
         choices,
         "");
   }

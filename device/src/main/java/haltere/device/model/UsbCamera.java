@@ -46,7 +46,7 @@ final class UsbCamera implements Camera {
   private final CameraDriver driver;
   private final CameraOptions options;
   private final Finder finder;
-  private final Lookout lookout;
+  private final SearchSchedule schedule;
   private final LatencyHistogram latency = new LatencyHistogram();
   private final ClockWatch clock = new ClockWatch();
 
@@ -71,15 +71,19 @@ final class UsbCamera implements Camera {
    * @param link of the driver
    * @param options of its stream
    * @param finder finds it again
-   * @param lookout times of the search; closed with this
+   * @param schedule times of the search; closed with this
    */
   UsbCamera(
-      CameraDriver driver, CameraLink link, CameraOptions options, Finder finder, Lookout lookout) {
+      CameraDriver driver,
+      CameraLink link,
+      CameraOptions options,
+      Finder finder,
+      SearchSchedule schedule) {
     this.driver = driver;
     connection = new Connection(link, CameraStatistics.NONE);
     this.options = options;
     this.finder = finder;
-    this.lookout = lookout;
+    this.schedule = schedule;
   }
 
   @Override
@@ -131,7 +135,7 @@ final class UsbCamera implements Camera {
       } else if (state == State.READY) {
         begin();
       } else if (state == State.AWAY) {
-        if (!lookAgain(end - System.nanoTime())) {
+        if (!searchAgain(end - System.nanoTime())) {
           return false;
         }
       } else if (assembly.isReady()) {
@@ -174,7 +178,7 @@ final class UsbCamera implements Camera {
     closeLink();
     if (options.reconnect()) {
       state = State.AWAY;
-      lookout.begin();
+      schedule.begin();
     } else {
       state = State.OVER;
     }
@@ -205,9 +209,9 @@ final class UsbCamera implements Camera {
   }
 
   /** Searches the camera when an attempt is due; false after a timeout. */
-  private boolean lookAgain(long nanos) throws InterruptedIOException {
+  private boolean searchAgain(long nanos) throws InterruptedIOException {
     try {
-      if (!lookout.await(nanos)) {
+      if (!schedule.await(nanos)) {
         return false;
       }
     } catch (InterruptedException interrupted) {
@@ -229,7 +233,7 @@ final class UsbCamera implements Camera {
           CameraLink fresh = new CameraLink(driver, found.get(), options);
           connection = new Connection(fresh, connection.earlier);
           begin();
-          lookout.end();
+          schedule.end();
         }
       } catch (CameraProblem ignored) {
         // just plugged in, it may not answer yet, or access may not be granted yet
@@ -246,7 +250,7 @@ final class UsbCamera implements Camera {
   @Override
   public void close() {
     closing = true;
-    lookout.close();
+    schedule.close();
     CameraLink now = connection.link;
     if (now != null) {
       now.buffers().end(); // wakes the consumer in any state of the bus

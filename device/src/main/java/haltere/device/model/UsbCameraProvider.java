@@ -24,11 +24,11 @@ import java.util.function.Supplier;
 public final class UsbCameraProvider implements CameraProvider {
   private final Supplier<UsbBus> bus;
   private final List<CameraModel> models;
-  private final Lookout.Pace pace;
+  private final SearchSchedule.Pace pace;
 
   /** The cameras on this computer's USB, through libusb. */
   public UsbCameraProvider() {
-    this(LibusbBus::shared, LockSupport::parkNanos, Lookout.Pace.USUAL);
+    this(LibusbBus::shared, LockSupport::parkNanos, SearchSchedule.Pace.DEFAULT);
   }
 
   /**
@@ -37,7 +37,7 @@ public final class UsbCameraProvider implements CameraProvider {
    * @param bus the bus to search
    */
   public UsbCameraProvider(UsbBus bus) {
-    this(() -> bus, LockSupport::parkNanos, Lookout.Pace.USUAL);
+    this(() -> bus, LockSupport::parkNanos, SearchSchedule.Pace.DEFAULT);
   }
 
   /**
@@ -47,7 +47,7 @@ public final class UsbCameraProvider implements CameraProvider {
    * @param pause waits a number of nanoseconds for a camera to become ready
    * @param pace intervals of the search for an unplugged camera
    */
-  UsbCameraProvider(Supplier<UsbBus> bus, LongConsumer pause, Lookout.Pace pace) {
+  UsbCameraProvider(Supplier<UsbBus> bus, LongConsumer pause, SearchSchedule.Pace pace) {
     this.bus = bus;
     this.pace = pace;
     List<CameraModel> all = new ArrayList<>();
@@ -112,7 +112,7 @@ public final class UsbCameraProvider implements CameraProvider {
             link,
             options,
             () -> findAgain(seen.model, info.id()),
-            new Lookout(bus.get(), pace));
+            new SearchSchedule(bus.get(), pace));
       }
     }
     throw new CameraProblem(Kind.GONE, "the camera " + info.id() + " is not plugged in");
@@ -187,6 +187,6 @@ public final class UsbCameraProvider implements CameraProvider {
     return new Seen(
         device,
         model,
-        new CameraInfo(id, model.name(), serial, model.usualGeometry(), canOpen, note));
+        new CameraInfo(id, model.name(), serial, model.nominalGeometry(), canOpen, note));
   }
 }

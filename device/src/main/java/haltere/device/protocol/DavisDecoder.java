@@ -33,7 +33,7 @@ public final class DavisDecoder implements WireDecoder {
   static final int CLOCK_RESET = 1;
   private static final int DATA = 0xfff;
   private static final int STAGE_WORDS = 1024;
-  private static final int LONGEST_AWAIT_WRAPS = 500_000 / WRAP_US;
+  private static final int MAX_AWAIT_WRAPS = 500_000 / WRAP_US;
   private static final int NO_ROW = -1;
 
   private final DavisLayout layout;
@@ -69,7 +69,7 @@ public final class DavisDecoder implements WireDecoder {
    * is no reset.
    */
   public void awaitReset() {
-    wrapsToAwaitReset = LONGEST_AWAIT_WRAPS;
+    wrapsToAwaitReset = MAX_AWAIT_WRAPS;
   }
 
   @Override
@@ -169,10 +169,10 @@ public final class DavisDecoder implements WireDecoder {
       }
       case 5 -> inertial.begin();
       case 7 -> {
-        return give(inertial.end(timeUs));
+        return deliver(inertial.end(timeUs));
       }
       case 8, 9, 10, 11, 12, 13, 14, 15 -> {
-        return give(frames.mark(data, timeUs));
+        return deliver(frames.mark(data, timeUs));
       }
       default -> oddWords++;
     }
@@ -180,10 +180,10 @@ public final class DavisDecoder implements WireDecoder {
   }
 
   private Stop trigger(Trigger.Source source, Trigger.Edge edge) {
-    return samples ? give(new Trigger(timeUs, source, edge, 0)) : null;
+    return samples ? deliver(new Trigger(timeUs, source, edge, 0)) : null;
   }
 
-  private Stop give(SensorSample whole) {
+  private Stop deliver(SensorSample whole) {
     if (whole == null || !samples || wrapsToAwaitReset > 0) {
       return null;
     }

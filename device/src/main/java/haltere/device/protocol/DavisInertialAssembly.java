@@ -16,8 +16,8 @@ final class DavisInertialAssembly {
   private static final int HAS_ROTATION = 0x40;
   private static final int HAS_TEMPERATURE = 0x20;
   private static final float STEPS = 65_536f;
-  private static final int SMALLEST_RANGE_G = 4;
-  private static final int SMALLEST_RANGE_DEG_S = 500;
+  private static final int MIN_RANGE_G = 4;
+  private static final int MIN_RANGE_DEG_S = 500;
 
   private final DavisLayout layout;
   private final int[] bytes = new int[2 * VALUES];
@@ -62,8 +62,8 @@ final class DavisInertialAssembly {
       return null;
     }
     float[] values = new float[VALUES];
-    float g = (SMALLEST_RANGE_G << (configuration >> 2 & 3)) / STEPS;
-    float degS = (SMALLEST_RANGE_DEG_S << (configuration & 3)) / STEPS;
+    float g = (MIN_RANGE_G << (configuration >> 2 & 3)) / STEPS;
+    float degS = (MIN_RANGE_DEG_S << (configuration & 3)) / STEPS;
     int at = 0;
     for (int i = 0; i < VALUES; i++) {
       boolean there =

@@ -29,7 +29,7 @@ public final class Dvs128Decoder implements WireDecoder {
   static final int NOT_AN_EVENT = WRAP_BIT | RESET_BIT | SYNC_BIT;
   private static final int PIXEL_BITS = 0x7f00;
   private static final int STAGE_WORDS = 1024;
-  private static final int LONGEST_AWAIT_WRAPS = 500_000 / WRAP_US;
+  private static final int MAX_AWAIT_WRAPS = 500_000 / WRAP_US;
 
   private final boolean samples;
   private final int[] stage = new int[STAGE_WORDS];
@@ -56,7 +56,7 @@ public final class Dvs128Decoder implements WireDecoder {
    * is no reset.
    */
   public void awaitReset() {
-    wrapsToAwaitReset = LONGEST_AWAIT_WRAPS;
+    wrapsToAwaitReset = MAX_AWAIT_WRAPS;
   }
 
   @Override

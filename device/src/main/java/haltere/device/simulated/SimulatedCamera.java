@@ -123,7 +123,7 @@ final class SimulatedCamera implements Camera, TimestampReset, RegionOfInterest,
   public boolean await(long nanos) throws InterruptedIOException {
     long beginNanos = nanoTime.getAsLong();
     while (true) {
-      goOn();
+      resume();
       LiveBuffer stream = transfers.stream();
       long left = nanos == Long.MAX_VALUE ? nanos : nanos - (nanoTime.getAsLong() - beginNanos);
       if (stream != null && heartbeat.isPresent()) {
@@ -140,7 +140,7 @@ final class SimulatedCamera implements Camera, TimestampReset, RegionOfInterest,
   }
 
   /** Starts due transfers. */
-  private void goOn() {
+  private void resume() {
     transfers.start();
     if (heartbeat.isPresent()) {
       heartbeat.get().start();

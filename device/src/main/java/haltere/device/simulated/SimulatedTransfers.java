@@ -153,7 +153,7 @@ final class SimulatedTransfers {
       while (filling != null && madeUs + TRANSFER_US <= sceneUs()) {
         make(madeUs + TRANSFER_US);
         if (nanoTime.getAsLong() - beginNanos > MAX_WORK_NANOS) {
-          standStill(sceneUs() - madeUs);
+          pauseScene(sceneUs() - madeUs);
           return;
         }
       }
@@ -163,7 +163,7 @@ final class SimulatedTransfers {
   }
 
   /** Skips the late interval after the clock has advanced during the simulation. */
-  private void standStill(long lateUs) {
+  private void pauseScene(long lateUs) {
     if (lateUs > MAX_LATE_US) {
       anchorNanos += lateUs * NANOS_PER_US;
       zeroUs -= lateUs;

@@ -14,7 +14,7 @@ import org.usb4java.LibUsb;
  * <p>Thread rule: all methods may be called from any thread that is not within a listener.
  */
 final class LibusbEvents implements BusWork {
-  private static final long LONGEST_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+  private static final long MAX_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
 
   /** Time without a call after which a consumer is busy. */
   private static final long BUSY_MS = 4;
@@ -22,7 +22,7 @@ final class LibusbEvents implements BusWork {
   private static final long BUSY_NANOS = TimeUnit.MILLISECONDS.toNanos(BUSY_MS);
 
   /** Shortest interval of checks by a busy consumer. */
-  private static final long LOOK_NANOS = TimeUnit.MICROSECONDS.toNanos(250);
+  private static final long POLL_NANOS = TimeUnit.MICROSECONDS.toNanos(250);
 
   private final Context context;
   private int users;
@@ -63,7 +63,7 @@ final class LibusbEvents implements BusWork {
 
   private void run() {
     while (mayGoOn()) {
-      handleFor(LONGEST_NANOS, null);
+      handleFor(MAX_NANOS, null);
     }
   }
 
@@ -112,7 +112,7 @@ final class LibusbEvents implements BusWork {
     boolean takeOver;
     synchronized (this) {
       if (nanos <= 0
-          && (threadWorks || pauses > 0 || System.nanoTime() - consumedNanos < LOOK_NANOS)) {
+          && (threadWorks || pauses > 0 || System.nanoTime() - consumedNanos < POLL_NANOS)) {
         return true;
       }
       if (pauses > 0) {
@@ -126,7 +126,7 @@ final class LibusbEvents implements BusWork {
       interrupt();
     }
     try {
-      handleFor(Math.min(nanos, LONGEST_NANOS), noMore);
+      handleFor(Math.min(nanos, MAX_NANOS), noMore);
     } finally {
       synchronized (this) {
         consumers--;

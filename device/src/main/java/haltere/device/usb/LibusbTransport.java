@@ -78,14 +78,14 @@ final class LibusbTransport implements UsbTransport {
   }
 
   @Override
-  public synchronized byte[] ask(int request, int value, int index, int length)
+  public synchronized byte[] query(int request, int value, int index, int length)
       throws CameraProblem {
     requireOpen();
     ByteBuffer buffer = ByteBuffer.allocateDirect(length);
-    int got = control(FROM_DEVICE, request, value, index, buffer);
-    if (got != length) {
+    int received = control(FROM_DEVICE, request, value, index, buffer);
+    if (received != length) {
       throw new CameraProblem(
-          Kind.BROKEN, "the camera answered with " + got + " of " + length + " bytes");
+          Kind.BROKEN, "the camera answered with " + received + " of " + length + " bytes");
     }
     byte[] answer = new byte[length];
     buffer.get(answer);
@@ -114,9 +114,9 @@ final class LibusbTransport implements UsbTransport {
   }
 
   @Override
-  public synchronized byte[] read(int endpoint, int most) throws CameraProblem {
+  public synchronized byte[] read(int endpoint, int maxBytes) throws CameraProblem {
     requireOpen();
-    ByteBuffer buffer = ByteBuffer.allocateDirect(most);
+    ByteBuffer buffer = ByteBuffer.allocateDirect(maxBytes);
     IntBuffer done = IntBuffer.allocate(1);
     LibusbProblem.check(
         LibUsb.bulkTransfer(handle, (byte) endpoint, buffer, done, TIMEOUT_MS), "answer a command");

@@ -37,9 +37,9 @@ public final class ReceivedBuffers {
   /** Dropped words that are no longer needed. */
   private final DroppedWords abandoned;
 
-  private boolean leaving;
-  private long goneNanos;
-  private boolean gone;
+  private boolean isLeaving;
+  private long lostNanos;
+  private boolean lost;
   private boolean ended;
   private long transfers;
   private long bytes;
@@ -117,7 +117,7 @@ public final class ReceivedBuffers {
       bytes += received.length();
       boolean whole = received.end() == TransferEnd.COMPLETED;
       brokenTransfers += whole ? 0 : 1;
-      if (ended || gone) {
+      if (ended || lost) {
         abandon(received);
         return received;
       }
@@ -204,11 +204,11 @@ public final class ReceivedBuffers {
     lock.lock();
     try {
       long at = System.nanoTime() + nanos;
-      if (!leaving || at - goneNanos < 0) {
-        goneNanos = at;
+      if (!isLeaving || at - lostNanos < 0) {
+        lostNanos = at;
       }
-      leaving = true;
-      gone |= nanos == 0;
+      isLeaving = true;
+      lost |= nanos == 0;
       change.changed();
     } finally {
       lock.unlock();
@@ -231,7 +231,7 @@ public final class ReceivedBuffers {
       if (!waiting.isEmpty()) {
         change.look();
       }
-      while (waiting.isEmpty() && !ended && !gone && left > 0) {
+      while (waiting.isEmpty() && !ended && !lost && left > 0) {
         left -= awaitChange(left);
       }
       return waiting.poll();
@@ -246,9 +246,9 @@ public final class ReceivedBuffers {
   /** Waits for a change, up to a time limit or the end of the device; returns the elapsed time. */
   private long awaitChange(long nanos) throws InterruptedException {
     long start = System.nanoTime();
-    change.await(leaving ? Math.min(nanos, goneNanos - start) : nanos);
+    change.await(isLeaving ? Math.min(nanos, lostNanos - start) : nanos);
     long now = System.nanoTime();
-    gone |= leaving && now - goneNanos >= 0;
+    lost |= isLeaving && now - lostNanos >= 0;
     return now - start;
   }
 
@@ -275,7 +275,7 @@ public final class ReceivedBuffers {
   public boolean isAtEndOfDevice() {
     lock.lock();
     try {
-      return gone && waiting.isEmpty();
+      return lost && waiting.isEmpty();
     } finally {
       lock.unlock();
     }

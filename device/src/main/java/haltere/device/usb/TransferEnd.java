@@ -1,6 +1,6 @@
 package haltere.device.usb;
 
-/** How a transfer ended. */
+/** End status of a transfer. */
 public enum TransferEnd {
   /** The buffer is full, or the device has no more data for now. */
   COMPLETED,

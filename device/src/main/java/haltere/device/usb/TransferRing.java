@@ -65,7 +65,7 @@ public final class TransferRing {
           received = buffers.arrived(received);
         }
         if (state == State.RUNNING) {
-          goOn(this, end);
+          resubmit(this, end);
         }
         if (underWay == 0) {
           ended.signalAll();
@@ -123,11 +123,11 @@ public final class TransferRing {
       slot.busy = true;
       underWay++;
     } else {
-      giveUp();
+      abandonDevice();
     }
   }
 
-  private void goOn(Slot slot, TransferEnd end) {
+  private void resubmit(Slot slot, TransferEnd end) {
     switch (end) {
       case COMPLETED -> {
         failures = 0;
@@ -138,17 +138,17 @@ public final class TransferRing {
       }
       case OVERFLOW, FAILED -> {
         if (++failures > MAX_FAILURES) {
-          giveUp();
+          abandonDevice();
         } else {
           start(slot);
         }
       }
-      case CANCELLED, GONE -> giveUp();
+      case CANCELLED, GONE -> abandonDevice();
     }
   }
 
   /** Gives up a lost device; arrived data are still being processed by the bus. */
-  private void giveUp() {
+  private void abandonDevice() {
     state = State.GONE;
     buffers.endOfDeviceWithin(LAST_ARRIVALS_NANOS);
   }
@@ -174,7 +174,7 @@ public final class TransferRing {
       state = State.RECOVERING;
       cancelAll();
       if (!awaitAllEnded(RECOVERY_NANOS) || ++failures > MAX_FAILURES) {
-        giveUp();
+        abandonDevice();
         return;
       }
     } finally {
@@ -188,7 +188,7 @@ public final class TransferRing {
           state = State.RUNNING;
           startAll();
         } else {
-          giveUp();
+          abandonDevice();
         }
       }
     } finally {

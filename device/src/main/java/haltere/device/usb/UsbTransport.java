@@ -66,7 +66,7 @@ public interface UsbTransport extends Closeable {
    * @throws CameraProblem if the device rejects it, answers with less, does not answer in time, or
    *     is gone
    */
-  byte[] ask(int request, int value, int index, int length) throws CameraProblem;
+  byte[] query(int request, int value, int index, int length) throws CameraProblem;
 
   /**
    * Writes to a bulk endpoint and waits for completion.
@@ -81,11 +81,11 @@ public interface UsbTransport extends Closeable {
    * Reads one transfer from a bulk endpoint.
    *
    * @param endpoint its address, 0x80 or more
-   * @param most maximum number of bytes
+   * @param maxBytes maximum number of bytes
    * @return the data
    * @throws CameraProblem if no data arrived in time, or the device is gone
    */
-  byte[] read(int endpoint, int most) throws CameraProblem;
+  byte[] read(int endpoint, int maxBytes) throws CameraProblem;
 
   /**
    * Clears the halt of an endpoint.

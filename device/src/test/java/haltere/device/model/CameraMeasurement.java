@@ -266,7 +266,7 @@ final class CameraMeasurement {
     }
   }
 
-  /** What the consumer's thread and that of the bus have used. */
+  /** Processor time of the consumer's thread and of the bus thread. */
   private static long driverCpuNanos() {
     ThreadMXBean threads = ManagementFactory.getThreadMXBean();
     long used = 0;

@@ -32,7 +32,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
-/** What a driver has to live through, whatever the bus: finding, asking, streaming, faults. */
+/** Scenarios of a driver on any bus: discovery, requests, streaming, faults. */
 abstract class CameraScenarios extends CameraBench {
   CameraScenarios(BusUnderTest on) {
     super(on);
@@ -41,7 +41,7 @@ abstract class CameraScenarios extends CameraBench {
   // ---- Finding and opening
 
   @Test
-  void aCameraIsListedWithItsNumber() {
+  void connectedCameraIsListedWithModelAndSerialNumber() {
     List<CameraInfo> list = provider.list();
 
     assertEquals(1, list.size());
@@ -53,7 +53,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void aCameraThatIsUnpluggedIsNotListedAnyMore() {
+  void unpluggedCameraIsNoLongerListed() {
     device.unplug();
 
     await(() -> provider.list().isEmpty());
@@ -62,21 +62,22 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void whoWatchesIsToldOfCamerasThatComeAndGo() {
-    AtomicInteger told = new AtomicInteger();
-    try (CameraProvider.Watch watch = provider.watch(told::incrementAndGet).orElseThrow()) {
+  void watcherIsNotifiedWhenCamerasArePluggedInOrUnplugged() {
+    AtomicInteger notifications = new AtomicInteger();
+    try (CameraProvider.Watch watch =
+        provider.watch(notifications::incrementAndGet).orElseThrow()) {
       assertNotNull(watch);
       device.unplug();
-      await(() -> told.get() >= 1);
+      await(() -> notifications.get() >= 1);
       await(() -> provider.list().isEmpty());
-      int before = told.get();
+      int before = notifications.get();
       device = plug(firmware);
-      await(() -> told.get() > before);
+      await(() -> notifications.get() > before);
     }
   }
 
   @Test
-  void aCameraThatAnotherProgramHasIsListedAndNotOpened() {
+  void cameraInUseByAnotherProgramIsListedButCannotBeOpened() {
     firmware.setBusy(true);
 
     assertFalse(provider.list().get(0).canOpen());
@@ -85,7 +86,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void whoMayNotOpenItIsToldTheRuleAndTheCommand() {
+  void missingPermissionIsReportedWithUdevRuleAndCommand() {
     device.setForbidden(true);
 
     CameraInfo info = provider.list().get(0);
@@ -100,7 +101,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void twoCamerasStreamAtOnceAndTheirClocksAreRelated() throws IOException {
+  void twoCamerasStreamAtOnceWithRelatedClocks() throws IOException {
     Dvs128Firmware second = new Dvs128Firmware("0043");
     EmulatedDevice other = plug(second);
     try (Camera one = provider.open(provider.list().get(0), SMALL);
@@ -127,7 +128,7 @@ abstract class CameraScenarios extends CameraBench {
   // ---- Requests
 
   @Test
-  void biasesReachTheChip() throws IOException {
+  void biasesAreSentToTheChip() throws IOException {
     try (Camera camera = open(SMALL)) {
       Biases biases = camera.facet(Biases.class).orElseThrow();
       biases.apply("slow");
@@ -147,7 +148,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void aRefusedRequestSaysSoAndChangesNothing() throws IOException {
+  void refusedRequestIsReportedAndLeavesBiasesUnchanged() throws IOException {
     try (Camera camera = open(SMALL)) {
       Biases biases = camera.facet(Biases.class).orElseThrow();
       double before = biases.get("Pr");
@@ -161,7 +162,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void aDeafCameraIsGivenUpAndClosedInTime() throws IOException {
+  void unresponsiveCameraTimesOutAndIsClosedInTime() throws IOException {
     long start = System.nanoTime();
     try (Camera camera = open(SMALL)) {
       started(camera);
@@ -177,7 +178,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void lightSyncAndClockAreSetAndAsked() throws IOException {
+  void ledAndClockSyncAreSetAndReadBack() throws IOException {
     try (Camera camera = open(SMALL)) {
       camera.facet(Led.class).orElseThrow().setLed(Led.State.BLINKING);
       camera.facet(ClockSync.class).orElseThrow().setMaster(false);
@@ -190,7 +191,7 @@ abstract class CameraScenarios extends CameraBench {
   // ---- Streaming
 
   @Test
-  void eventsTriggersWrapsAndResetsComeInOrder() throws IOException {
+  void eventsTriggersWrapsAndResetsAreDeliveredInOrder() throws IOException {
     try (Camera camera = open(SMALL)) {
       StreamLog log = started(camera);
       firmware.event(5, 1, 2, true);
@@ -216,7 +217,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void whatTheCameraKeptFromBeforeItWasStartedIsLeftOut() throws IOException {
+  void dataQueuedInTheCameraBeforeTheStartIsDiscarded() throws IOException {
     firmware.event(77, 1, 1, true);
     firmware.endPacket();
     firmware.event(99, 2, 2, true); // in the camera, not yet in its queue
@@ -233,7 +234,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void aLostWrapIsMadeUpForWhereTimeFalls() throws IOException {
+  void lostTimestampWrapIsCorrectedWhenTimestampsDecrease() throws IOException {
     try (Camera camera = open(SMALL)) {
       StreamLog log = started(camera);
       firmware.event(16_000, 1, 1, true);
@@ -250,7 +251,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void shortFullAndEmptyPacketsAllArrive() throws IOException {
+  void shortFullAndEmptyUsbPacketsAreAllReceived() throws IOException {
     try (Camera camera = open(SMALL.withBuffers(2, 1024, 64))) {
       StreamLog log = started(camera);
       device.send(ENDPOINT, new byte[512]);
@@ -267,7 +268,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void garbageIsCountedAndTheStreamContinues() throws IOException {
+  void invalidWordsAreCountedAndTheStreamContinues() throws IOException {
     try (Camera camera = open(SMALL)) {
       StreamLog log = started(camera);
       byte[] junk = new byte[511];
@@ -282,7 +283,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void aPacketThatIsTooLongIsToldAndTheStreamContinues() throws IOException {
+  void oversizedPacketIsReportedAsLossAndTheStreamContinues() throws IOException {
     try (Camera camera = open(SMALL.withBuffers(2, 100, 64))) {
       StreamLog log = started(camera);
       device.send(ENDPOINT, new byte[512]);
@@ -297,7 +298,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void aHaltedEndpointIsStartedAgainAndLosesNothing() throws IOException {
+  void haltedEndpointIsRestartedWithoutLoss() throws IOException {
     try (Camera camera = open(SMALL)) {
       StreamLog log = started(camera);
       await(() -> device.waiting(ENDPOINT) == 4);
@@ -311,7 +312,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void anErrorOnTheBusIsToldAndTheStreamContinues() throws IOException {
+  void busErrorIsReportedAsLossAndTheStreamContinues() throws IOException {
     try (Camera camera = open(SMALL)) {
       StreamLog log = started(camera);
       await(() -> device.waiting(ENDPOINT) == 4);
@@ -326,7 +327,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void errorsThatDoNotEndAreAnUnpluggedCamera() throws IOException {
+  void persistentBusErrorsCountAsUnplugging() throws IOException {
     try (Camera camera = open(SMALL)) {
       StreamLog log = started(camera);
       for (int i = 0; i < 17; i++) {
@@ -338,7 +339,7 @@ abstract class CameraScenarios extends CameraBench {
   }
 
   @Test
-  void aBulkReadThatNobodyAnswersIsGivenUp() throws IOException {
+  void unansweredBulkReadTimesOut() throws IOException {
     try (UsbTransport transport = on.bus().bus().open(on.bus().bus().devices().get(0))) {
       transport.claim();
 

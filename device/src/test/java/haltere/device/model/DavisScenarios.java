@@ -24,7 +24,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-/** What a DAVIS is told and what it tells, whatever the bus. */
+/** Scenarios of a DAVIS on any bus. */
 abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   private static final CameraOptions OPTIONS =
       new CameraOptions(4, 512, 64, WhenFull.DROP_NEWEST, true, false);
@@ -43,7 +43,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   }
 
   @Test
-  void itIsListedAndTellsItsChipWhenItIsOpen() throws IOException {
+  void davisIsListedAndReportsItsChipOnceOpened() throws IOException {
     assertEquals("davis:00000123", provider.list().get(0).id());
     try (Camera camera = open()) {
       assertEquals("DAVIS346B", camera.info().model());
@@ -52,7 +52,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   }
 
   @Test
-  void itIsSwitchedOnFromTheChipToThePixelsAndOffTheOtherWayRound() throws IOException {
+  void startupEnablesChipBeforePixelsAndShutdownReversesTheOrder() throws IOException {
     Camera camera = open();
     started(camera);
 
@@ -71,7 +71,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   }
 
   @Test
-  void anotherLogicVersionIsRefusedWithAClearLine() {
+  void unsupportedLogicVersionIsRejectedWithTheRequiredVersion() {
     firmware.preset(6, 0, 15);
 
     CameraProblem problem = assertThrows(CameraProblem.class, this::open);
@@ -82,7 +82,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   }
 
   @Test
-  void eventsAreTurnedUprightAndTheirTimesGoOnOverWraps() throws IOException {
+  void eventRowsAreFlippedAndTimestampsContinueAcrossWraps() throws IOException {
     try (Camera camera = open()) {
       StreamLog log = started(camera);
       firmware.event(7, 3, 0, true);
@@ -102,7 +102,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   }
 
   @Test
-  void framesInertialSamplesAndInputsAreSamplesOfTheirOwn() throws IOException {
+  void framesInertialSamplesAndTriggersAreDecodedAsSamples() throws IOException {
     try (Camera camera = open()) {
       StreamLog log = started(camera);
       firmware.special(5, 3);
@@ -133,7 +133,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   }
 
   @Test
-  void whatIsNotWholeIsNotGiven() throws IOException {
+  void incompleteFramesAndSamplesAreDiscarded() throws IOException {
     try (Camera camera = open()) {
       StreamLog log = started(camera);
       firmware.special(5, 8);
@@ -156,7 +156,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   }
 
   @Test
-  void whatIsLostLeavesTimeAndRowBehind() throws IOException {
+  void lossPreservesTimeAndRowOfLaterEvents() throws IOException {
     try (Camera camera = open(OPTIONS.withBuffers(2, 512, 2))) {
       StreamLog log = started(camera);
       int count = 20_000;
@@ -182,7 +182,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   }
 
   @Test
-  void biasesAreCurrentsAndVoltages() throws IOException {
+  void biasesAreEncodedAsCurrentsAndVoltages() throws IOException {
     try (Camera camera = open()) {
       Biases biases = camera.facet(Biases.class).orElseThrow();
       assertEquals(4 << 12 | 39 << 4 | 0xf, firmware.register(5, 10), "DiffBn as usual");
@@ -200,7 +200,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   }
 
   @Test
-  void slidersMoveBiasesByRatios() throws IOException {
+  void slidersScaleBiasesByRatios() throws IOException {
     try (Camera camera = open()) {
       Biases biases = camera.facet(Biases.class).orElseThrow();
       BiasSliders sliders = camera.facet(BiasSliders.class).orElseThrow();
@@ -215,12 +215,12 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
       assertEquals(0, sliders.get(Slider.BANDWIDTH), "which is the middle now");
       biases.apply("default");
       assertEquals(usual, biases.get("PrBp"));
-      SliderLaw.check(biases, sliders);
+      SliderChecks.check(biases, sliders);
     }
   }
 
   @Test
-  void aSliderThatTheCameraDoesNotTakeStaysAndSoDoAllItsBiases() throws IOException {
+  void sliderAndBiasesAreRestoredWhenTheCameraRefusesAChange() throws IOException {
     try (Camera camera = open()) {
       Biases biases = camera.facet(Biases.class).orElseThrow();
       BiasSliders sliders = camera.facet(BiasSliders.class).orElseThrow();
@@ -246,7 +246,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   }
 
   @Test
-  void settingsAreInUnitsAndReachTheLogic() throws IOException {
+  void settingsWithUnitsAreWrittenToTheLogic() throws IOException {
     try (Camera camera = open()) {
       Configuration configuration = camera.facet(Configuration.class).orElseThrow();
       assertEquals(4000 * 30, firmware.register(2, 12));
@@ -266,7 +266,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   }
 
   @Test
-  void aRegionIsChosenUprightAndSentUpsideDown() throws IOException {
+  void regionOfInterestIsFlippedVerticallyForTheChip() throws IOException {
     try (Camera camera = open()) {
       RegionOfInterest region = camera.facet(RegionOfInterest.class).orElseThrow();
       region.setRegion(Optional.of(new RegionOfInterest.Region(10, 0, 20, 60)));
@@ -284,7 +284,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   }
 
   @Test
-  void aDavis240HasItsOwnSizeBiasesAndDoubledSamples() throws IOException {
+  void davis240HasItsOwnSizeBiasesAndDoubledFrameValues() throws IOException {
     firmware.preset(6, 1, 2);
     firmware.preset(1, 0, 240);
     firmware.preset(1, 1, 180);
@@ -307,7 +307,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   }
 
   @Test
-  void pluggedInAgainItGetsAllItsSettings() throws IOException {
+  void reconnectedDavisReceivesAllSettingsAgain() throws IOException {
     try (Camera camera = open(OPTIONS.withReconnect(true))) {
       camera.facet(Biases.class).orElseThrow().set("DiffBn", 1000);
       camera.facet(Configuration.class).orElseThrow().set("frames.exposureUs", 1500);

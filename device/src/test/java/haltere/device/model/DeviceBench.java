@@ -26,7 +26,7 @@ abstract class DeviceBench<F extends Firmware> {
 
   DeviceBench(BusUnderTest on) {
     this.on = on;
-    provider = new UsbCameraProvider(on.bus()::bus, nanos -> {}, Lookout.Pace.USUAL);
+    provider = new UsbCameraProvider(on.bus()::bus, nanos -> {}, SearchSchedule.Pace.DEFAULT);
   }
 
   /** A new one, as it leaves the maker. */

@@ -46,14 +46,14 @@ class Dvs128BiasesTest {
   }
 
   @Test
-  void itStartsFast() {
+  void fastBiasSetIsTheDefault() {
     assertEquals(1992, sent(0));
     assertEquals(217, sent(11));
     assertEquals(209996, biases.get("diffOn"));
   }
 
   @Test
-  void eachSliderMovesItsBiasesByItsRatioAndBackAgain() throws CameraProblem {
+  void eachSliderScalesItsBiasesReversibly() throws CameraProblem {
     sliders.set(Slider.THRESHOLD, 0.5);
     assertEquals(2_099_960, biases.get("diffOn"));
     assertEquals(13, biases.get("diffOff"));
@@ -71,15 +71,15 @@ class Dvs128BiasesTest {
   }
 
   @Test
-  void slidersAreMonotoneStayInRangeAndLeaveTheSetAloneInTheMiddle() throws CameraProblem {
+  void slidersAreMonotoneStayInRangeAndKeepTheBiasSetAtZero() throws CameraProblem {
     for (String set : biases.sets()) {
       biases.apply(set);
-      SliderLaw.check(biases, sliders);
+      SliderChecks.check(biases, sliders);
     }
   }
 
   @Test
-  void aSetPutsTheSlidersBackIntoTheMiddle() throws CameraProblem {
+  void applyingABiasSetResetsTheSliders() throws CameraProblem {
     sliders.set(Slider.BANDWIDTH, 0.5);
     biases.apply("slow");
 
@@ -88,7 +88,7 @@ class Dvs128BiasesTest {
   }
 
   @Test
-  void whatIsSetByNameIsInEffectAndSlidersWorkAroundIt() throws CameraProblem {
+  void biasSetByNameTakesEffectAndResetsItsSlider() throws CameraProblem {
     sliders.set(Slider.BANDWIDTH, 0.5);
     biases.set("foll", 100);
 
@@ -97,7 +97,7 @@ class Dvs128BiasesTest {
   }
 
   @Test
-  void namesAndRangesAreChecked() {
+  void invalidNamesAndValuesOutOfRangeAreRejected() {
     assertTrue(
         assertThrows(IllegalArgumentException.class, () -> biases.set("foo", 1))
             .getMessage()

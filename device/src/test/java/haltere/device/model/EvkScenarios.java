@@ -16,7 +16,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import org.junit.jupiter.api.Test;
 
-/** What an EVK4 is told and what it tells, as far as it is known, whatever the bus. */
+/** Scenarios of an EVK4 on any bus, as far as its protocol is known. */
 abstract class EvkScenarios extends DeviceBench<EvkFirmware> {
   EvkScenarios(BusUnderTest on) {
     super(on);
@@ -36,7 +36,7 @@ abstract class EvkScenarios extends DeviceBench<EvkFirmware> {
   }
 
   @Test
-  void itIsListedAsAnExperiment() {
+  void evk4IsListedAsExperimental() {
     CameraInfo info = provider.list().get(0);
 
     assertEquals("evk4:00004321", info.id());
@@ -45,7 +45,7 @@ abstract class EvkScenarios extends DeviceBench<EvkFirmware> {
   }
 
   @Test
-  void itTellsItsNumberStreamsAndStops() throws IOException {
+  void evk4ReportsItsSerialNumberStreamsAndStops() throws IOException {
     Camera camera = open(CameraOptions.DEFAULT.withSamples(true));
     StreamLog log = started(camera);
     assertEquals("00004321", camera.info().serial());
@@ -67,7 +67,7 @@ abstract class EvkScenarios extends DeviceBench<EvkFirmware> {
   }
 
   @Test
-  void anotherSensorIsRefusedByName() {
+  void unsupportedSensorIsRejectedWithItsName() {
     firmware.setSensor("psee,ccam5_gen41");
 
     CameraProblem problem =
@@ -78,7 +78,7 @@ abstract class EvkScenarios extends DeviceBench<EvkFirmware> {
   }
 
   @Test
-  void aCommandThatIsRefusedIsSaid() throws IOException {
+  void refusedCommandIsReportedWithItsRegister() throws IOException {
     try (Camera camera = open(CameraOptions.DEFAULT)) {
       firmware.refuseStream(true);
 
@@ -90,7 +90,7 @@ abstract class EvkScenarios extends DeviceBench<EvkFirmware> {
   }
 
   @Test
-  void pluggedInAgainItIsKnownByItsNumberAndContinues() throws IOException {
+  void reconnectedEvk4IsRecognizedByItsSerialNumberAndContinues() throws IOException {
     try (Camera camera = open(CameraOptions.DEFAULT.withReconnect(true))) {
       StreamLog log = started(camera);
       device.send(EvkFirmware.ENDPOINT, words(0x8001, 0x6005, 10, 0x2800 | 20));

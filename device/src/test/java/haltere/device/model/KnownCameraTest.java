@@ -16,7 +16,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-/** Cameras that are seen and cannot be used, and what is said of them. */
+/** Cameras without a driver, and the reasons listed for them. */
 class KnownCameraTest {
   /** A bus with devices that nobody may touch. */
   private static UsbBus busWith(UsbDevice... devices) {
@@ -34,7 +34,7 @@ class KnownCameraTest {
   }
 
   @Test
-  void oneThatIsNotDrivenIsListedWithTheReasonAndLeftAlone() {
+  void unsupportedCameraIsListedWithTheReasonAndNeverOpened() {
     UsbCameraProvider provider =
         new UsbCameraProvider(
             busWith(
@@ -57,7 +57,7 @@ class KnownCameraTest {
   }
 
   @Test
-  void noCameraStandsForTheSameDeviceTwice() {
+  void usbIdsOfKnownCamerasAreUnique() {
     for (CameraModel one : KnownCamera.ALL) {
       KnownCamera known = (KnownCamera) one;
       UsbDevice device = new UsbDevice(known.usbId() >>> 16, known.usbId() & 0xffff, 0, 1, 2);
@@ -67,7 +67,7 @@ class KnownCameraTest {
   }
 
   @Test
-  void whereUsbCannotBeUsedTheReasonIsSaid() {
+  void unavailableUsbIsReportedWithTheReason() {
     UsbBus none =
         new UsbBus() {
           @Override

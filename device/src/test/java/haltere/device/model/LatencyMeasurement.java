@@ -25,9 +25,9 @@ import java.util.concurrent.locks.LockSupport;
 
 /**
  * How long events take from the emulated bus to the end of the default chain: a batch each
- * millisecond, which is one transfer. Second by second this takes turns with {@link BareHandOver},
- * so that what the machine takes itself is known of the same minutes. The camera's clock stands
- * still meanwhile, so that its events are one stream.
+ * millisecond, which is one transfer. Second by second this takes turns with {@link
+ * HandOverBaseline}, so that what the machine takes itself is known of the same minutes. The
+ * camera's clock stands still meanwhile, so that its events are one stream.
  *
  * <p>While Java still compiles, its compilers take a processor for milliseconds at a time; the
  * seconds until that is over are told by themselves. What the emulator leaves on the heap is
@@ -55,7 +55,7 @@ final class LatencyMeasurement implements StreamHandler {
   private volatile long firstMeasured = Long.MAX_VALUE;
   private volatile boolean ended;
 
-  /** What the chain takes for a batch, a mean of the latest. */
+  /** Running mean of the chain's time for a batch. */
   private volatile long workNanos;
 
   private volatile long collectedBeforeMs;
@@ -92,7 +92,7 @@ final class LatencyMeasurement implements StreamHandler {
    * @param seconds beyond those that warm everything up
    */
   private void send(int seconds) throws IOException {
-    BareHandOver hands = new BareHandOver(() -> workNanos);
+    HandOverBaseline hands = new HandOverBaseline(() -> workNanos);
     LatencyHistogram bareWarmingUp = new LatencyHistogram();
     for (int second = 0; second < seconds + WARM_UP_BLOCKS; second++) {
       boolean measured = second >= WARM_UP_BLOCKS;
@@ -227,7 +227,7 @@ final class LatencyMeasurement implements StreamHandler {
         .sum();
   }
 
-  /** What each thread has allocated since it began. */
+  /** Bytes allocated by each thread since its start. */
   private static void allocations() {
     var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
     for (ThreadInfo thread : threads.getThreadInfo(threads.getAllThreadIds())) {

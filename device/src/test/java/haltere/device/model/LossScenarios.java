@@ -42,14 +42,14 @@ import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Loss, unplugging, coming back, closing, whatever the bus: every event is accounted for. */
+/** Scenarios of loss, unplugging, reconnection and closing: every event is accounted for. */
 abstract class LossScenarios extends CameraBench {
   LossScenarios(BusUnderTest on) {
     super(on);
   }
 
   @Test
-  void aSlowConsumerLosesTheNewestAndIsToldHowMany() throws IOException {
+  void slowConsumerLosesTheNewestEventsAndReceivesTheirCount() throws IOException {
     try (Camera camera = open(SMALL)) {
       StreamLog log = started(camera);
       sendAndLetWait(camera);
@@ -67,7 +67,7 @@ abstract class LossScenarios extends CameraBench {
   }
 
   @Test
-  void aSlowConsumerMayLoseTheOldestInstead() throws IOException {
+  void slowConsumerLosesTheOldestEventsWithDropOldest() throws IOException {
     try (Camera camera = open(SMALL.withWhenFull(WhenFull.DROP_OLDEST))) {
       StreamLog log = started(camera);
       sendAndLetWait(camera);
@@ -107,7 +107,7 @@ abstract class LossScenarios extends CameraBench {
   // ---- Leaving and coming back
 
   @Test
-  void unpluggingEndsTheStreamWithAClearLine() throws IOException {
+  void unpluggingEndsTheStreamWithADeviceLostNotification() throws IOException {
     try (Camera camera = open(SMALL)) {
       StreamLog log = started(camera);
       sendEvents(1000);
@@ -131,7 +131,7 @@ abstract class LossScenarios extends CameraBench {
   }
 
   @Test
-  void pluggedInAgainItContinuesWithANewStreamAndItsSettings() throws IOException {
+  void reconnectedCameraStartsANewStreamWithItsBiases() throws IOException {
     try (Camera camera = open(SMALL.withReconnect(true))) {
       StreamLog log = started(camera);
       camera.facet(Biases.class).orElseThrow().apply("slow");
@@ -155,7 +155,7 @@ abstract class LossScenarios extends CameraBench {
   }
 
   @Test
-  void aRecordingAcrossAnUnpluggingIsInTwoPartsWithEachEventOnce(@TempDir Path folder)
+  void recordingAcrossADisconnectionHasTwoPartsWithEachEventOnce(@TempDir Path folder)
       throws IOException {
     Camera camera = open(SMALL.withReconnect(true));
     SessionRecorder session = session(camera, folder.resolve("night.aedat4"));
@@ -224,21 +224,21 @@ abstract class LossScenarios extends CameraBench {
   private static final long NEVER = TimeUnit.HOURS.toNanos(1);
 
   @Test
-  void whereTheBusTellsNobodyHasToLookForACameraThatIsBack() throws IOException {
-    provider = lookingEvery(on.bus().bus(), new Lookout.Pace(NEVER, NEVER));
+  void reconnectedCameraIsFoundByBusNotificationsWithoutPolling() throws IOException {
+    provider = lookingEvery(on.bus().bus(), new SearchSchedule.Pace(NEVER, NEVER));
     assertThatItIsFoundAgain();
   }
 
   @Test
-  void whereTheBusCannotTellTheCameraIsLookedForEveryNowAndThen() throws IOException {
+  void reconnectedCameraIsFoundByPollingWithoutBusNotifications() throws IOException {
     provider =
         lookingEvery(
             new SilentBus(on.bus().bus()),
-            new Lookout.Pace(TimeUnit.MILLISECONDS.toNanos(5), NEVER));
+            new SearchSchedule.Pace(TimeUnit.MILLISECONDS.toNanos(5), NEVER));
     assertThatItIsFoundAgain();
   }
 
-  private static UsbCameraProvider lookingEvery(UsbBus bus, Lookout.Pace pace) {
+  private static UsbCameraProvider lookingEvery(UsbBus bus, SearchSchedule.Pace pace) {
     return new UsbCameraProvider(() -> bus, LockSupport::parkNanos, pace);
   }
 
@@ -270,7 +270,7 @@ abstract class LossScenarios extends CameraBench {
   }
 
   @Test
-  void unpluggedAtAnyMomentNothingThatArrivedIsLost() throws Exception {
+  void unpluggingAtAnyMomentLosesNoReceivedEvent() throws Exception {
     int times = Integer.getInteger("haltere.unplugs", 12);
     Random random = new Random(7);
     for (int i = 0; i < times; i++) {
@@ -311,7 +311,7 @@ abstract class LossScenarios extends CameraBench {
   }
 
   @Test
-  void whatHadComeBeforeItWasClosedIsHandedOver() throws IOException {
+  void eventsReceivedBeforeClosingAreDelivered() throws IOException {
     Camera camera = open(SMALL.withBuffers(4, 512, 64));
     StreamLog log = started(camera);
     sendEvents(1000);
@@ -326,7 +326,7 @@ abstract class LossScenarios extends CameraBench {
   }
 
   @Test
-  void closingEndsTheStreamAndNeverHangs() throws Exception {
+  void closingAlwaysEndsTheStream() throws Exception {
     int times = Integer.getInteger("haltere.cycles", 40);
     Random random = new Random(3);
     for (int i = 0; i < times; i++) {

@@ -16,7 +16,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 
-/** Cameras at once, each with a consumer's thread of its own, whatever the bus. */
+/** Scenarios of several cameras at once, each with its own consumer thread. */
 abstract class ManyCameraScenarios extends CameraBench {
   private static final int EVENTS = 20_000;
   private static final int PER_PACKET = 100;
@@ -65,7 +65,7 @@ abstract class ManyCameraScenarios extends CameraBench {
   }
 
   @Test
-  void eachGetsAllOfItsOwnAlsoWhenTheOtherIsClosed() throws Exception {
+  void twoCamerasDeliverAllOfTheirEventsEvenIfOneIsClosed() throws Exception {
     Dvs128Firmware other = new Dvs128Firmware("0043");
     EmulatedDevice otherDevice = plug(other);
     Used one = use(firmware, seen("0042"));

@@ -29,7 +29,7 @@ class Dvs128DecoderTest {
   }
 
   @Test
-  void addressesAreThoseOfAedat2() {
+  void addressesMatchTheAedat2Decoder() {
     Dvs128AddressDecoder aedat = new Dvs128AddressDecoder(new SensorGeometry(128, 128));
     for (int address = 0; address < 1 << 15; address++) {
       packet.clear();
@@ -39,7 +39,7 @@ class Dvs128DecoderTest {
   }
 
   @Test
-  void aWrapAdds16384UsAndItsOtherBitsMeanNothing() {
+  void wrapWordAdds16384UsWhateverItsOtherBits() {
     decoder.decode(words(event(5, 0), 0xffff_ffff, event(6, 0)), packet, 16);
 
     assertEquals(5, packet.timeUs(0));
@@ -47,7 +47,7 @@ class Dvs128DecoderTest {
   }
 
   @Test
-  void aResetStopsAndTimeRestarts() {
+  void resetWordStopsDecodingAndRestartsTime() {
     ByteBuffer in = words(event(500, 0), 0x4000_8000, event(6, 0));
 
     assertEquals(Stop.CLOCK_RESET, decoder.decode(in, packet, 16));
@@ -58,7 +58,7 @@ class Dvs128DecoderTest {
   }
 
   @Test
-  void aFullPacketIsSaidAndNothingIsLost() {
+  void fullPacketStopsDecodingWithoutLoss() {
     int[] many = new int[3000];
     for (int i = 0; i < many.length; i++) {
       many[i] = event(i, 2 * i & 0x7fff);
@@ -77,7 +77,7 @@ class Dvs128DecoderTest {
   }
 
   @Test
-  void whateverComesTimesDoNotDescendAndNothingIsThrown() {
+  void arbitraryBytesGiveAscendingTimesAndNoException() {
     Random random = new Random(11);
     for (int round = 0; round < 200; round++) {
       Dvs128Decoder fresh = new Dvs128Decoder(true);
@@ -98,7 +98,7 @@ class Dvs128DecoderTest {
   }
 
   @Test
-  void whatWasDroppedHasTheSameEffectOnTimeAsIfItHadBeenDecoded() {
+  void droppedWordsAdvanceTimeLikeDecodedWords() {
     Random random = new Random(12);
     for (int round = 0; round < 200; round++) {
       int[] dropped = new int[random.nextInt(40)];

@@ -13,14 +13,14 @@ import java.util.Random;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 
-/** What holds for the decoders of words of 16 bits, whatever comes. */
+/** Properties of the decoders of 16-bit words on arbitrary input. */
 class WireDecoderTest {
   private static final DavisLayout DAVIS = new DavisLayout(346, 260, false, 0, 0, false, false);
   private static final DavisLayout TURNED = new DavisLayout(180, 240, true, 7, 7, true, true);
   private static final SensorGeometry EVK = new SensorGeometry(1280, 720, Origin.TOP);
 
   @Test
-  void whateverADavisSendsNothingIsThrownAndTimesDoNotDescend() {
+  void arbitraryDavisBytesGiveAscendingTimesAndNoException() {
     junk(() -> new DavisDecoder(DAVIS, true), DAVIS.geometry(), 0);
     junk(() -> new DavisDecoder(TURNED, true), TURNED.geometry(), 0);
     // Words of frames and inertial samples only, so that they meet in all orders.
@@ -28,7 +28,7 @@ class WireDecoderTest {
   }
 
   @Test
-  void whateverAnEvkSendsNothingIsThrownAndTimesDoNotDescend() {
+  void arbitraryEvkBytesGiveAscendingTimesAndNoException() {
     junk(() -> new Evt3WireDecoder(EVK, true), EVK, 0);
   }
 
@@ -60,7 +60,7 @@ class WireDecoderTest {
   }
 
   @Test
-  void whatADavisLosesLeavesTimeAndRowAsIfItHadBeenDecoded() {
+  void droppedDavisWordsUpdateTimeAndRowLikeDecodedWords() {
     sameAfterDropping(
         () -> new DavisDecoder(DAVIS, false),
         random ->
@@ -76,7 +76,7 @@ class WireDecoderTest {
   }
 
   @Test
-  void whatAnEvkLosesLeavesTimeAndRowAsIfItHadBeenDecoded() {
+  void droppedEvkWordsUpdateTimeAndRowLikeDecodedWords() {
     int[] high = new int[1];
     sameAfterDropping(
         () -> new Evt3WireDecoder(EVK, false),

@@ -51,7 +51,7 @@ class CameraPlayableTest {
   }
 
   @Test
-  void itIsLiveEndlessAndNotSeekable() throws IOException {
+  void cameraIsLiveEndlessAndNotSeekable() throws IOException {
     try (CameraPlayable playable = fly(true)) {
       assertTrue(playable.isLive());
       assertTrue(playable.durationUs().isEmpty());
@@ -63,7 +63,7 @@ class CameraPlayableTest {
   }
 
   @Test
-  void itsTimelineContinuesWhereTheClockOfTheCameraRestarts() throws IOException {
+  void timelineContinuesAcrossRestartsOfTheCameraClock() throws IOException {
     try (CameraPlayable playable = fly(true)) {
       long[] lastElapsed = {-1};
       StreamHandler ascending =
@@ -111,7 +111,7 @@ class CameraPlayableTest {
   }
 
   @Test
-  void withoutReconnectingUnpluggingIsTheEnd() throws IOException {
+  void unpluggingEndsTheStreamWithoutReconnect() throws IOException {
     try (CameraPlayable playable = fly(false)) {
       pull(playable, 10);
       playable.camera().facet(Plug.class).orElseThrow().unplug();
@@ -124,7 +124,7 @@ class CameraPlayableTest {
   }
 
   @Test
-  void aPlayerShowsItAsItComesAndTakesNoSpeed() throws Exception {
+  void playerPlaysALiveCameraAndRejectsASpeed() throws Exception {
     // in real time, because the player and the camera wait on their own threads
     Cameras real = new Cameras(List.of(new SimulatedCameraProvider()));
     CameraPlayable playable =

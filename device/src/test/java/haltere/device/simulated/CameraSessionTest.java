@@ -34,7 +34,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What is recorded from cameras that come and go, and how their clocks relate. */
+/** Recordings of cameras that are unplugged and reconnected, and the relation of their clocks. */
 @Timeout(60)
 class CameraSessionTest {
   private static final long MS = 1_000_000;
@@ -104,7 +104,7 @@ class CameraSessionTest {
   }
 
   @Test
-  void unpluggingResettingAndPluggingInMakePartsThatHoldEachEventOnce() throws IOException {
+  void unpluggingAndResetsSplitARecordingIntoPartsWithEachEventOnce() throws IOException {
     List<SessionRecorder.Part> parts;
     Camera camera = open("simulated:fly");
     try (SessionRecorder session = session(camera, "fly.aedat4", "{}")) {
@@ -148,7 +148,7 @@ class CameraSessionTest {
   }
 
   @Test
-  void theHeaderHasBiasesAndChain() throws IOException {
+  void headerContainsBiasesAndChain() throws IOException {
     try (Camera camera = open("simulated:fly");
         SessionRecorder session = session(camera, "fly.aedat4", "{\n  \"filters\" : [ ]\n}\n")) {
       camera.facet(Biases.class).orElseThrow().set("threshold", 0.25);
@@ -161,7 +161,7 @@ class CameraSessionTest {
   }
 
   @Test
-  void theHeadersOfTwoCamerasRelateTheirClocks() throws IOException {
+  void clockOffsetsInTheHeadersRelateTwoCameras() throws IOException {
     try (Camera fly = open("simulated:fly");
         Camera road = open("simulated:road");
         SessionRecorder flySession = session(fly, "fly.aedat4", "{}");

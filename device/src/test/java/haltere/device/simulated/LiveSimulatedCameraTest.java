@@ -47,7 +47,7 @@ class LiveSimulatedCameraTest {
   }
 
   @Test
-  void aConsumerThatIsBusyLosesCountedEventsAndTheClockContinues() throws IOException {
+  void busyConsumerLosesCountedEventsWhileTheClockContinues() throws IOException {
     Camera camera = dots(CameraOptions.DEFAULT.withBuffers(0, 0, 5));
     while (recorder.events().isEmpty()) {
       camera.next(stream);
@@ -62,14 +62,14 @@ class LiveSimulatedCameraTest {
     untilOver(camera);
 
     CameraStatistics statistics = camera.statistics();
-    long told =
+    long reported =
         recorder.notifications(DataLost.class).stream().mapToLong(DataLost::estimatedEvents).sum();
-    assertEquals(statistics.lostEvents(), told);
-    assertEquals(statistics.bytes() / 4, recorder.events().size() + told);
+    assertEquals(statistics.lostEvents(), reported);
+    assertEquals(statistics.bytes() / 4, recorder.events().size() + reported);
   }
 
   @Test
-  void whileItIsUnpluggedNothingComesAndThenANewStream() throws IOException {
+  void unpluggedCameraIsSilentAndReconnectingStartsANewStream() throws IOException {
     try (Camera camera = dots(CameraOptions.DEFAULT.withReconnect(true))) {
       Plug plug = camera.facet(Plug.class).orElseThrow();
       while (recorder.events().isEmpty()) {
@@ -93,7 +93,7 @@ class LiveSimulatedCameraTest {
   }
 
   @Test
-  void closingWakesAConsumerThatWaits() throws Exception {
+  void closingEndsTheStreamOfAWaitingConsumer() throws Exception {
     Camera camera = dots(CameraOptions.DEFAULT.withReconnect(true));
     camera.next(stream);
     camera.facet(Plug.class).orElseThrow().unplug();
@@ -155,8 +155,7 @@ class LiveSimulatedCameraTest {
   }
 
   @Test
-  void aSceneThatTakesTooLongToMakeStandsStillWhileTheClockContinuesAndThatIsReported()
-      throws IOException {
+  void slowSceneIsReportedAsLossWhileTheClockContinues() throws IOException {
     ManualClock time = new ManualClock();
     Scene<Nothing> scene = new HardScene(() -> time.advance(TimeUnit.MILLISECONDS.toNanos(300)));
     try (Camera camera =
@@ -165,19 +164,20 @@ class LiveSimulatedCameraTest {
         camera.next(stream);
       }
       long nowUs = TimeUnit.NANOSECONDS.toMicros(time.getAsLong());
-      List<DataLost> told = recorder.notifications(DataLost.class);
-      assertFalse(told.isEmpty());
-      assertEquals(-1, told.get(0).estimatedEvents());
-      assertTrue(told.get(0).place().contains("too slow to simulate"), told.get(0).place());
-      assertTrue(told.get(0).toUs() > told.get(0).fromUs() + 200_000, told.get(0).toString());
+      List<DataLost> reported = recorder.notifications(DataLost.class);
+      assertFalse(reported.isEmpty());
+      assertEquals(-1, reported.get(0).estimatedEvents());
+      assertTrue(reported.get(0).place().contains("too slow to simulate"), reported.get(0).place());
+      assertTrue(
+          reported.get(0).toUs() > reported.get(0).fromUs() + 200_000, reported.get(0).toString());
       assertEquals(0, camera.clockRelation().orElseThrow().hostNanos(), "its clock is live");
       assertTrue(nowUs - recorder.events().lastTimeUs() < 1_500_000, "and so are its events");
-      assertTrue(camera.statistics().brokenTransfers() >= told.size());
+      assertTrue(camera.statistics().brokenTransfers() >= reported.size());
     }
   }
 
   @Test
-  void aSceneThatFailsIsTheConsumersProblem() {
+  void exceptionOfASceneReachesTheConsumer() {
     Scene<Nothing> scene =
         new HardScene(
             () -> {

@@ -95,7 +95,7 @@ class SimulatedCameraTest {
   }
 
   @Test
-  void servicesAndClassesAgree() {
+  void serviceFileNamesEveryProvider() {
     assertTrue(
         ServiceFiles.registered(CameraProvider.class)
             .containsAll(
@@ -103,7 +103,7 @@ class SimulatedCameraTest {
   }
 
   @Test
-  void everySceneIsACamera() {
+  void everySceneIsListedAsACamera() {
     List<String> ids = provider.list().stream().map(CameraInfo::id).toList();
     assertEquals(Scenes.all().keySet().stream().map(name -> "simulated:" + name).toList(), ids);
     assertTrue(ids.containsAll(List.of("simulated:fly", "simulated:road")));
@@ -117,7 +117,7 @@ class SimulatedCameraTest {
   }
 
   @Test
-  void eventsComeWhenTheirTimeHasComeAndAreThoseOfTheScene() throws IOException {
+  void eventsOfTheSceneAreDeliveredAtTheirTimes() throws IOException {
     try (Camera camera = open()) {
       long begin = time.getAsLong();
       pull(
@@ -156,7 +156,7 @@ class SimulatedCameraTest {
   }
 
   @Test
-  void aSlowConsumerLosesCountedEventsAndIsToldWhereTheyAreMissing() throws IOException {
+  void slowConsumerReceivesCountAndPlaceOfLostEvents() throws IOException {
     for (WhenFull whenFull : WhenFull.values()) {
       StreamRecorder got = new StreamRecorder();
       StreamGrammar checked = new StreamGrammar(got);
@@ -171,21 +171,21 @@ class SimulatedCameraTest {
         // what waits
       }
       CameraStatistics statistics = camera.statistics();
-      long told = 0;
+      long reported = 0;
       for (DataLost lost : got.notifications(DataLost.class)) {
-        told += lost.estimatedEvents();
+        reported += lost.estimatedEvents();
         assertTrue(lost.place().startsWith("simulated:fly"), lost.place());
       }
-      assertTrue(told > 0);
-      assertEquals(told, statistics.lostEvents());
+      assertTrue(reported > 0);
+      assertEquals(reported, statistics.lostEvents());
       assertEquals(got.events().size(), statistics.events());
-      assertEquals(statistics.bytes() / 4, told + statistics.events());
+      assertEquals(statistics.bytes() / 4, reported + statistics.events());
       assertTrue(statistics.lostTransfers() > 0 && statistics.mostWaiting() <= 20);
     }
   }
 
   @Test
-  void theClockCanBeResetWithoutLosingAnything() throws IOException {
+  void clockResetLosesNoEvent() throws IOException {
     try (Camera camera = open()) {
       pull(camera, stream, 50);
       camera.facet(TimestampReset.class).orElseThrow().resetTimestamps();
@@ -202,7 +202,7 @@ class SimulatedCameraTest {
   }
 
   @Test
-  void oneThatIsUnpluggedSaysSoAndEnds() throws IOException {
+  void unpluggingEndsTheStreamWithDeviceLost() throws IOException {
     try (Camera camera = open()) {
       pull(camera, stream, 30);
       Plug plug = camera.facet(Plug.class).orElseThrow();
@@ -224,7 +224,7 @@ class SimulatedCameraTest {
   }
 
   @Test
-  void oneThatReconnectsContinuesWithANewStreamAndNoEventTwice() throws IOException {
+  void reconnectingStartsANewStreamWithoutRepeatedEvents() throws IOException {
     try (Camera camera = open(CameraOptions.DEFAULT.withReconnect(true))) {
       Plug plug = camera.facet(Plug.class).orElseThrow();
       for (int part = 0; part < 4; part++) {
@@ -248,7 +248,7 @@ class SimulatedCameraTest {
   }
 
   @Test
-  void closingEndsTheWaitOfOneThatIsUnplugged() throws Exception {
+  void closingEndsTheWaitForAnUnpluggedCamera() throws Exception {
     Camera camera = open(CameraOptions.DEFAULT.withReconnect(true));
     pull(camera, stream, 5);
     camera.facet(Plug.class).orElseThrow().unplug();
@@ -275,7 +275,7 @@ class SimulatedCameraTest {
   }
 
   @Test
-  void closingWhileItRunsGivesWhatCameAndTheEnd() throws IOException {
+  void closingARunningCameraDeliversReceivedEventsAndTheEnd() throws IOException {
     Camera camera = open();
     pull(camera, stream, 20);
     camera.close();
@@ -287,7 +287,7 @@ class SimulatedCameraTest {
   }
 
   @Test
-  void biasesChangeThePixels() throws IOException {
+  void biasesChangeTheEventRate() throws IOException {
     try (Camera camera = open()) {
       Biases biases = camera.facet(Biases.class).orElseThrow();
       pull(camera, stream, 100);
@@ -310,7 +310,7 @@ class SimulatedCameraTest {
   }
 
   @Test
-  void slidersMoveBiasesAndStandInTheMiddleAfterASet() throws IOException {
+  void slidersMoveBiasesAndAreResetByABiasSet() throws IOException {
     try (Camera camera = open()) {
       Biases biases = camera.facet(Biases.class).orElseThrow();
       BiasSliders sliders = camera.facet(BiasSliders.class).orElseThrow();
@@ -334,7 +334,7 @@ class SimulatedCameraTest {
   }
 
   @Test
-  void onlyEventsOfTheRegionCome() throws IOException {
+  void onlyEventsInTheRegionOfInterestAreDelivered() throws IOException {
     try (Camera camera = open()) {
       RegionOfInterest roi = camera.facet(RegionOfInterest.class).orElseThrow();
       roi.setRegion(Optional.of(new Region(40, 50, 30, 20)));
@@ -355,7 +355,7 @@ class SimulatedCameraTest {
   }
 
   @Test
-  void itsSettingsAreATextForTheHeaderOfARecording() throws IOException {
+  void configurationIsTextForARecordingHeader() throws IOException {
     try (Camera camera = open()) {
       camera.facet(BiasSliders.class).orElseThrow().set(Slider.BALANCE, 0.5);
       camera
@@ -372,7 +372,7 @@ class SimulatedCameraTest {
   }
 
   @Test
-  void twoCamerasRelateByTheClockOfTheComputer() throws IOException {
+  void clocksOfTwoCamerasAreRelatedByTheHostClock() throws IOException {
     try (Camera fly = open();
         Camera road = cameras.open("simulated:road", CameraOptions.DEFAULT)) {
       assertTrue(fly.clockRelation().isEmpty());
@@ -385,7 +385,7 @@ class SimulatedCameraTest {
   }
 
   @Test
-  void aSceneWithoutPixelsHasNoBiases() throws IOException {
+  void sceneWithoutPixelModelHasNoBiases() throws IOException {
     try (Camera camera = cameras.open("simulated:dots", CameraOptions.DEFAULT)) {
       assertTrue(camera.facet(Biases.class).isEmpty());
       assertTrue(camera.facet(Configuration.class).isPresent());

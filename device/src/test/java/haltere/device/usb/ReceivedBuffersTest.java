@@ -16,7 +16,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What waits for a consumer, for how long, and who does the work of the bus meanwhile. */
+/** Buffers that wait for a consumer, and the thread that handles bus events meanwhile. */
 @Timeout(60)
 class ReceivedBuffersTest {
   private static final int WAITING = 64;
@@ -40,7 +40,7 @@ class ReceivedBuffersTest {
   }
 
   @Test
-  void whatMustBeUpToDateWaitsForHalfASecondAndIsCountedThen() throws Exception {
+  void dropOldestDiscardsAndCountsBuffersOlderThanHalfASecond() throws Exception {
     ReceivedBuffers buffers = buffers(WhenFull.DROP_OLDEST, BusWork.ELSEWHERE);
     fill(buffers, 60);
 
@@ -53,7 +53,7 @@ class ReceivedBuffersTest {
   }
 
   @Test
-  void afterALongPauseOnlyWhatIsNewIsLeftWithANoteOfAllThatWas() throws Exception {
+  void dropOldestKeepsOnlyTheNewestBufferAfterALongPause() throws Exception {
     ReceivedBuffers buffers = buffers(WhenFull.DROP_OLDEST, BusWork.ELSEWHERE);
     Received filling = fill(buffers, 5);
     filling.filled(TransferEnd.COMPLETED, EVENTS * Integer.BYTES, 10_000 * MS);
@@ -66,7 +66,7 @@ class ReceivedBuffersTest {
   }
 
   @Test
-  void whatIsToBeWholeWaitsHoweverLongItTakes() {
+  void dropNewestKeepsWaitingBuffersWithoutTimeLimit() {
     ReceivedBuffers buffers = buffers(WhenFull.DROP_NEWEST, BusWork.ELSEWHERE);
     fill(buffers, 60);
 
@@ -102,7 +102,7 @@ class ReceivedBuffersTest {
   }
 
   @Test
-  void aConsumerThatWaitsDoesTheWorkOfTheBusItself() throws InterruptedIOException {
+  void waitingConsumerHandlesBusEventsItself() throws InterruptedIOException {
     ByConsumer work = new ByConsumer();
     ReceivedBuffers buffers = buffers(WhenFull.DROP_NEWEST, work);
     work.happening = () -> fill(buffers, 2);
@@ -113,7 +113,7 @@ class ReceivedBuffersTest {
   }
 
   @Test
-  void aConsumerThatHasSomethingToDoLooksAtTheBusFirst() throws InterruptedIOException {
+  void consumerWithWaitingBuffersHandlesBusEventsFirst() throws InterruptedIOException {
     ByConsumer work = new ByConsumer();
     ReceivedBuffers buffers = buffers(WhenFull.DROP_NEWEST, work);
     Received filling = fill(buffers, 1);
@@ -128,7 +128,7 @@ class ReceivedBuffersTest {
   }
 
   @Test
-  void theEndReachesAConsumerThatIsAtWork() throws Exception {
+  void endWakesAConsumerThatHandlesBusEvents() throws Exception {
     ByConsumer work = new ByConsumer();
     ReceivedBuffers buffers = buffers(WhenFull.DROP_NEWEST, work);
     CompletableFuture<Received> taken =

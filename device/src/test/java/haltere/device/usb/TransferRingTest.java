@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What becomes of transfers that end in ways that no emulated bus shows. */
+/** Transfers that end in ways that the emulated buses do not produce. */
 @Timeout(60)
 class TransferRingTest {
   private static final int TRANSFERS = 4;
@@ -22,7 +22,7 @@ class TransferRingTest {
   private static final int BYTES = 64;
   private static final int MAX_FAILURES = 16;
 
-  private final TransfersByHand device = new TransfersByHand();
+  private final ManualTransfers device = new ManualTransfers();
   private final ReceivedBuffers buffers =
       new ReceivedBuffers(
           TRANSFERS,
@@ -44,7 +44,7 @@ class TransferRingTest {
 
   /** MacOS says of an unplugged device that one transfer failed and the others were cancelled. */
   @Test
-  void cancelledTransfersOfADeviceThatIsGoneAreTakenWithWhatTheyCarry() throws Exception {
+  void cancelledTransfersOfALostDeviceDeliverTheirData() throws Exception {
     ring.start();
     device.transfers.get(0).end(TransferEnd.COMPLETED, 3);
     device.transfers.get(1).end(TransferEnd.CANCELLED, 2);
@@ -61,7 +61,7 @@ class TransferRingTest {
   }
 
   @Test
-  void whateverEndsWhileItIsStoppedIsTakenAndNotStartedAgain() throws Exception {
+  void transfersThatEndDuringStopAreDeliveredAndNotRestarted() throws Exception {
     ring.start();
     CompletableFuture<Boolean> stopped = CompletableFuture.supplyAsync(ring::stop);
     Waiting.until(
@@ -80,7 +80,7 @@ class TransferRingTest {
   }
 
   @Test
-  void aTransferThatDoesNotEndIsNotFreed() {
+  void pendingTransferIsNotFreed() {
     ring.start();
     device.transfers.get(0).end(TransferEnd.GONE, 0);
 
@@ -89,9 +89,9 @@ class TransferRingTest {
   }
 
   @Test
-  void errorsInARowAreADeviceThatIsGoneButNotWithSomethingBetween() throws Exception {
+  void consecutiveErrorsEndTheDeviceButSeparatedErrorsDoNot() throws Exception {
     ring.start();
-    TransfersByHand.ByHand first = device.transfers.get(0);
+    ManualTransfers.ManualTransfer first = device.transfers.get(0);
     for (int i = 0; i < 3 * MAX_FAILURES; i++) {
       first.end(i % MAX_FAILURES == 0 ? TransferEnd.COMPLETED : TransferEnd.FAILED, 0);
     }
@@ -107,7 +107,7 @@ class TransferRingTest {
   }
 
   @Test
-  void aDeviceThatTakesNoTransferIsGone() throws Exception {
+  void deviceThatRefusesTransfersCountsAsLost() throws Exception {
     device.refusing = true;
     ring.start();
 
@@ -117,7 +117,7 @@ class TransferRingTest {
   }
 
   @Test
-  void aHaltIsLiftedOnceAllHaveEnded() {
+  void haltIsClearedOnceAfterAllTransfersHaveEnded() {
     ring.start();
     device.transfers.forEach(transfer -> transfer.end(TransferEnd.STALLED, 0));
     ring.recover();

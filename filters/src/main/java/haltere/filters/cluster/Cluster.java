@@ -145,7 +145,7 @@ public final class Cluster {
   }
 
   /** Updates the second moments with an event. */
-  void learnShape(double dx, double dy) {
+  void adaptShape(double dx, double dy) {
     momentXx += gain * (dx * dx - momentXx);
     momentXy += gain * (dx * dy - momentXy);
     momentYy += gain * (dy * dy - momentYy);

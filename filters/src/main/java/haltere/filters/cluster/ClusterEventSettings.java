@@ -22,7 +22,7 @@ public record ClusterEventSettings(
     SettingsSchema.validate(ClusterEventSettings.class, polarity, inhibition, edgeThickness);
   }
 
-  /** {@return the settings to start from: both polarities, no inhibition, events anywhere} */
+  /** {@return the default settings: both polarities, no inhibition, events anywhere} */
   public static ClusterEventSettings defaults() {
     return new ClusterEventSettings(Keep.BOTH, 0, 0);
   }

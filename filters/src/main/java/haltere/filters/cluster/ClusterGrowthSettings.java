@@ -30,8 +30,8 @@ public record ClusterGrowthSettings(
   }
 
   /**
-   * {@return the settings to start from: no adaptation; once it is on, by up to a factor of 4, with
-   * a surround of 2}
+   * {@return the default settings: no adaptation; once it is on, by up to a factor of 4, with a
+   * surround of 2}
    */
   public static ClusterGrowthSettings defaults() {
     return new ClusterGrowthSettings(false, false, 4, 2);

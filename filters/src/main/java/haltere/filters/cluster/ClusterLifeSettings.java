@@ -31,7 +31,7 @@ public record ClusterLifeSettings(
         double minSpeedPxS,
     @Help("A cluster dies at the border: never, with its centre outside, or touching it.")
         Border border) {
-  /** What keeps a cluster alive and makes it visible. */
+  /** Criterion for the support and visibility of a cluster. */
   public enum Support {
     /** Its mass. */
     MASS,
@@ -63,9 +63,9 @@ public record ClusterLifeSettings(
   }
 
   /**
-   * {@return the settings to start from: visible from 3 Hz of a pixel on, averaged over 50 ms,
-   * which noise of 1 Hz does not reach and which does not depend on the sensor; dead after 20 ms
-   * without that or at the border}
+   * {@return the default settings: visible from 3 Hz of a pixel on, averaged over 50 ms, which
+   * noise of 1 Hz does not reach and which does not depend on the sensor; dead after 20 ms without
+   * that or at the border}
    */
   public static ClusterLifeSettings defaults() {
     return new ClusterLifeSettings(50_000, 20_000, Support.RATE, 10, 3, 0, Border.CENTRE);

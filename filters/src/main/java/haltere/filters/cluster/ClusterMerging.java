@@ -44,23 +44,23 @@ final class ClusterMerging {
 
   /** Whether the first of two merging clusters is kept: one with an identity, or the heavier. */
   static boolean isStronger(Cluster first, Cluster second) {
-    boolean bothAlike = first.id > 0 == second.id > 0;
-    return bothAlike ? first.mass >= second.mass : first.id > 0;
+    boolean sameKind = first.id > 0 == second.id > 0;
+    return sameKind ? first.mass >= second.mass : first.id > 0;
   }
 
   /** Merges a cluster into a stronger one, which keeps its identity. */
-  void merge(Cluster kept, Cluster lost) {
-    double share = lost.mass / Math.max(Double.MIN_NORMAL, kept.mass + lost.mass);
-    kept.x += share * (lost.x - kept.x);
-    kept.y += share * (lost.y - kept.y);
-    kept.vx += share * (lost.vx - kept.vx);
-    kept.vy += share * (lost.vy - kept.vy);
-    kept.mass += lost.mass;
-    kept.events += lost.events;
-    kept.bornUs = Math.min(kept.bornUs, lost.bornUs);
-    kept.supportedUs = Math.max(kept.supportedUs, lost.supportedUs);
+  void merge(Cluster survivor, Cluster lost) {
+    double share = lost.mass / Math.max(Double.MIN_NORMAL, survivor.mass + lost.mass);
+    survivor.x += share * (lost.x - survivor.x);
+    survivor.y += share * (lost.y - survivor.y);
+    survivor.vx += share * (lost.vx - survivor.vx);
+    survivor.vy += share * (lost.vy - survivor.vy);
+    survivor.mass += lost.mass;
+    survivor.events += lost.events;
+    survivor.bornUs = Math.min(survivor.bornUs, lost.bornUs);
+    survivor.supportedUs = Math.max(survivor.supportedUs, lost.supportedUs);
     if (settings.joinSize()) {
-      shape.join(kept, lost);
+      shape.join(survivor, lost);
     }
   }
 }

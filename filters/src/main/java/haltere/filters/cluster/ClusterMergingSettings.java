@@ -25,8 +25,8 @@ public record ClusterMergingSettings(
   }
 
   /**
-   * {@return the settings to start from: boxes that overlap merge unless their directions differ by
-   * 60 degrees}
+   * {@return the default settings: boxes that overlap merge unless their directions differ by 60
+   * degrees}
    */
   public static ClusterMergingSettings defaults() {
     return new ClusterMergingSettings(true, 1, 60, false);

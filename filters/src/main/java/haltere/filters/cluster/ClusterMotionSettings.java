@@ -72,8 +72,8 @@ public record ClusterMotionSettings(
   }
 
   /**
-   * {@return the settings to start from: a constant weight of 0.05, prediction with an average over
-   * 100 ms, no friction or limit}
+   * {@return the default settings: a constant weight of 0.05, prediction with an average over 100
+   * ms, no friction or limit}
    */
   public static ClusterMotionSettings defaults() {
     return new ClusterMotionSettings(

@@ -36,8 +36,8 @@ public record ClusterOutputSettings(
   }
 
   /**
-   * {@return the settings to start from: 20 clusters, updated each millisecond, 100 reports a
-   * second with a second of path}
+   * {@return the default settings: 20 clusters, updated each millisecond, 100 reports a second with
+   * a second of path}
    */
   public static ClusterOutputSettings defaults() {
     return new ClusterOutputSettings(20, 1000, 100, 100, false);

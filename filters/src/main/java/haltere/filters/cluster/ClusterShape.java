@@ -124,12 +124,12 @@ final class ClusterShape {
   }
 
   /** Gives a merged cluster the size of both: r = r₁ + r₂. */
-  void join(Cluster kept, Cluster lost) {
-    double scale = (kept.radius() + lost.radius()) / kept.radius();
-    kept.joinedScale *= scale;
-    kept.momentXx *= scale * scale;
-    kept.momentXy *= scale * scale;
-    kept.momentYy *= scale * scale;
-    adapt(kept);
+  void join(Cluster survivor, Cluster lost) {
+    double scale = (survivor.radius() + lost.radius()) / survivor.radius();
+    survivor.joinedScale *= scale;
+    survivor.momentXx *= scale * scale;
+    survivor.momentXy *= scale * scale;
+    survivor.momentYy *= scale * scale;
+    adapt(survivor);
   }
 }

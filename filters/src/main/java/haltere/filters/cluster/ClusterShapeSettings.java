@@ -48,9 +48,7 @@ public record ClusterShapeSettings(
     SettingsSchema.validate(ClusterShapeSettings.class, size, aspect, angleDeg, angle, type);
   }
 
-  /**
-   * {@return the settings to start from: an upright square whose radius is 0.06 of the longer side}
-   */
+  /** {@return the default settings: an upright square whose radius is 0.06 of the longer side} */
   public static ClusterShapeSettings defaults() {
     return new ClusterShapeSettings(0.06, 1, 0, Angle.FIXED, Type.BOX);
   }

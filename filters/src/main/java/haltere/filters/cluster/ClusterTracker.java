@@ -46,7 +46,7 @@ public final class ClusterTracker {
 
   // Derived from the settings.
   private boolean box;
-  private boolean learnsShape;
+  private boolean adaptsShape;
   private boolean uniform;
   private int ignoredPolarity;
   private double surroundFrom;
@@ -97,7 +97,7 @@ public final class ClusterTracker {
     update = new ClusterUpdate(geometry, settings, shape);
     merging = new ClusterMerging(settings, shape);
     box = settings.shape().type() == Type.BOX;
-    learnsShape = shape.isAdaptive();
+    adaptsShape = shape.isAdaptive();
     Keep keep = settings.events().polarity();
     ignoredPolarity = keep == Keep.BOTH ? -1 : keep == Keep.ON ? 0 : 1;
     double thickness = settings.events().edgeThickness();
@@ -186,7 +186,7 @@ public final class ClusterTracker {
     long[] timesUs = packet.timesUs();
     int[] addresses = packet.addresses();
     boolean removes = settings.output().onlyClustered();
-    int kept = 0;
+    int passed = 0;
     int from = 0;
     while (from < packet.size()) {
       advance(timesUs[from]);
@@ -194,13 +194,13 @@ public final class ClusterTracker {
       for (int i = from; i < to; i++) {
         Cluster cluster = take(addresses[i], timesUs[i]);
         if (removes && cluster != null && cluster.visible) {
-          packet.move(i, kept++);
+          packet.move(i, passed++);
         }
       }
       from = to;
     }
     if (removes) {
-      packet.truncate(kept);
+      packet.truncate(passed);
     }
   }
 
@@ -213,19 +213,19 @@ public final class ClusterTracker {
     int y = EventAddress.y(address);
     long names = grid.at(x, y);
     Cluster nearest = null;
-    double leastPx2 = Double.MAX_VALUE;
+    double minPx2 = Double.MAX_VALUE;
     if (names == ClusterGrid.ALL) {
       for (int i = 0; i < count; i++) {
         double px2 = distancePx2(clusters[i], x, y);
-        nearest = px2 < leastPx2 ? clusters[i] : nearest;
-        leastPx2 = Math.min(leastPx2, px2);
+        nearest = px2 < minPx2 ? clusters[i] : nearest;
+        minPx2 = Math.min(minPx2, px2);
       }
     } else {
       for (; names != 0; names >>>= Byte.SIZE) {
         Cluster cluster = clusters[(int) (names & 0xff) - 1];
         double px2 = distancePx2(cluster, x, y);
-        nearest = px2 < leastPx2 ? cluster : nearest;
-        leastPx2 = Math.min(leastPx2, px2);
+        nearest = px2 < minPx2 ? cluster : nearest;
+        minPx2 = Math.min(minPx2, px2);
       }
     }
     if (nearest == null) {
@@ -257,8 +257,8 @@ public final class ClusterTracker {
       }
     }
     cluster.take(dx, dy);
-    if (learnsShape) {
-      cluster.learnShape(dx, dy);
+    if (adaptsShape) {
+      cluster.adaptShape(dx, dy);
     }
     if (grid.hasLeft(cluster)) {
       grid.index(clusters, count);

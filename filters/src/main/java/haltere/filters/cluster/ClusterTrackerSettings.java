@@ -42,7 +42,7 @@ public record ClusterTrackerSettings(
         output);
   }
 
-  /** {@return the settings to start from: the defaults of all parts} */
+  /** {@return the default settings: the defaults of all parts} */
   public static ClusterTrackerSettings defaults() {
     return new ClusterTrackerSettings(
         ClusterShapeSettings.defaults(),

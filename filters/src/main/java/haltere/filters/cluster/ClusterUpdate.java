@@ -89,11 +89,11 @@ final class ClusterUpdate {
     cluster.updatedUs = timeUs;
     if (elapsedUs > 0) {
       move(cluster, elapsedUs);
-      double kept = elapsedUs == intervalUs ? massDecay : decay(elapsedUs, life.massTimeUs());
+      double factor = elapsedUs == intervalUs ? massDecay : decay(elapsedUs, life.massTimeUs());
       // mean decay of events spread evenly over the interval
       double fresh =
-          (cluster.fresh - cluster.inhibited) * (1 - kept) * life.massTimeUs() / elapsedUs;
-      cluster.mass = Math.max(0, cluster.mass * kept + fresh);
+          (cluster.fresh - cluster.inhibited) * (1 - factor) * life.massTimeUs() / elapsedUs;
+      cluster.mass = Math.max(0, cluster.mass * factor + fresh);
     }
     cluster.events += cluster.fresh;
     cluster.fresh = 0;
@@ -116,12 +116,12 @@ final class ClusterUpdate {
       cluster.x += US * elapsedUs * cluster.vx;
       cluster.y += US * elapsedUs * cluster.vy;
     }
-    double kept = motion.predict() ? 1 : decay(elapsedUs, motion.velocityTimeUs());
+    double factor = motion.predict() ? 1 : decay(elapsedUs, motion.velocityTimeUs());
     if (motion.frictionTimeUs() > 0) {
-      kept *= decay(elapsedUs, motion.frictionTimeUs());
+      factor *= decay(elapsedUs, motion.frictionTimeUs());
     }
-    cluster.vx *= kept;
-    cluster.vy *= kept;
+    cluster.vx *= factor;
+    cluster.vy *= factor;
     if (motion.weight() == Weight.PER_TIME) {
       cluster.weights *= decay(elapsedUs, motion.mixingTimeUs());
     }

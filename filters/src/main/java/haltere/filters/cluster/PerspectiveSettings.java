@@ -28,7 +28,7 @@ public record PerspectiveSettings(
     SettingsSchema.validate(PerspectiveSettings.class, enabled, vanishingX, vanishingY, minScale);
   }
 
-  /** {@return the settings to start from: none; once enabled, towards the middle of the top row} */
+  /** {@return the default settings: none; once enabled, towards the middle of the top row} */
   public static PerspectiveSettings defaults() {
     return new PerspectiveSettings(false, 0.5, 1, 0.1);
   }

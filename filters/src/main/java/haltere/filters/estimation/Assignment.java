@@ -29,17 +29,17 @@ public final class Assignment {
   public static final int NONE = -1;
 
   /** Costs of greater size would overflow when they are added up. */
-  private static final double LARGEST_COST = 1e150;
+  private static final double MAX_COST = 1e150;
 
-  private final int mostRows;
-  private final int mostColumns;
+  private final int maxRows;
+  private final int maxColumns;
   private final double[] costs;
   private final int[] columnOfRow;
   private final int[] rowOfColumn;
 
   // Below, "near" is the shorter side of the matrix and "far" the longer one.
-  private final double[] nearPrice;
-  private final double[] farPrice;
+  private final double[] nearPotential;
+  private final double[] farPotential;
   private final double[] distance;
   private final int[] from;
   private final int[] open;
@@ -56,24 +56,24 @@ public final class Assignment {
   /**
    * Space for a matrix.
    *
-   * @param mostRows maximum number of rows, at least 0
-   * @param mostColumns maximum number of columns, at least 0
+   * @param maxRows maximum number of rows, at least 0
+   * @param maxColumns maximum number of columns, at least 0
    */
-  public Assignment(int mostRows, int mostColumns) {
-    if (mostRows < 0 || mostColumns < 0) {
+  public Assignment(int maxRows, int maxColumns) {
+    if (maxRows < 0 || maxColumns < 0) {
       throw new IllegalArgumentException(
-          "a matrix cannot have " + mostRows + " x " + mostColumns + " entries");
+          "a matrix cannot have " + maxRows + " x " + maxColumns + " entries");
     }
-    this.mostRows = mostRows;
-    this.mostColumns = mostColumns;
-    int near = Math.min(mostRows, mostColumns);
-    int far = Math.max(mostRows, mostColumns);
-    costs = new double[Math.multiplyExact(mostRows, mostColumns)];
-    columnOfRow = new int[mostRows];
-    rowOfColumn = new int[mostColumns];
-    nearPrice = new double[near];
+    this.maxRows = maxRows;
+    this.maxColumns = maxColumns;
+    int near = Math.min(maxRows, maxColumns);
+    int far = Math.max(maxRows, maxColumns);
+    costs = new double[Math.multiplyExact(maxRows, maxColumns)];
+    columnOfRow = new int[maxRows];
+    rowOfColumn = new int[maxColumns];
+    nearPotential = new double[near];
     farOfNear = new int[near];
-    farPrice = new double[far];
+    farPotential = new double[far];
     nearOfFar = new int[far];
     distance = new double[far];
     from = new int[far];
@@ -88,15 +88,15 @@ public final class Assignment {
    * @param columns 0 to the most columns
    */
   public void start(int rows, int columns) {
-    if (rows < 0 || rows > mostRows || columns < 0 || columns > mostColumns) {
+    if (rows < 0 || rows > maxRows || columns < 0 || columns > maxColumns) {
       throw new IllegalArgumentException(
           rows
               + " x "
               + columns
               + " is outside the room for "
-              + mostRows
+              + maxRows
               + " x "
-              + mostColumns
+              + maxColumns
               + " entries");
     }
     this.rows = rows;
@@ -140,8 +140,8 @@ public final class Assignment {
     int far = Math.max(rows, columns);
     nearStride = rowsAreNear ? columns : 1;
     farStride = rowsAreNear ? 1 : columns;
-    Arrays.fill(nearPrice, 0, near, 0);
-    Arrays.fill(farPrice, 0, far, 0);
+    Arrays.fill(nearPotential, 0, near, 0);
+    Arrays.fill(farPotential, 0, far, 0);
     Arrays.fill(farOfNear, 0, near, NONE);
     Arrays.fill(nearOfFar, 0, far, NONE);
     for (int i = 0; i < near; i++) {
@@ -200,7 +200,7 @@ public final class Assignment {
       int nearest = 0;
       for (int k = 0; k < openCount; k++) {
         int j = open[k];
-        double d = reached + (change(i, j) - nearPrice[i] - farPrice[j]);
+        double d = reached + (change(i, j) - nearPotential[i] - farPotential[j]);
         if (d < distance[j]) {
           distance[j] = d;
           from[j] = i;
@@ -220,13 +220,13 @@ public final class Assignment {
         i = nearOfFar[j];
       }
     }
-    nearPrice[start] += reached;
+    nearPotential[start] += reached;
     for (int k = 0; k < closedCount; k++) {
       int j = closed[k];
       double ahead = reached - distance[j];
-      farPrice[j] -= ahead;
+      farPotential[j] -= ahead;
       if (nearOfFar[j] != NONE) {
-        nearPrice[nearOfFar[j]] += ahead;
+        nearPotential[nearOfFar[j]] += ahead;
       }
     }
     int j = end;
@@ -245,9 +245,9 @@ public final class Assignment {
   }
 
   private static void requireCost(String what, double cost) {
-    if (!(Math.abs(cost) <= LARGEST_COST)) {
+    if (!(Math.abs(cost) <= MAX_COST)) {
       throw new IllegalArgumentException(
-          what + " must be at most " + LARGEST_COST + " in size: " + cost);
+          what + " must be at most " + MAX_COST + " in size: " + cost);
     }
   }
 }

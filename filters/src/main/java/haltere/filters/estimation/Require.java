@@ -33,14 +33,14 @@ public final class Require {
    * Rejects numbers that are too small.
    *
    * @param name name of the number
-   * @param least smallest valid number
+   * @param min smallest valid number
    * @param value the number
    * @return the number
    * @throws IllegalArgumentException if it is invalid
    */
-  public static int atLeast(String name, int least, int value) {
-    if (value < least) {
-      throw new IllegalArgumentException(name + " must be at least " + least + ": " + value);
+  public static int atLeast(String name, int min, int value) {
+    if (value < min) {
+      throw new IllegalArgumentException(name + " must be at least " + min + ": " + value);
     }
     return value;
   }

@@ -29,7 +29,7 @@ public final class FrequencyMap {
   private static final int CELL_SHIFT = 2;
 
   /** Share of the shortest period within which further edges count as one. */
-  private static final double SAME_EDGE = 0.8;
+  private static final double MERGE_SHARE = 0.8;
 
   private static final int EDGES = 5;
 
@@ -53,7 +53,7 @@ public final class FrequencyMap {
   private final Edges pixels;
   private final Edges cells;
   private FrequencyMapSettings settings;
-  private long sameEdgeUs;
+  private long mergeUs;
   private double maxPeriodUs;
 
   /**
@@ -94,7 +94,7 @@ public final class FrequencyMap {
    */
   public void apply(FrequencyMapSettings newSettings) {
     settings = Objects.requireNonNull(newSettings, "newSettings");
-    sameEdgeUs = (long) (SAME_EDGE * 1e6 / settings.maxFrequencyHz());
+    mergeUs = (long) (MERGE_SHARE * 1e6 / settings.maxFrequencyHz());
     maxPeriodUs = 1e6 / settings.minFrequencyHz();
   }
 
@@ -199,7 +199,7 @@ public final class FrequencyMap {
       if (lastOn[place] != on) {
         lastOn[place] = on;
         int at = STRIDE * place;
-        if (!on && timeUs - state[at] >= sameEdgeUs) {
+        if (!on && timeUs - state[at] >= mergeUs) {
           for (int i = EDGES - 1; i > 0; i--) {
             state[at + i] = state[at + i - 1];
           }

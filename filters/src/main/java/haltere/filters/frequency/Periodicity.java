@@ -8,16 +8,16 @@ package haltere.filters.frequency;
  */
 final class Periodicity {
   /** Minimum number of values in a period. */
-  private static final int SHORTEST = 2;
+  private static final int MIN_VALUES = 2;
 
   /** Minimum number of periods in the series. */
   private static final int PERIODS = 4;
 
   /** Minimum height of a peak, as a share of the variance. */
-  private static final double LEAST = 0.12;
+  private static final double MIN_CORRELATION = 0.12;
 
   /** Minimum height of the period's peak, as a share of the highest one. */
-  private static final double NEARLY = 0.8;
+  private static final double MIN_SHARE_OF_HIGHEST = 0.8;
 
   /** Share to which the correlation must fall before the next period. */
   private static final double FALLEN = 0.5;
@@ -39,7 +39,7 @@ final class Periodicity {
   /** The period of a number of equidistant counts, in their distances; NaN if there is none. */
   double periodOf(float[] values, int count) {
     int lags = count / PERIODS;
-    if (lags <= SHORTEST + 1) {
+    if (lags <= MIN_VALUES + 1) {
       return Double.NaN;
     }
     double mean = 0;
@@ -60,11 +60,11 @@ final class Periodicity {
     for (int lag = first; lag <= lags; lag++) {
       highest = Math.max(highest, correlation[lag]);
     }
-    if (first > lags || !(highest > LEAST * correlation[0])) {
+    if (first > lags || !(highest > MIN_CORRELATION * correlation[0])) {
       return Double.NaN;
     }
     for (int lag = first; lag <= lags; lag++) {
-      if (correlation[lag] >= NEARLY * highest) {
+      if (correlation[lag] >= MIN_SHARE_OF_HIGHEST * highest) {
         return refined(highestNear(lag, lag + lag / 4 + 1, lags, lag / SMOOTHING), lags);
       }
     }
@@ -73,7 +73,7 @@ final class Periodicity {
 
   /** The lag after which a rise belongs to the next period. */
   private int firstFall(int lags) {
-    int lag = SHORTEST;
+    int lag = MIN_VALUES;
     while (lag <= lags && correlation[lag] > FALLEN * Math.max(correlation[1], 0)) {
       lag++;
     }

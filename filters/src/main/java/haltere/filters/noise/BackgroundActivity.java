@@ -146,7 +146,7 @@ public final class BackgroundActivity {
    * @param packet filtered in place
    */
   public void filter(EventPacket packet) {
-    int kept = 0;
+    int passed = 0;
     int from = 0;
     while (from < packet.size()) {
       moveEpoch(packet.timeUs(from));
@@ -154,26 +154,26 @@ public final class BackgroundActivity {
       int end = Math.min(packet.size(), from + BLOCK);
       long endUs = Math.min(windowEndUs, epochUs + LAST_RELATIVE_US);
       int to = packet.timeUs(end - 1) < endUs ? end : packet.indexAtOrAfter(endUs, from);
-      findPlaces(packet.addresses(), from, to);
+      findIndices(packet.addresses(), from, to);
       if (settings.isAutomatic()) {
         automatic.count(packet.addresses(), from, to);
       }
       if (settings.neighbours() > 1) {
-        findEnough(packet.timesUs(), from, to);
+        findSupported(packet.timesUs(), from, to);
       } else {
         findAny(packet.timesUs(), from, to);
       }
-      int keptBefore = kept;
-      kept = keepSupported(packet, from, to, kept);
+      int passedBefore = passed;
+      passed = passSupported(packet, from, to, passed);
       windowEvents += to - from;
-      windowPassed += kept - keptBefore;
+      windowPassed += passed - passedBefore;
       from = to;
     }
-    packet.truncate(kept);
+    packet.truncate(passed);
   }
 
   /** Finds each event's lower left neighbour; with the border its index is y * stride + x. */
-  private void findPlaces(int[] addresses, int from, int to) {
+  private void findIndices(int[] addresses, int from, int to) {
     int[] found = block;
     int polarityMask = settings.samePolarity() ? EventAddress.ON_BIT : 0;
     for (int i = from; i < to; i++) {
@@ -190,38 +190,38 @@ public final class BackgroundActivity {
    * branches.
    */
   private void findAny(long[] timesUs, int from, int to) {
-    int[] places = block;
+    int[] indices = block;
     int[] last = lastUs;
     for (int i = from; i < to; i++) {
       int relativeUs = (int) (timesUs[i] - epochUs);
-      int left = places[i - from];
+      int left = indices[i - from];
       int latest = Math.max(Math.max(last[left], last[left + 1]), last[left + 2]);
       left += stride;
       latest = Math.max(latest, Math.max(last[left], last[left + 2]));
       last[left + 1] = relativeUs;
       left += stride;
       latest = Math.max(latest, Math.max(Math.max(last[left], last[left + 1]), last[left + 2]));
-      places[i - from] = relativeUs - latest;
+      indices[i - from] = relativeUs - latest;
     }
     if (settings.isAutomatic()) {
-      automatic.countDelays(places, to - from);
+      automatic.countDelays(indices, to - from);
     }
     int tooOldUs = supportUs + 1;
     for (int i = 0; i < to - from; i++) {
-      places[i] = places[i] - tooOldUs >>> 31;
+      indices[i] = indices[i] - tooOldUs >>> 31;
     }
   }
 
   /** Finds events with enough supporting neighbours, by counting sign bits. */
-  private void findEnough(long[] timesUs, int from, int to) {
-    int[] places = block;
+  private void findSupported(long[] timesUs, int from, int to) {
+    int[] indices = block;
     int[] last = lastUs;
     int correlationUs = supportUs;
     int tooFew = settings.neighbours() - 1;
     for (int i = from; i < to; i++) {
       int relativeUs = (int) (timesUs[i] - epochUs);
       int tooOld = relativeUs - correlationUs - 1;
-      int left = places[i - from];
+      int left = indices[i - from];
       int support =
           (tooOld - last[left] >>> 31)
               + (tooOld - last[left + 1] >>> 31)
@@ -234,23 +234,23 @@ public final class BackgroundActivity {
           (tooOld - last[left] >>> 31)
               + (tooOld - last[left + 1] >>> 31)
               + (tooOld - last[left + 2] >>> 31);
-      places[i - from] = tooFew - support >>> 31;
+      indices[i - from] = tooFew - support >>> 31;
     }
   }
 
-  /** Keeps the supported events. */
-  private int keepSupported(EventPacket packet, int from, int to, int keptBefore) {
+  /** Moves the supported events to the front. */
+  private int passSupported(EventPacket packet, int from, int to, int passedBefore) {
     long[] timesUs = packet.timesUs();
     int[] addresses = packet.addresses();
     int[] supported = block;
-    int kept = keptBefore;
+    int passed = passedBefore;
     for (int i = from; i < to; i++) {
-      // moved in any case: the next event overwrites it unless it is kept
-      timesUs[kept] = timesUs[i];
-      addresses[kept] = addresses[i];
-      kept += supported[i - from];
+      // moved in any case: the next event overwrites it unless it passes
+      timesUs[passed] = timesUs[i];
+      addresses[passed] = addresses[i];
+      passed += supported[i - from];
     }
-    return kept;
+    return passed;
   }
 
   /** Ends the windows before an event's time. */

@@ -133,25 +133,25 @@ public final class HotPixels {
    * @param packet filtered in place
    */
   public void filter(EventPacket packet) {
-    int kept = 0;
+    int passed = 0;
     int from = 0;
     while (from < packet.size()) {
       advance(packet.timeUs(from));
       int to = packet.indexAtOrAfter(periodEndUs, from);
-      kept = countAndKeep(packet, from, to, kept);
+      passed = countAndPass(packet, from, to, passed);
       from = to;
     }
-    packet.truncate(kept);
+    packet.truncate(passed);
   }
 
-  private int countAndKeep(EventPacket packet, int from, int to, int keptBefore) {
+  private int countAndPass(EventPacket packet, int from, int to, int passedBefore) {
     if (count(packet.addresses(), from, to)) {
-      return keepOpen(packet, from, to, keptBefore);
+      return passUnblocked(packet, from, to, passedBefore);
     }
-    for (int i = from; i < to && keptBefore < from; i++) {
-      packet.move(i, keptBefore + i - from);
+    for (int i = from; i < to && passedBefore < from; i++) {
+      packet.move(i, passedBefore + i - from);
     }
-    return keptBefore + to - from;
+    return passedBefore + to - from;
   }
 
   /** Counts events; returns whether any is of a blocked pixel. */
@@ -171,17 +171,17 @@ public final class HotPixels {
     return seen < 0;
   }
 
-  private int keepOpen(EventPacket packet, int from, int to, int keptBefore) {
+  private int passUnblocked(EventPacket packet, int from, int to, int passedBefore) {
     long[] timesUs = packet.timesUs();
     int[] addresses = packet.addresses();
-    int kept = keptBefore;
+    int passed = passedBefore;
     for (int i = from; i < to; i++) {
       int address = addresses[i];
-      timesUs[kept] = timesUs[i];
-      addresses[kept] = address;
-      kept += ~cells[EventAddress.y(address) * width + EventAddress.x(address)] >>> 31;
+      timesUs[passed] = timesUs[i];
+      addresses[passed] = address;
+      passed += ~cells[EventAddress.y(address) * width + EventAddress.x(address)] >>> 31;
     }
-    return kept;
+    return passed;
   }
 
   private void addCandidate(int pixel) {
@@ -243,7 +243,7 @@ public final class HotPixels {
   /** Releases pixels that have been calm for long enough; the hot ones are in candidates. */
   private void releaseCalm(int hot) {
     Arrays.sort(candidates, 0, hot);
-    int kept = 0;
+    int passed = 0;
     for (int i = 0; i < blockedCount; i++) {
       int pixel = blocked[i];
       boolean calm = Arrays.binarySearch(candidates, 0, hot, pixel) < 0;
@@ -251,11 +251,11 @@ public final class HotPixels {
       if (periods >= settings.calmPeriods()) {
         cells[pixel] &= ~BLOCKED;
       } else {
-        blocked[kept] = pixel;
-        calmPeriods[kept++] = periods;
+        blocked[passed] = pixel;
+        calmPeriods[passed++] = periods;
       }
     }
-    blockedCount = kept;
+    blockedCount = passed;
   }
 
   private void blockBusiest(int hot) {

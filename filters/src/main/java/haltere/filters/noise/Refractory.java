@@ -66,7 +66,7 @@ public final class Refractory {
   public void filter(EventPacket packet) {
     long periodUs = settings.periodUs();
     int always = settings.silence() == RefractorySettings.Silence.SINCE_LAST_SEEN ? 1 : 0;
-    int kept = 0;
+    int passed = 0;
     for (int i = 0; i < packet.size(); i++) {
       int address = packet.address(i);
       int pixel = EventAddress.y(address) * width + EventAddress.x(address);
@@ -77,9 +77,9 @@ public final class Refractory {
       // the event's own time if it counts, else the previous time
       lastUs[pixel] = before + (silenceUs & -(long) (passes | always));
       // moved in any case: the next event overwrites it unless it passes
-      packet.move(i, kept);
-      kept += passes;
+      packet.move(i, passed);
+      passed += passes;
     }
-    packet.truncate(kept);
+    packet.truncate(passed);
   }
 }

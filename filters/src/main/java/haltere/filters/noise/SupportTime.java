@@ -11,9 +11,9 @@ import java.util.Arrays;
  * within T with probability P(T) = 1 − Σ (i &lt; k) C(n, i) qⁱ (1 − q)ⁿ⁻ⁱ, q = 1 − exp(−λT): the
  * share of noise that passes. For k = 1 it is 1 − exp(−8λT), by the superposition of Poisson
  * processes (Kingman, "Poisson Processes", 1993, section 2.2). T is at least the time at which
- * {@value #USUAL_PASSED} of the noise passes and at most that at which {@value #MAX_PASSED} does.
- * For k = 1 it is the shortest time between the two that supports {@value #KEPT} of the objects'
- * events supported by the longest; for other k it is the shortest.
+ * {@value #DEFAULT_PASSED} of the noise passes and at most that at which {@value #MAX_PASSED} does.
+ * For k = 1 it is the shortest time between the two that supports {@value #PASSED_SHARE} of the
+ * objects' events supported by the longest; for other k it is the shortest.
  *
  * <p>The rate λ is that of the quietest cells of the picture in windows of 100 ms: the mean of the
  * Poisson distribution that has the measured share of counts up to their lower decile. Objects and
@@ -35,13 +35,13 @@ final class SupportTime {
   private static final long FIRST_WINDOWS = MAX_US / WINDOW_US;
 
   /** Share of the noise that passes unless objects need more. */
-  static final double USUAL_PASSED = 0.05;
+  static final double DEFAULT_PASSED = 0.05;
 
   /** Largest share of the noise that passes, for objects with low event rates. */
   static final double MAX_PASSED = 0.3;
 
-  /** Share of the objects' events with support that are kept. */
-  static final double KEPT = 0.99;
+  /** Share of the objects' events with support that pass. */
+  static final double PASSED_SHARE = 0.99;
 
   /** Time constant of the memory: noise changes with light and temperature, in minutes. */
   private static final double MEMORY_S = 4;
@@ -187,17 +187,17 @@ final class SupportTime {
   /** Mean count of a cell in a window by noise alone. */
   private double noisePerWindow() {
     double total = Arrays.stream(counts).sum();
-    int most = 0;
+    int quietCount = 0;
     double share = counts[0] / total;
     while (share < QUIET_SHARE) {
-      share += counts[++most] / total;
+      share += counts[++quietCount] / total;
     }
     // the share falls as the mean rises
     double low = 0;
-    double high = most + CLIP_SD * CLIP_SD + CLIP_SD * Math.sqrt(most + 1.0);
+    double high = quietCount + CLIP_SD * CLIP_SD + CLIP_SD * Math.sqrt(quietCount + 1.0);
     for (int step = 0; step < 40; step++) {
       double middle = (low + high) / 2;
-      if (poisson(most, middle) > share) {
+      if (poisson(quietCount, middle) > share) {
         low = middle;
       } else {
         high = middle;
@@ -220,7 +220,7 @@ final class SupportTime {
   private void choose(double noiseHz, int neighbours, int polarities) {
     double supportHz = noiseHz / polarities;
     int shortest = FIRST_BIN;
-    while (shortest < LAST_BIN && passed(shortest + 1, supportHz, neighbours) <= USUAL_PASSED) {
+    while (shortest < LAST_BIN && passed(shortest + 1, supportHz, neighbours) <= DEFAULT_PASSED) {
       shortest++;
     }
     int longest = shortest;
@@ -237,10 +237,11 @@ final class SupportTime {
       return longest;
     }
     double random = (events - upTo(longest)) / (1 - passed(longest, supportHz, 1));
-    double most = supported(longest, random, supportHz);
+    double quietCount = supported(longest, random, supportHz);
     int chosen = shortest;
-    if (most > CLIP_SD * Math.sqrt(events)) {
-      while (chosen < longest && isLess(chosen, longest, KEPT * most, random, supportHz)) {
+    if (quietCount > CLIP_SD * Math.sqrt(events)) {
+      while (chosen < longest
+          && isLess(chosen, longest, PASSED_SHARE * quietCount, random, supportHz)) {
         chosen++;
       }
     }

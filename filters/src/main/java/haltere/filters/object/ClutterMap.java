@@ -201,13 +201,15 @@ final class ClutterMap {
     cellFactor = level / (ticks + 1 / (CELL_PIXELS * perTick)) * BIRTH_S / ObjectTracker.TICK_S;
   }
 
-  /** Means over the cells, each at most so much; at once, for each sum waits for its last term. */
-  private void winsorisedMeans(float mostUsual, float mostPresent) {
+  /**
+   * Means over cells with an upper limit each; both at once, as each sum waits for its last term.
+   */
+  private void winsorisedMeans(float maxUsual, float maxPresent) {
     double first = 0;
     double second = 0;
     for (int i = 0; i < excess.length; i++) {
-      first += background[i] < mostUsual ? background[i] : mostUsual;
-      second += excess[i] < mostPresent ? excess[i] : mostPresent;
+      first += background[i] < maxUsual ? background[i] : maxUsual;
+      second += excess[i] < maxPresent ? excess[i] : maxPresent;
     }
     usual = first / excess.length;
     present = second / excess.length;

@@ -41,7 +41,7 @@ final class Component {
   private final double[] row = new double[4];
   private double walkedX;
   private double walkedY;
-  private double grown;
+  private double logGrowth;
   private int age;
   TrackedObject object;
   long activeUs;
@@ -83,7 +83,7 @@ final class Component {
   /** Clears everything; the caller sets state, shape and rate. */
   void begin(long nowUs, MotionModel model) {
     motion = model;
-    grown = 0;
+    logGrowth = 0;
     presence.begin();
     regions.clear();
     walkedX = 0;
@@ -191,7 +191,7 @@ final class Component {
     walkedY += y() - beforeY;
     pathX[age % PATH] = walkedX;
     pathY[age % PATH] = walkedY;
-    pathGrowth[age % PATH] = grown;
+    pathGrowth[age % PATH] = logGrowth;
     age++;
     if (age < REFRESH_TICKS * REFRESH_TICKS || (age + slot) % REFRESH_TICKS == 0) {
       refresh();
@@ -220,7 +220,7 @@ final class Component {
     if (growth != 1) {
       shape.grow(growth);
       rate *= growth * growth;
-      grown += Math.log(growth);
+      logGrowth += Math.log(growth);
     }
     if (!isMoving() && !motion.coasts()) {
       // mean and variance of a mixture of its velocity and of rest

@@ -124,18 +124,19 @@ final class EventAssociation {
         continue;
       }
       Component component = nearby[k];
-      double mine = component.active * intensity[k];
-      component.addLikelihood(intensity[k] / (sum - mine));
-      double share = mine / sum;
+      double own = component.active * intensity[k];
+      component.addLikelihood(intensity[k] / (sum - own));
+      double share = own / sum;
       int at = cells[k];
       ShapeTemplate shape = component.shape;
       if (!component.object.isDecided()) {
         // no event decides alone
         double ratio = intensity[k] / repeat;
-        double most = ObjectRelations.DECISIVE_NAT;
-        double least = ObjectRelations.ERROR;
+        double maxNat = ObjectRelations.DECISIVE_NAT;
+        double minRatio = ObjectRelations.ERROR;
         component.novelty +=
-            share * (ratio <= least ? -most : ratio >= 1 / least ? most : Math.log(ratio));
+            share
+                * (ratio <= minRatio ? -maxNat : ratio >= 1 / minRatio ? maxNat : Math.log(ratio));
       }
       component.weight += share;
       component.gradientX -= share * shape.gradientX[at];

@@ -149,8 +149,8 @@ final class ObjectRelations {
    * as far as that of others in the picture is larger, between both.
    */
   private double sizeOf(Component a, Component b) {
-    double theirs = Math.sqrt(a.shape.size() * b.shape.size());
-    return scalePx > 0 ? scalePx : Math.max(theirs, Math.sqrt(theirs * usualSize));
+    double meanSize = Math.sqrt(a.shape.size() * b.shape.size());
+    return scalePx > 0 ? scalePx : Math.max(meanSize, Math.sqrt(meanSize * usualSize));
   }
 
   static double outside(double distance, double reach) {

@@ -199,7 +199,7 @@ final class ObjectTracker {
       joinObjects();
       fuseComponents();
     }
-    live(nowUs);
+    updateLifetimes(nowUs);
     grid.next();
   }
 
@@ -248,7 +248,7 @@ final class ObjectTracker {
       objects.add(new TrackedObject(component, nowUs));
       components.add(component);
     } else {
-      takeUp(returned, component, nowUs);
+      resume(returned, component, nowUs);
     }
   }
 
@@ -260,7 +260,7 @@ final class ObjectTracker {
    */
   private TrackedObject returned(Component component, long nowUs) {
     TrackedObject best = null;
-    double most = 0;
+    double max = 0;
     double area = geometry.width() * (double) geometry.height();
     double bornHz = (decided + 1) / ((nowUs - startUs) * 1e-6 + PRIOR_S);
     for (TrackedObject object : objects) {
@@ -285,8 +285,8 @@ final class ObjectTracker {
               + Math.log(area / (2 * Math.PI * sd * sd + size * size))
               - (dx * dx + dy * dy) / (2 * sd * sd)
               - (motion.coasts() ? object.unlike(component) : 0);
-      if (log > most) {
-        most = log;
+      if (log > max) {
+        max = log;
         // near a moving object the component is compared with that one
         best = isMoving ? null : object;
       }
@@ -295,16 +295,16 @@ final class ObjectTracker {
   }
 
   /** Continues an object, moved so that the observed component lies within it. */
-  private void takeUp(TrackedObject object, Component seen, long nowUs) {
+  private void resume(TrackedObject object, Component seen, long nowUs) {
     object.shift(
-        into(seen.middleX() - object.middleX(), object.halfX() - seen.shape.halfX),
-        into(seen.middleY() - object.middleY(), object.halfY() - seen.shape.halfY));
+        clamp(seen.middleX() - object.middleX(), object.halfX() - seen.shape.halfX),
+        clamp(seen.middleY() - object.middleY(), object.halfY() - seen.shape.halfY));
     Component nearest = null;
-    double least = ShapeTemplate.MIN_CELL_PX * 2;
+    double min = ShapeTemplate.MIN_CELL_PX * 2;
     for (Component component : object.components) {
       double d = component.boxDistance(seen);
-      if (d < least) {
-        least = d;
+      if (d < min) {
+        min = d;
         nearest = component;
       }
       if (object.isLost) {
@@ -330,18 +330,18 @@ final class ObjectTracker {
   }
 
   /** Displacement of an interval until it contains a position. */
-  private static double into(double distance, double reach) {
+  private static double clamp(double distance, double reach) {
     return Math.signum(distance) * ObjectRelations.outside(distance, Math.max(0, reach));
   }
 
-  // one or two
+  // splits and joins
 
   private void splitComponents() {
     int count = components.size();
     for (int i = 0; i < count && !isFull(); i++) {
       Component component = components.get(i);
       if (component.isMoving() && component.weight > 0) {
-        RegionFinder.Region region = component.regions.findApart(component.shape);
+        RegionFinder.ShapeRegion region = component.regions.findApart(component.shape);
         if (region != null) {
           split(component, region);
         }
@@ -349,7 +349,7 @@ final class ObjectTracker {
     }
   }
 
-  private void split(Component from, RegionFinder.Region region) {
+  private void split(Component from, RegionFinder.ShapeRegion region) {
     Component to = newComponent(from, from.activeUs);
     to.state.set(from.state);
     to.shape.clear(from.shape.cellPx);
@@ -388,11 +388,11 @@ final class ObjectTracker {
         TrackedObject b = objects.get(j);
         if (relations.areOne(a, b)) {
           boolean isFirst = a.isDecided() && (!b.isDecided() || a.id < b.id) || !b.isDecided();
-          TrackedObject into = isFirst ? a : b;
-          into.absorb(isFirst ? b : a);
+          TrackedObject clamp = isFirst ? a : b;
+          clamp.absorb(isFirst ? b : a);
           objects.remove(j);
-          objects.set(i, into);
-          a = into;
+          objects.set(i, clamp);
+          a = clamp;
         }
       }
     }
@@ -408,10 +408,10 @@ final class ObjectTracker {
           Component b = parts.get(j);
           if (relations.areFused(a, b)) {
             boolean isFirst = a.rate * a.age() >= b.rate * b.age();
-            Component into = isFirst ? a : b;
+            Component clamp = isFirst ? a : b;
             Component from = isFirst ? b : a;
-            into.absorb(from);
-            parts.set(i, into);
+            clamp.absorb(from);
+            parts.set(i, clamp);
             parts.remove(j);
             end(from);
           }
@@ -425,15 +425,15 @@ final class ObjectTracker {
     free.push(component);
   }
 
-  // life
+  // lifetimes
 
-  private void live(long nowUs) {
+  private void updateLifetimes(long nowUs) {
     for (int i = objects.size() - 1; i >= 0; i--) {
       TrackedObject object = objects.get(i);
       double silentS = (nowUs - object.activeUs) * 1e-6;
       if (object.isMoving() && !object.isLost) {
         object.activeUs = nowUs;
-        goAlong(object, nowUs);
+        coastComponents(object, nowUs);
       } else if (!object.isDecided()
           || object.isLost && silentS > settings.rememberS()
           || motion.coasts() && object.components.stream().allMatch(c -> inside(c) == 0)) {
@@ -464,7 +464,7 @@ final class ObjectTracker {
   }
 
   /** Moves components without events with the others, and ends them after a while. */
-  private void goAlong(TrackedObject object, long nowUs) {
+  private void coastComponents(TrackedObject object, long nowUs) {
     double vx = object.vx();
     double vy = object.vy();
     object.speed = Math.hypot(vx, vy);

@@ -46,8 +46,8 @@ public record ObjectTrackerSettings(
   }
 
   /**
-   * {@return the settings to start from: each object's own scale, reported after 0.3 s, remembered
-   * for 5 s, 100 reports a second}
+   * {@return the default settings: each object's own scale, reported after 0.3 s, remembered for 5
+   * s, 100 reports a second}
    */
   public static ObjectTrackerSettings defaults() {
     return new ObjectTrackerSettings(0, 0.3, 5, 100, 1);

@@ -20,7 +20,7 @@ final class RegionFinder {
   static final int CHECK_TICKS = 5;
 
   /** A connected region; pixels from the middle of the template. */
-  static final class Region {
+  static final class ShapeRegion {
     private double mass;
     private double x;
     private double y;
@@ -39,36 +39,36 @@ final class RegionFinder {
 
   private final int[] label = new int[ShapeTemplate.CELLS];
   private final int[] stack = new int[ShapeTemplate.CELLS];
-  private Region spare = new Region();
-  private List<Region> regions = List.of();
+  private ShapeRegion spare = new ShapeRegion();
+  private List<ShapeRegion> regions = List.of();
 
   void clear() {
     regions = List.of();
   }
 
   void shift(double dx, double dy) {
-    for (Region region : regions) {
+    for (ShapeRegion region : regions) {
       region.x -= dx;
       region.y -= dy;
     }
   }
 
   /** Checks a template; returns a region that has stayed separate from the largest, or null. */
-  Region findApart(ShapeTemplate shape) {
-    List<Region> found = find(shape);
+  ShapeRegion findApart(ShapeTemplate shape) {
+    List<ShapeRegion> found = find(shape);
     if (found.size() < 2) {
       regions = List.of();
       return null;
     }
-    for (Region now : found) {
-      Region before = nearest(now);
+    for (ShapeRegion now : found) {
+      ShapeRegion before = nearest(now);
       if (before != null) {
         now.checks = before.checks + 1;
       }
     }
     regions = found;
-    Region largest = Collections.max(found, Comparator.comparingDouble(region -> region.mass));
-    for (Region region : found) {
+    ShapeRegion largest = Collections.max(found, Comparator.comparingDouble(region -> region.mass));
+    for (ShapeRegion region : found) {
       if (region != largest && region.checks >= CHECKS && largest.checks >= CHECKS) {
         return region;
       }
@@ -77,13 +77,13 @@ final class RegionFinder {
   }
 
   /** The earlier region that this one continues, by position; each at most once. */
-  private Region nearest(Region now) {
-    Region best = null;
-    double least = 2 * Math.max(now.halfX, now.halfY);
-    for (Region region : regions) {
+  private ShapeRegion nearest(ShapeRegion now) {
+    ShapeRegion best = null;
+    double min = 2 * Math.max(now.halfX, now.halfY);
+    for (ShapeRegion region : regions) {
       double d = Math.hypot(region.x - now.x, region.y - now.y);
-      if (region.label != 0 && d < least) {
-        least = d;
+      if (region.label != 0 && d < min) {
+        min = d;
         best = region;
       }
     }
@@ -94,23 +94,23 @@ final class RegionFinder {
   }
 
   /** Connected regions with at least a share of the events. */
-  private List<Region> find(ShapeTemplate shape) {
+  private List<ShapeRegion> find(ShapeTemplate shape) {
     Arrays.fill(label, 0);
-    List<Region> found = new ArrayList<>(2);
+    List<ShapeRegion> found = new ArrayList<>(2);
     int labels = 0;
     for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
       if (shape.isCore(cell) && label[cell] == 0) {
         fill(shape, cell, ++labels, spare);
         if (spare.mass > MIN_SHARE * shape.solidTotal) {
           found.add(spare);
-          spare = new Region();
+          spare = new ShapeRegion();
         }
       }
     }
     return found;
   }
 
-  private void fill(ShapeTemplate shape, int start, int number, Region region) {
+  private void fill(ShapeTemplate shape, int start, int number, ShapeRegion region) {
     int side = ShapeTemplate.SIDE;
     region.label = number;
     region.mass = 0;
@@ -154,7 +154,7 @@ final class RegionFinder {
   }
 
   /** Moves the cells nearest to a region from one template to another. */
-  void move(Region leaving, ShapeTemplate from, ShapeTemplate to) {
+  void move(ShapeRegion leaving, ShapeTemplate from, ShapeTemplate to) {
     from.settle();
     for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
       if (from.mass[cell] > 0 && owner(cell, from) == leaving) {
@@ -165,17 +165,17 @@ final class RegionFinder {
     regions = List.of();
   }
 
-  private Region owner(int cell, ShapeTemplate shape) {
-    Region best = null;
-    double least = Double.POSITIVE_INFINITY;
-    for (Region region : regions) {
+  private ShapeRegion owner(int cell, ShapeTemplate shape) {
+    ShapeRegion best = null;
+    double min = Double.POSITIVE_INFINITY;
+    for (ShapeRegion region : regions) {
       double d =
           label[cell] == region.label
               ? -1
               : region.distance(
                   ShapeTemplate.X[cell] * shape.cellPx, ShapeTemplate.Y[cell] * shape.cellPx);
-      if (d < least) {
-        least = d;
+      if (d < min) {
+        min = d;
         best = region;
       }
     }

@@ -184,9 +184,9 @@ final class ShapeTemplate {
     float sum = sum(smooth);
     float scale = sum > 0 ? 1 / sum : 0;
     float own = (float) (1 - GROWTH) * scale;
-    float grown = (float) GROWTH * scale;
+    float blurred = (float) GROWTH * scale;
     for (int i = 0; i < CELLS; i++) {
-      density[i] = own * smooth[i] + grown * wide[i] + FLOOR;
+      density[i] = own * smooth[i] + blurred * wide[i] + FLOOR;
     }
     differentiate(gradientX, 1);
     differentiate(gradientY, SIDE);

@@ -165,8 +165,8 @@ public final class BodyOrientationEstimator {
       taken = note(count);
       coupleToFlight(dtS);
       hasAxis = axis.isSound() && (axis.axis().variance() <= LOST_VARIANCE || taken > 0);
-      if (hasAxis && axis.doubts(lines, count) && finds(timeUs) && axis.offer(search)) {
-        head.doubt();
+      if (hasAxis && axis.needsSearch(lines, count) && finds(timeUs) && axis.offer(search)) {
+        head.clearDisplacement();
         count(OrientationCount.RELAUNCHED, 1);
       }
     }
@@ -208,7 +208,7 @@ public final class BodyOrientationEstimator {
       return false;
     }
     if (hadAxis && isAgainst(search.axis())) {
-      search.turnRound();
+      search.reverse();
     }
     return true;
   }
@@ -223,7 +223,7 @@ public final class BodyOrientationEstimator {
   /** Initialises the axis with the lines of this time. */
   private void start(int count) {
     if (hadAxis) {
-      head.doubt();
+      head.clearDisplacement();
       count(OrientationCount.RELAUNCHED, 1);
     }
     axis.launch(search);
@@ -242,7 +242,7 @@ public final class BodyOrientationEstimator {
       if (each.used) {
         taken++;
         nisSum += each.nis;
-        noise.learn(each);
+        noise.update(each);
       }
     }
     nisCount += taken;
@@ -256,7 +256,7 @@ public final class BodyOrientationEstimator {
     double[] u = now.u();
     boolean isClear = now.variance() <= CLEAR_VARIANCE;
     if (hadAxis && isClear && wasClear && Vectors.dot(u, uBefore) < 0) {
-      head.turnRound(); // no body turns that fast
+      head.reverse(); // no body turns that fast
     }
     wasClear = isClear;
     uBefore = u;

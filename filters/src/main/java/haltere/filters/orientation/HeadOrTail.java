@@ -20,13 +20,13 @@ final class HeadOrTail {
   }
 
   /** Clears the displacement after a re-initialisation of the axis; the decision stays. */
-  void doubt() {
+  void clearDisplacement() {
     wayM = 0;
     sigmas = 0;
   }
 
   /** Keeps the head when the axis is reversed. */
-  void turnRound() {
+  void reverse() {
     wayM = -wayM;
     sigmas = -sigmas;
     flipped = !flipped;

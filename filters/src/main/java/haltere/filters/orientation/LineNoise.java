@@ -28,7 +28,7 @@ final class LineNoise {
   }
 
   /** Updates with the estimate of the variance by one line. */
-  void learn(LineMeasurement each) {
+  void update(LineMeasurement each) {
     double now = each.ownRad2;
     if (settings.calibrate() && Double.isFinite(now)) {
       double variance = variances[each.camera];

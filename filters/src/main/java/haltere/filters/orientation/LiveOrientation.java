@@ -105,15 +105,15 @@ public final class LiveOrientation {
     for (long each : reachedUs) {
       slowest = Math.min(slowest, each);
     }
-    goOn(Math.max(slowest, newestUs - waitUs));
+    advance(Math.max(slowest, newestUs - waitUs));
   }
 
   /** Processes waiting lines at the end of a stream. */
   public synchronized void finish() {
-    goOn(Long.MAX_VALUE);
+    advance(Long.MAX_VALUE);
   }
 
-  private void goOn(long completeUs) {
+  private void advance(long completeUs) {
     while (!pending.isEmpty() && pending.firstKey() <= completeUs) {
       Map.Entry<Long, List<LineObservation>> first = pending.pollFirstEntry();
       doneUs = first.getKey();

@@ -40,8 +40,8 @@ public record OrientationSettings(
   }
 
   /**
-   * {@return the settings to start from: the error-state filter for an insect that turns in
-   * saccades, in metres, with the gate of 40 degrees of Straw et al. (2011)}
+   * {@return the default settings: the error-state filter for an insect that turns in saccades, in
+   * metres, with the gate of 40 degrees of Straw et al. (2011)}
    */
   public static OrientationSettings defaults() {
     return new OrientationSettings(

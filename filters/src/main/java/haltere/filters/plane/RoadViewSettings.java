@@ -40,8 +40,8 @@ public record RoadViewSettings(
   }
 
   /**
-   * {@return the settings to start from, those of Cardinale (2006): 5 m high, 2 m to 300 m, no
-   * vanishing point marked}
+   * {@return the default settings, those of Cardinale (2006): 5 m high, 2 m to 300 m, no vanishing
+   * point marked}
    */
   public static RoadViewSettings defaults() {
     return new RoadViewSettings(5, 2, 300, VanishingPoint.defaults());

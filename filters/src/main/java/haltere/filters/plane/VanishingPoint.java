@@ -23,8 +23,8 @@ public record VanishingPoint(
   }
 
   /**
-   * {@return the settings to start from: no mark; its values are the middle of the top row of 128 x
-   * 128 pixels}
+   * {@return the default settings: no mark; its values are the middle of the top row of 128 x 128
+   * pixels}
    */
   public static VanishingPoint defaults() {
     return new VanishingPoint(false, 63.5, 127);

@@ -24,7 +24,7 @@ public record CountingLineSettings(
     SettingsSchema.validate(CountingLineSettings.class, lines, firstM, apartM);
   }
 
-  /** {@return the settings to start from: no lines; each 20 m once there are some} */
+  /** {@return the default settings: no lines; each 20 m once there are some} */
   public static CountingLineSettings defaults() {
     return new CountingLineSettings(0, 20, 20);
   }

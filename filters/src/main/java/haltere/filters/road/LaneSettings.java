@@ -25,8 +25,8 @@ public record LaneSettings(
   }
 
   /**
-   * {@return the settings to start from: no lanes; with a number of 4, two of 3.5 m on either side
-   * of the vanishing point}
+   * {@return the default settings: no lanes; with a number of 4, two of 3.5 m on either side of the
+   * vanishing point}
    */
   public static LaneSettings defaults() {
     return new LaneSettings(0, -7, 3.5);

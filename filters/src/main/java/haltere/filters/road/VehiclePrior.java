@@ -65,7 +65,7 @@ public record VehiclePrior(
         lowEdgeM);
   }
 
-  /** {@return the settings to start from: those of a road for all vehicles} */
+  /** {@return the default settings: those of a road for all vehicles} */
   public static VehiclePrior defaults() {
     return new VehiclePrior(25, 0.5, 8, 0.5, 2.8, 5.8, 1.6, 0.1);
   }

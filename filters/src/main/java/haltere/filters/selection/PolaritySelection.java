@@ -51,12 +51,12 @@ public final class PolaritySelection {
       return;
     }
     int other = settings.keep() == PolaritySettings.Keep.ON ? 0 : 1;
-    int kept = 0;
+    int passed = 0;
     for (int i = 0; i < packet.size(); i++) {
       int onBit = packet.address(i) & EventAddress.ON_BIT;
-      packet.move(i, kept);
-      kept += onBit ^ other;
+      packet.move(i, passed);
+      passed += onBit ^ other;
     }
-    packet.truncate(kept);
+    packet.truncate(passed);
   }
 }

@@ -52,16 +52,16 @@ public final class Region {
     int right = left + settings.widthPx();
     int top = bottom + settings.heightPx();
     int inside = settings.keep() == RegionSettings.Keep.INSIDE ? 1 : 0;
-    int kept = 0;
+    int passed = 0;
     for (int i = 0; i < packet.size(); i++) {
       int address = packet.address(i);
       int x = EventAddress.x(address);
       int y = EventAddress.y(address);
-      packet.move(i, kept);
+      packet.move(i, passed);
       // None of the four differences is negative inside: their ORed sign bit is 1 outside.
       int outside = (x - left | right - 1 - x | y - bottom | top - 1 - y) >>> 31;
-      kept += outside ^ inside;
+      passed += outside ^ inside;
     }
-    packet.truncate(kept);
+    packet.truncate(passed);
   }
 }

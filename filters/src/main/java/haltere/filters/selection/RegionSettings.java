@@ -12,25 +12,25 @@ import haltere.core.settings.Unit;
  */
 public record RegionSettings(
     @Help("First column of the rectangle, 0 at the left.")
-        @Range(min = 0, max = RegionSettings.LARGEST_PX)
+        @Range(min = 0, max = RegionSettings.MAX_PX)
         @Unit("px")
         int leftPx,
     @Help("First row of the rectangle, 0 at the bottom.")
-        @Range(min = 0, max = RegionSettings.LARGEST_PX)
+        @Range(min = 0, max = RegionSettings.MAX_PX)
         @Unit("px")
         int bottomPx,
     @Help("Number of columns; columns outside of the sensor are ignored.")
-        @Range(min = 0, max = RegionSettings.LARGEST_PX)
+        @Range(min = 0, max = RegionSettings.MAX_PX)
         @Unit("px")
         int widthPx,
     @Help("Number of rows; rows outside of the sensor are ignored.")
-        @Range(min = 0, max = RegionSettings.LARGEST_PX)
+        @Range(min = 0, max = RegionSettings.MAX_PX)
         @Unit("px")
         int heightPx,
     @Help(value = "Events inside or outside of the rectangle pass.", label = "Passing events")
         Keep keep) {
   /** Largest size, above that of any sensor. */
-  static final int LARGEST_PX = 32_768;
+  static final int MAX_PX = 32_768;
 
   /** Which events pass. */
   public enum Keep {
@@ -51,6 +51,6 @@ public record RegionSettings(
    * @return the inside of a rectangle that contains any sensor
    */
   public static RegionSettings defaults() {
-    return new RegionSettings(0, 0, LARGEST_PX, LARGEST_PX, Keep.INSIDE);
+    return new RegionSettings(0, 0, MAX_PX, MAX_PX, Keep.INSIDE);
   }
 }

@@ -40,7 +40,7 @@ final class KalmanTracks {
   private double gate;
   private int maxTracks;
   private int lastId;
-  private long nextLookUs = Long.MIN_VALUE;
+  private long nextUpdateUs = Long.MIN_VALUE;
   private long countedEvents;
   private boolean showing;
   private BooleanSupplier wantsUpdates = () -> false;
@@ -62,10 +62,10 @@ final class KalmanTracks {
   private final class Below implements ClusterListener {
     @Override
     public void updated(long timeUs) {
-      if (timeUs >= nextLookUs) {
+      if (timeUs >= nextUpdateUs) {
         look(timeUs);
         long intervalUs = settings.life().trackIntervalUs();
-        nextLookUs = (Math.floorDiv(timeUs, intervalUs) + 1) * intervalUs;
+        nextUpdateUs = (Math.floorDiv(timeUs, intervalUs) + 1) * intervalUs;
       }
     }
 
@@ -93,7 +93,7 @@ final class KalmanTracks {
   public void reset() {
     clusters.reset();
     tracks.clear();
-    nextLookUs = Long.MIN_VALUE;
+    nextUpdateUs = Long.MIN_VALUE;
     countedEvents = clusters.eventCount();
     showing = false;
   }
@@ -234,7 +234,7 @@ final class KalmanTracks {
   }
 
   private void update(Track track, long timeUs) {
-    track.youth *= 1 - settings.filter().varianceMixingFactor();
+    track.initialShare *= 1 - settings.filter().varianceMixingFactor();
     if (!mapping.seesPlane(track.cluster.xPx(), track.cluster.yPx())
         || !prediction.predict(track, timeUs)) {
       return;

@@ -26,7 +26,7 @@ public record KalmanTracksSettings(
     SettingsSchema.validate(KalmanTracksSettings.class, clusters, filter, life, road);
   }
 
-  /** {@return the settings to start from: those of each part} */
+  /** {@return the default settings: those of each part} */
   public static KalmanTracksSettings defaults() {
     return new KalmanTracksSettings(
         ClusterTrackerSettings.defaults(),

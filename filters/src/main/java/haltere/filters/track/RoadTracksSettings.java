@@ -23,7 +23,7 @@ public record RoadTracksSettings(
     SettingsSchema.validate(RoadTracksSettings.class, mapToRoad, view, processVariance);
   }
 
-  /** {@return the settings to start from: not on a road; there, a density of 10 m²/s³} */
+  /** {@return the default settings: not on a road; there, a density of 10 m²/s³} */
   public static RoadTracksSettings defaults() {
     return new RoadTracksSettings(false, RoadViewSettings.defaults(), 10);
   }

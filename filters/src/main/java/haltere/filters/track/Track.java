@@ -15,7 +15,7 @@ final class Track {
   long timeUs;
 
   /** Share of the initial dynamic variances: 1 at the start, decreasing at each update. */
-  double youth = 1;
+  double initialShare = 1;
 
   /** Identity of the cluster that it follows. */
   int clusterId;

@@ -54,8 +54,8 @@ public record TrackFilterSettings(
   }
 
   /**
-   * {@return the settings to start from: constant variances: a density of 20,000 px²/s³, 1 px², 300
-   * px/s at launch}
+   * {@return the default settings: constant variances: a density of 20,000 px²/s³, 1 px², 300 px/s
+   * at launch}
    */
   public static TrackFilterSettings defaults() {
     return new TrackFilterSettings(Noise.DENSITY, 20_000, 1, false, 0.01, 300);

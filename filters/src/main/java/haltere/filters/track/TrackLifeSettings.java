@@ -51,8 +51,8 @@ public record TrackLifeSettings(
   }
 
   /**
-   * {@return the settings to start from: updates each 10 ms from 10 events on, no feedback, half a
-   * second of coasting, 4 sigma}
+   * {@return the default settings: updates each 10 ms from 10 events on, no feedback, half a second
+   * of coasting, 4 sigma}
    */
   public static TrackLifeSettings defaults() {
     return new TrackLifeSettings(10_000, 10, EventCount.EACH_CLUSTER, false, 0.5, 4);

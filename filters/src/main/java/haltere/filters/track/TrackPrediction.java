@@ -55,11 +55,12 @@ final class TrackPrediction {
   private double measurementVariance(Track of) {
     double end = settings.maxMeasurementVariance();
     double start = Math.min(START_MEASUREMENT_VARIANCE, end);
-    return settings.dynamicVariances() ? end + of.youth * (start - end) : end;
+    return settings.dynamicVariances() ? end + of.initialShare * (start - end) : end;
   }
 
   private double processVariance(Track of) {
-    double factor = settings.dynamicVariances() ? 1 + of.youth * (START_PROCESS_FACTOR - 1) : 1;
+    double factor =
+        settings.dynamicVariances() ? 1 + of.initialShare * (START_PROCESS_FACTOR - 1) : 1;
     return factor * endProcessVariance;
   }
 

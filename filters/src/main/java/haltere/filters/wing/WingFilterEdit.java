@@ -11,7 +11,7 @@ package haltere.filters.wing;
  *     settings or to the estimator that adapts it; 0 for the measurement noise adapts it
  */
 public record WingFilterEdit(WingPart part, Table table, int row, int column, double value) {
-  /** What can be changed. */
+  /** Editable quantities. */
   public enum Table {
     /** The state x, one column. */
     STATE,

@@ -1,6 +1,6 @@
 package haltere.filters.wing;
 
-/** What a Kalman filter models. */
+/** Models of the Kalman filter. */
 public enum WingModel {
   /** A filter for each wing, over both its edges. */
   WINGS,

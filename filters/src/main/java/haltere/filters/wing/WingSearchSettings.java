@@ -4,7 +4,7 @@ import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.Unit;
 
-/** How the fly is searched for. */
+/** Settings of the search for the fly. */
 public record WingSearchSettings(
     @Help(value = "The fly is searched in the events of this duration.", label = "Search window")
         @Range(min = 25_000, max = 100_000)

@@ -30,7 +30,7 @@ public record WingTrackerSettings(
         WingTrackerSettings.class, search, position, filter, noise, average, output);
   }
 
-  /** {@return the settings to start from} */
+  /** {@return the default settings} */
   public static WingTrackerSettings defaults() {
     return new WingTrackerSettings(
         new WingSearchSettings(35_000, 400, 70, 400, 0),

@@ -55,7 +55,7 @@ class ClusterMergingTest {
   }
 
   @Test
-  void clustersThatOverlapMergeIntoTheHeavierOne() {
+  void overlappingClustersMergeIntoTheHeavierOne() {
     ClusterRun run = new ClusterRun().take(meeting());
     assertEquals(2, run.at(100_000).size(), "two at first");
     List<ClusterTrack> end = run.at(1_990_000);
@@ -66,14 +66,14 @@ class ClusterMergingTest {
   }
 
   @Test
-  void withoutMergingTheyStayTwo() {
+  void overlappingClustersStayTwoWithoutMerging() {
     assertEquals(2, new ClusterRun("merging.allowed=false").take(meeting()).at(1_990_000).size());
     assertEquals(1, new ClusterRun("merging.overlap=1").take(meeting()).at(1_400_000).size());
     assertEquals(2, new ClusterRun("merging.overlap=0.3").take(meeting()).at(1_400_000).size());
   }
 
   @Test
-  void clustersThatMoveDifferentlyPassEachOtherWithoutMerging() {
+  void clustersWithDifferentDirectionsPassWithoutMerging() {
     ClusterRun different = new ClusterRun("shape.size=0.04").take(crossing());
     assertEquals(Set.of(1, 2), different.identities());
     assertEquals(2, different.at(600_000).size(), "at the same place");
@@ -96,7 +96,7 @@ class ClusterMergingTest {
   }
 
   @Test
-  void aMergerKeepsTheVelocity() {
+  void mergedClusterKeepsTheVelocity() {
     // Cardinale's tracker began again with no velocity.
     SplittableRandom random = new SplittableRandom(21);
     EventPacket events = new EventPacket(0);

@@ -24,7 +24,7 @@ class ClusterPictureTest {
   private static final long EVENTS_OF_US = 25_000;
 
   @Test
-  void thePictureShowsAClusterForEachDisc() throws IOException {
+  void pictureShowsAClusterForEachDisc() throws IOException {
     TrackingScene scene = TrackingScene.of(1021);
     EventPacket events = new EventPacket(0);
     events.append(scene.events(), 0, scene.events().indexAtOrAfter(SHOWN_US));

@@ -85,7 +85,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void aMovingBlobIsOneClusterWithItsPositionAndVelocity() {
+  void movingBlobIsOneClusterWithItsPositionAndVelocity() {
     run(EventPackets.blob(SENSOR, 1, 3 * SECOND_US, CIRCLE, 50_000, 0));
     assertEquals(Set.of(1), identities());
     assertEquals(0, tracks.get(0).timeUs() % 10_000);
@@ -128,7 +128,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void aClusterWithoutEventsDiesAfterItsLifetimeAndIsReportedAsGoneOnce() {
+  void clusterWithoutEventsExpiresAndIsReportedOnce() {
     EventPacket blob = EventPackets.blob(SENSOR, 8, 200_000, CIRCLE, 50_000, 0);
     blob.append(5 * SECOND_US, 0, 0, true);
     run(blob);
@@ -142,7 +142,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void identitiesAreNotGivenOutTwiceNotEvenAfterAReset() {
+  void identitiesAreNeverReusedEvenAfterAReset() {
     EventPacket blob = EventPackets.blob(SENSOR, 9, 200_000, CIRCLE, 50_000, 0);
     ClusterTrackerFilter filter = subscribed();
     filter.process(EventPackets.copy(blob));
@@ -185,7 +185,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void aSnapshotHoldsThePathOfEachCluster() {
+  void snapshotContainsThePathOfEachCluster() {
     run(EventPackets.blob(SENSOR, 13, 2 * SECOND_US, CIRCLE, 50_000, 0));
     TrailSnapshot last = snapshots.get(snapshots.size() - 1);
     List<TrailPoint> path = last.trails().get(0).path();

@@ -13,7 +13,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** What each setting does to blobs of known position, size and motion. */
+/** Effects of settings on blobs of known position, size and motion. */
 class ClusterTrackerTest {
   private static final BlobPath CIRCLE = new BlobPath(64, 64, 30, 1_000_000, 6);
   private static final BlobPath STILL = new BlobPath(64, 64, 0, 1_000_000, 6);
@@ -41,7 +41,7 @@ class ClusterTrackerTest {
   // Location and velocity.
 
   @Test
-  void anEventMovesItsClusterByTheMixingFactor() {
+  void eventMovesItsClusterByTheMixingFactor() {
     EventPacket events = ClusterRun.pixel(60, 60, 0, 20_000, 100);
     events.append(20_000, 64, 60, true);
     events.append(20_100, 64, 60, true);
@@ -87,7 +87,7 @@ class ClusterTrackerTest {
     assertEquals(Math.sqrt(0.1), less / alike, 0.1);
   }
 
-  /** How far the centre of what stands still wanders, root of the mean square, pixels. */
+  /** RMS deviation of the position of a stationary blob, pixels. */
   private static double scatter(EventPacket events, String... changes) {
     String[] all = java.util.Arrays.copyOf(changes, changes.length + 2);
     all[changes.length] = "motion.mixingFactor=0.2";
@@ -101,7 +101,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void withPredictionAClusterIsAheadOfOneWithout() {
+  void predictedClusterIsAheadOfAnUnpredictedOne() {
     BlobPath fast = new BlobPath(64, -1000, 1064, 26_740_000, 4);
     // 250 px/s to the left at the top of a large circle, with few events.
     EventPacket events = EventPackets.blob(SENSOR, 6, 27_000_000, fast, 3_000, 0);
@@ -160,7 +160,7 @@ class ClusterTrackerTest {
   // Shape.
 
   @Test
-  void theAPrioriShapeIsThatOfTheSettings() {
+  void initialShapeFollowsTheSettings() {
     ClusterTrack row =
         new ClusterRun("shape.size=0.1", "shape.aspect=4", "shape.angleDeg=30")
             .take(blob(10, STILL, 100_000))
@@ -173,7 +173,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void theSizeAdaptsToTheSpreadOfTheEventsWithinItsLimits() {
+  void sizeAdaptsToTheSpreadOfEventsWithinItsLimits() {
     for (String type : List.of("box", "ellipse")) {
       EventPacket disc = blob(11, new BlobPath(64, 64, 0, 1, 11), 500_000);
       String[] growing = {"growth.size=true", "shape.type=" + type, "motion.mixingFactor=0.01"};
@@ -236,7 +236,7 @@ class ClusterTrackerTest {
   // Life.
 
   @Test
-  void aClusterIsVisibleFromItsMassOnOrFromTheRateOfItsPixels() {
+  void clusterIsVisibleByMassOrByPixelRate() {
     // A mass of 50 at 1000 events a second, and 4.2 Hz a pixel of a box of 15.36 px.
     EventPacket events = ClusterRun.pixel(64, 64, 0, 1_000_000, 1000);
     String patient = "life.lifetimeUs=10000000";
@@ -268,7 +268,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void atTheBorderAClusterDiesAsTheSettingsSay() {
+  void clusterExpiresAtTheBorderAsConfigured() {
     EventPacket events = blob(15, new BlobPath(5, 64, 0, 1, 3), 100_000);
     assertTrue(new ClusterRun("life.border=centre").take(events).rows.size() > 5);
     assertTrue(new ClusterRun("life.border=never").take(events).rows.size() > 5);
@@ -329,7 +329,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void thereAreNeverMoreClustersThanAllowed() {
+  void numberOfClustersIsLimited() {
     EventPacket events = EventPackets.uniform(SENSOR, 17, 200_000, 0, 2);
     ClusterRun run = new ClusterRun("output.maxClusters=7", "shape.size=0.02").take(events);
     assertTrue(run.tracker.count() <= 7);
@@ -339,7 +339,7 @@ class ClusterTrackerTest {
   // Bad input.
 
   @Test
-  void afterAGapOfAnHourThereIsNoStaleClusterAndNoIdentityTwice() {
+  void gapOfAnHourRemovesClustersAndReusesNoIdentity() {
     EventPacket events = blob(18, CIRCLE, 300_000);
     events.append(EventPackets.shifted(blob(19, CIRCLE, 300_000), 3_600_000_000L), 0, 5000);
     ClusterRun run = new ClusterRun().take(events);
@@ -352,7 +352,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void eventsThatAllComeAtOneTimeOrFromOnePixelAreOneClusterAtMost() {
+  void simultaneousOrSinglePixelEventsFormAtMostOneCluster() {
     EventPacket atOnce = new EventPacket(1_000_000);
     for (int i = 0; i < 1_000_000; i++) {
       atOnce.append(5, 64, 64, true);
@@ -365,7 +365,7 @@ class ClusterTrackerTest {
   }
 
   @Test
-  void noiseOfManyPlacesOnALargeSensorStaysWithinItsBounds() {
+  void noiseOnALargeSensorStaysWithinTheLimits() {
     SensorGeometry large = new SensorGeometry(1280, 720);
     EventPacket noise = EventPackets.uniform(large, 20, 500_000, 0, 0.2);
     ClusterRun run = new ClusterRun(large, "output.maxClusters=200", "shape.size=0.02");

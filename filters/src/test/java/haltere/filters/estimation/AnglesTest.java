@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 class AnglesTest {
   @Test
-  void anAngleIsWrappedIntoTheHalfOpenCircle() {
+  void angleIsWrappedIntoTheHalfOpenCircle() {
     assertEquals(Math.PI, Angles.wrapPi(Math.PI));
     assertEquals(Math.PI, Angles.wrapPi(-Math.PI));
     assertEquals(0, Angles.wrapPi(0));
@@ -33,14 +33,14 @@ class AnglesTest {
   }
 
   @Test
-  void aLineHasNoHeadSoItsAngleIsWrappedIntoHalfACircle() {
+  void lineAngleIsWrappedIntoHalfACircle() {
     assertEquals(Math.PI / 2, Angles.wrapHalfPi(-Math.PI / 2));
     assertEquals(-0.1, Angles.wrapHalfPi(Math.PI - 0.1), 1e-15);
     assertEquals(0.1, Angles.wrapHalfPi(5 * Math.PI + 0.1), 1e-14);
   }
 
   @Test
-  void nanStaysNan() {
+  void nanRemainsNan() {
     assertTrue(Double.isNaN(Angles.wrapPi(Double.NaN)));
     assertTrue(Double.isNaN(Angles.wrapPi(Double.POSITIVE_INFINITY)));
     assertTrue(Double.isNaN(Angles.wrapTwoPi(Double.NaN)));

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 /** Angles wrap in the residual of a measurement. */
 class AngularMeasurementTest {
   @Test
-  void anAngleMeasuredBeyondTheSeamPullsTheShortWay() {
+  void angularResidualTakesTheShortWay() {
     KalmanFilter filter =
         new KalmanFilter(
             new WingEdge(0, 0, 0, 0), column(3.1, 1, 0, 0), diagonal(0.1, 0.1, 0.1, 0.1));
@@ -26,7 +26,7 @@ class AngularMeasurementTest {
   }
 
   @Test
-  void aFilterOfATurningAngleFollowsItThroughManyTurns() {
+  void filterFollowsAnAngleThroughManyTurns() {
     Draws draws = new Draws(4);
     KalmanFilter filter =
         new KalmanFilter(AxisMotion.constantVelocity(1, 0.1), column(0, 5), diagonal(1, 4));

@@ -72,7 +72,7 @@ class AssignmentTest {
   }
 
   @Test
-  void theCostIsTheLeastOfAllWaysOnRandomMatricesOfEverySizeUpToSeven() {
+  void costIsMinimalOnRandomMatricesOfAllSizesUpToSeven() {
     SplittableRandom random = new SplittableRandom(4);
     Assignment assignment = new Assignment(7, 7);
     for (int run = 0; run < 12; run++) {
@@ -97,7 +97,7 @@ class AssignmentTest {
   }
 
   @Test
-  void nearestFirstWouldPayMore() {
+  void optimumIsBelowTheGreedyCost() {
     // Greedy takes the 1 and then must take the 100; together 2 + 3 is the least.
     Assignment assignment = new Assignment(2, 2);
     assertEquals(5, solve(assignment, new double[][] {{1, 2}, {3, 100}}, 2, 1000, 1000));
@@ -106,7 +106,7 @@ class AssignmentTest {
   }
 
   @Test
-  void aPairBeyondTheCostOfBothEndsStaysUnassigned() {
+  void pairAboveTheUnassignedCostStaysUnassigned() {
     Assignment assignment = new Assignment(2, 3);
     double[][] costs = {{1, 9, 9}, {9, 6.5, 9}};
     // 1 + (3 + 2 · 3): the pair of 6.5 costs more than 3 + 3.
@@ -121,14 +121,14 @@ class AssignmentTest {
   }
 
   @Test
-  void aTieWithLeavingBothUnassignedLeavesThem() {
+  void tieWithTheUnassignedCostStaysUnassigned() {
     Assignment assignment = new Assignment(1, 1);
     assertEquals(5, solve(assignment, new double[][] {{5}}, 1, 2, 3));
     assertEquals(Assignment.NONE, assignment.columnOf(0));
   }
 
   @Test
-  void tiesAreDecidedTheSameWayEachTime() {
+  void tiesAreDecidedReproducibly() {
     double[][] costs = new double[6][5];
     Assignment assignment = new Assignment(6, 5);
     double total = checkedSolution(assignment, costs, 5, 1, 1);
@@ -141,7 +141,7 @@ class AssignmentTest {
   }
 
   @Test
-  void withoutRowsOrColumnsAllStayUnassigned() {
+  void emptyMatrixAssignsNothing() {
     Assignment assignment = new Assignment(3, 3);
     assignment.start(0, 0);
     assertEquals(0, assignment.solve(2, 3));
@@ -155,7 +155,7 @@ class AssignmentTest {
   }
 
   @Test
-  void whereAllPairsAreForbiddenAllStayUnassigned() {
+  void forbiddenPairsStayUnassigned() {
     Assignment assignment = new Assignment(3, 2);
     assignment.start(3, 2);
     assertEquals(3 * 2 + 2 * 5, assignment.solve(2, 5));
@@ -175,7 +175,7 @@ class AssignmentTest {
   }
 
   @Test
-  void costsWithoutMeaningAndPairsOutsideAreRefused() {
+  void invalidCostsAndIndicesAreRejected() {
     Assignment assignment = new Assignment(2, 3);
     assertThrows(IllegalArgumentException.class, () -> assignment.start(3, 3));
     assertThrows(IllegalArgumentException.class, () -> assignment.start(2, 4));
@@ -193,7 +193,7 @@ class AssignmentTest {
   }
 
   @Test
-  void aSolutionOfManyAllocatesNothing() {
+  void solvingAllocatesNoMemory() {
     SplittableRandom random = new SplittableRandom(9);
     double[][] costs = new double[30][40];
     for (double[] line : costs) {

@@ -29,7 +29,7 @@ class BatchLeastSquaresTest {
   }
 
   @Test
-  void ofALinearProcessWithoutNoiseItIsTheKalmanFilter() {
+  void fitOfALinearProcessEqualsTheKalmanFilter() {
     DMatrixRMaj x = Matrices.column(1, 2, 3);
     DMatrixRMaj p = Matrices.diagonal(4, 25, 100);
     AxisMotion motion = AxisMotion.constantAcceleration(1, 0);
@@ -52,7 +52,7 @@ class BatchLeastSquaresTest {
   }
 
   @Test
-  void anOscillationWithoutNoiseIsFoundExactly() {
+  void noiselessOscillationIsIdentifiedExactly() {
     BatchLeastSquares.Solution found = oscillation(0).fit(START).orElseThrow();
     double[] end = Oscillations.exact(0.1, 0, 0.07, 4.37, 2.99);
     double[] first = {0.1, 0, 0.07, 4.37};
@@ -71,12 +71,12 @@ class BatchLeastSquaresTest {
   }
 
   @Test
-  void aStartWhoseTrajectoryLeavesTheNumbersIsNoSolution() {
+  void startWithADivergingTrajectoryIsNoSolution() {
     assertTrue(oscillation(0.001).fit(Matrices.column(0.1, 0, -30, 100)).isEmpty());
   }
 
   @Test
-  void measurementsThatAreNoNumbersAndTimesThatGoBackAreRefused() {
+  void nonFiniteMeasurementsAndDescendingTimesAreRejected() {
     BatchLeastSquares fit = oscillation(0.001);
     assertThrows(IllegalArgumentException.class, () -> fit.add(0.01, Double.NaN));
     assertThrows(IllegalArgumentException.class, () -> fit.add(-0.01, 1));

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 
 class ConsistencyTest {
   @Test
-  void anErrorIsMeasuredInStandardDeviations() {
+  void errorIsNormalisedByItsCovariance() {
     assertEquals(1 + 4, Consistency.nees(column(2, 6), diagonal(4, 9)), 1e-14);
     DMatrixRMaj p = Matrices.rows(new double[] {2, 1}, new double[] {1, 2});
     // P⁻¹ = [2 −1; −1 2] / 3
@@ -22,7 +22,7 @@ class ConsistencyTest {
   }
 
   @Test
-  void theMeanOfManySquaredErrorsLiesInItsBandNineteenTimesOfTwenty() {
+  void meanNeesLiesInItsBandIn95PercentOfRuns() {
     Draws draws = new Draws(21);
     DMatrixRMaj p = draws.covariance(3);
     Interval band = Consistency.meanBand(3, 50, 0.95);
@@ -39,7 +39,7 @@ class ConsistencyTest {
   }
 
   @Test
-  void whiteSeriesLieInTheWhitenessBandAndOthersDoNot() {
+  void onlyWhiteSeriesLieInTheWhitenessBand() {
     Draws draws = new Draws(22);
     double[] white = new double[500];
     double[] smooth = new double[500];

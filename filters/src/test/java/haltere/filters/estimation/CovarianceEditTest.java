@@ -17,14 +17,14 @@ class CovarianceEditTest {
   }
 
   @Test
-  void aVarianceTakesItsCovariancesAlong() {
+  void changedVarianceScalesItsCovariances() {
     assertArrayEquals(new double[] {16, 2, 0, 2, 9, 0, 0, 0, 0}, edited(P, 0, 0, 16).data, 1e-12);
     assertArrayEquals(new double[] {0, 0, 0, 0, 9, 0, 0, 0, 0}, edited(P, 0, 0, 0).data, 1e-12);
     assertArrayEquals(new double[] {4, 1, 0, 1, 9, 0, 0, 0, 5}, edited(P, 2, 2, 5).data, 1e-12);
   }
 
   @Test
-  void aCovarianceChangesItsCounterpart() {
+  void changedCovarianceChangesItsCounterpart() {
     assertArrayEquals(
         new double[] {4, -5.9, 0, -5.9, 9, 0, 0, 0, 0}, edited(P, 1, 0, -5.9).data, 1e-12);
   }

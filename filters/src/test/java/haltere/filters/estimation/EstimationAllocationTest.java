@@ -9,12 +9,12 @@ import haltere.testing.Allocation;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
 
-/** What runs for each event, or for each measurement, leaves nothing to be collected. */
+/** Updates per event or per measurement allocate no memory. */
 class EstimationAllocationTest {
   private static final int STEPS = 500;
 
   @Test
-  void unobservedFiltersAllocateNothing() {
+  void unobservedFiltersAllocateNoMemory() {
     AxisMotion plane = AxisMotion.constantVelocity(2, 10);
     LinearMeasurement position = LinearMeasurement.ofEntries(4, 1, 0, 2);
     DMatrixRMaj x = column(0, 0, 0, 0);
@@ -33,7 +33,7 @@ class EstimationAllocationTest {
   }
 
   @Test
-  void theKernelAllocatesNothing() {
+  void kernelAllocatesNoMemory() {
     GaussianState belief = new GaussianState(4);
     belief.setVariances(0.1, 0.1, 0.1, 100);
     double[] row = {1, 0.5, 0.5, 0};

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Every estimator is as sure as it says, on data drawn from its own model. */
+/** Every estimator is consistent on data of its own model. */
 class EstimatorConsistencyTest {
   private static final int RUNS = 200;
   private static final int STEPS = 60;
@@ -140,7 +140,7 @@ class EstimatorConsistencyTest {
 
   @ParameterizedTest
   @MethodSource("worlds")
-  void errorsAndInnovationsAreAsLargeAsTheFilterSays(World world) {
+  void neesAndNisLieInTheirBands(World world) {
     Verdict verdict = judge(world, world.measurement());
     int n = world.process().stateSize();
     int m = world.measurement().size();
@@ -153,7 +153,7 @@ class EstimatorConsistencyTest {
   }
 
   @Test
-  void aFilterWithTooSmallMeasurementNoiseIsInconsistent() {
+  void filterWithTooSmallMeasurementNoiseIsInconsistent() {
     World world = worlds().get(0);
     Verdict verdict = judge(world, LinearMeasurement.ofEntries(2, 0.5, 0));
     assertFalse(Consistency.meanBand(2, RUNS, 0.95).contains(verdict.nees));

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 
 class GateTest {
   @Test
-  void aScalarPassesUpToGStandardDeviations() {
+  void scalarPassesUpToGStandardDeviations() {
     Gate gate = Gate.sigmas(3);
     assertTrue(gate.passes(9, 1));
     assertFalse(gate.passes(Math.nextUp(9.0), 1));
@@ -22,7 +22,7 @@ class GateTest {
   }
 
   @Test
-  void aVectorPassesWithTheSameProbabilityAsAScalar() {
+  void vectorPassesWithTheProbabilityOfAScalar() {
     Gate gate = Gate.sigmas(3);
     for (int m = 1; m <= 12; m++) {
       assertEquals(exceedance(9, 1), exceedance(gate.threshold(m), m), 1e-14);
@@ -35,7 +35,7 @@ class GateTest {
   }
 
   @Test
-  void gatesWithoutMeaningAreRefused() {
+  void invalidGatesAreRejected() {
     for (double g : new double[] {0, -1, 31, Double.NaN}) {
       assertThrows(IllegalArgumentException.class, () -> Gate.sigmas(g));
     }
@@ -43,7 +43,7 @@ class GateTest {
   }
 
   @Test
-  void theShareOfGoodMeasurementsThatAGateRefusesIsItsOwn() {
+  void shareOfRejectedMeasurementsEqualsThatOfTheGate() {
     KalmanFilter filter =
         new KalmanFilter(AxisMotion.constantVelocity(1, 1), column(0, 0), diagonal(1, 1));
     LinearMeasurement position =
@@ -61,7 +61,7 @@ class GateTest {
   }
 
   @Test
-  void refusedMeasurementsChangeNothing() {
+  void rejectedMeasurementsChangeNothing() {
     KalmanFilter filter =
         new KalmanFilter(AxisMotion.constantVelocity(1, 0), column(0, 0), diagonal(1, 1));
     LinearMeasurement position =

@@ -9,7 +9,7 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 import org.junit.jupiter.api.Test;
 
-/** The kernel does what the equations in matrices say. */
+/** The kernel matches the matrix equations. */
 class GaussianStateTest {
   private static GaussianState drawn(Draws draws, int n) {
     GaussianState state = new GaussianState(n);
@@ -18,7 +18,7 @@ class GaussianStateTest {
   }
 
   @Test
-  void aShearIsATransitionWithOneEntryBesideTheDiagonal() {
+  void shearIsATransitionWithOneOffDiagonalEntry() {
     Draws draws = new Draws(1);
     for (int run = 0; run < 100; run++) {
       int n = 2 + run % 9;
@@ -40,7 +40,7 @@ class GaussianStateTest {
   }
 
   @Test
-  void scalarCorrectionsAreThoseOfTheTextbook() {
+  void scalarCorrectionsMatchTheTextbook() {
     Draws draws = new Draws(2);
     for (int run = 0; run < 100; run++) {
       int n = 1 + run % 11;
@@ -65,7 +65,7 @@ class GaussianStateTest {
   }
 
   @Test
-  void aMixtureHasTheMeanAndCovarianceOfItsParts() {
+  void mixtureHasTheMomentsOfItsComponents() {
     GaussianState a = new GaussianState(2);
     a.set(Matrices.column(1, 0), Matrices.diagonal(1, 2));
     GaussianState b = new GaussianState(2);
@@ -96,7 +96,7 @@ class GaussianStateTest {
   }
 
   @Test
-  void numbersThatAreNotFiniteOrNotPositiveChangeNothing() {
+  void nonFiniteOrNonPositiveNumbersChangeNothing() {
     GaussianState state = drawn(new Draws(3), 3);
     DMatrixRMaj x = state.mean().copy();
     DMatrixRMaj p = state.covariance().copy();

@@ -24,7 +24,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class KalmanFilterTest {
   @Test
-  void withoutProcessNoiseItIsTheBatchLeastSquaresFit() {
+  void filterWithoutProcessNoiseEqualsTheBatchFit() {
     Draws draws = new Draws(11);
     double dtS = 0.013;
     double variance = 0.04;
@@ -73,7 +73,7 @@ class KalmanFilterTest {
    * Kalman filter and optimal control".
    */
   @Test
-  void aRandomWalkUnderEqualNoiseHasTheGoldenSectionForItsGain() {
+  void randomWalkWithEqualNoiseHasTheGoldenRatioAsGain() {
     LinearProcessModel walk = new RandomWalk();
     List<Correction> corrections = new ArrayList<>();
     KalmanFilter filter = new KalmanFilter(walk, column(0), diagonal(1));
@@ -117,7 +117,7 @@ class KalmanFilterTest {
    */
   @ParameterizedTest
   @ValueSource(doubles = {0.01, 0.1, 1, 10})
-  void itsSteadyGainsAreThoseOfTheAlphaBetaFilter(double index) {
+  void steadyGainsMatchTheAlphaBetaFilter(double index) {
     double dtS = 0.5;
     LinearProcessModel model = new PiecewiseAcceleration(index / (dtS * dtS));
     List<Correction> corrections = new ArrayList<>();
@@ -160,7 +160,7 @@ class KalmanFilterTest {
   }
 
   @Test
-  void correlatedNoiseIsTakenAsTheTextbookSays() {
+  void correlatedNoiseMatchesTheTextbook() {
     Draws draws = new Draws(8);
     for (int run = 0; run < 50; run++) {
       DMatrixRMaj x = draws.normal(diagonal(1, 1, 1));
@@ -186,7 +186,7 @@ class KalmanFilterTest {
   }
 
   @Test
-  void everyIntermediateOfAStepCanBeObservedAndFitsTheEquations() {
+  void observedIntermediatesSatisfyTheEquations() {
     KalmanFilter filter =
         new KalmanFilter(AxisMotion.constantVelocity(1, 2), column(1, 3), diagonal(4, 9));
     List<FilterStep> steps = new ArrayList<>();
@@ -219,7 +219,7 @@ class KalmanFilterTest {
   }
 
   @Test
-  void estimatesDoNotChangeWithTheFilter() {
+  void estimatesAreImmutable() {
     KalmanFilter filter =
         new KalmanFilter(AxisMotion.constantVelocity(1, 2), column(1, 3), diagonal(4, 9));
     Estimate before = filter.estimate();
@@ -231,14 +231,14 @@ class KalmanFilterTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {-1e-9, Double.NaN, Double.POSITIVE_INFINITY})
-  void impossibleTimeStepsAreRefused(double dtS) {
+  void invalidTimeStepsAreRejected(double dtS) {
     KalmanFilter filter =
         new KalmanFilter(AxisMotion.constantVelocity(1, 1), column(0, 0), diagonal(1, 1));
     assertThrows(IllegalArgumentException.class, () -> filter.predict(dtS));
   }
 
   @Test
-  void aStepOfNothingPredictsNothing() {
+  void zeroTimeStepChangesNothing() {
     KalmanFilter filter =
         new KalmanFilter(AxisMotion.constantVelocity(1, 1), column(0, 1), diagonal(1, 1));
     Estimate before = filter.estimate();
@@ -247,7 +247,7 @@ class KalmanFilterTest {
   }
 
   @Test
-  void covarianceStaysUsableAfterAYearWithoutMeasurements() {
+  void covarianceStaysValidAfterAYearWithoutMeasurements() {
     KalmanFilter filter =
         new KalmanFilter(AxisMotion.constantVelocity(1, 1e6), column(0, 1), diagonal(1, 1));
     LinearMeasurement position = LinearMeasurement.ofEntries(2, 1, 0);
@@ -260,7 +260,7 @@ class KalmanFilterTest {
   }
 
   @Test
-  void badLaunchesAreRefused() {
+  void invalidInitialStatesAreRejected() {
     AxisMotion model = AxisMotion.constantVelocity(1, 1);
     DMatrixRMaj x = column(0, 0);
     assertThrows(

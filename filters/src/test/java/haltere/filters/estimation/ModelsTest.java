@@ -31,7 +31,7 @@ class ModelsTest {
 
   @ParameterizedTest
   @MethodSource("linearModels")
-  void twoStepsAreOneLongStep(ProcessModel model) {
+  void twoStepsEqualOneLongStep(ProcessModel model) {
     int n = model.stateSize();
     DMatrixRMaj f1 = new DMatrixRMaj(n, n);
     DMatrixRMaj f2 = new DMatrixRMaj(n, n);
@@ -52,7 +52,7 @@ class ModelsTest {
   }
 
   @Test
-  void theirNoiseIsThatOfThePublishedMatrices() {
+  void noiseMatchesThePublishedMatrices() {
     double t = 0.7;
     double q = 3;
     DMatrixRMaj jerk = new DMatrixRMaj(3, 3);
@@ -73,7 +73,7 @@ class ModelsTest {
   }
 
   @Test
-  void axesDoNotTouchEachOther() {
+  void axesAreIndependent() {
     DMatrixRMaj f = new DMatrixRMaj(4, 4);
     AxisMotion.constantVelocity(2, 1).jacobian(ANY, 0.25, f);
     DMatrixRMaj expected = CommonOps_DDRM.identity(4);
@@ -83,7 +83,7 @@ class ModelsTest {
   }
 
   @Test
-  void constantNoiseIsTheSameAtEveryStep() {
+  void noisePerStepIsConstant() {
     AxisMotion model = AxisMotion.constantVelocity(2, 7).withNoisePerStep(0.3);
     DMatrixRMaj expected = Matrices.diagonal(0.3, 0.3, 0.3, 0.3);
     DMatrixRMaj q = new DMatrixRMaj(4, 4);
@@ -99,7 +99,7 @@ class ModelsTest {
   }
 
   @Test
-  void theOscillatorFollowsTheExactSolution() {
+  void oscillatorFollowsTheExactSolution() {
     double zeta = 0.1;
     double omega = 4.3;
     DampedOscillator model = new DampedOscillator(Double.POSITIVE_INFINITY);
@@ -116,7 +116,7 @@ class ModelsTest {
   }
 
   @Test
-  void jacobiansAreTheDifferenceQuotientsOfTheirModels() {
+  void jacobiansMatchDifferenceQuotients() {
     Draws draws = new Draws(6);
     for (int i = 0; i < 200; i++) {
       DMatrixRMaj x =
@@ -165,7 +165,7 @@ class ModelsTest {
   }
 
   @Test
-  void aVeryFastOscillatorOverALongGapTakesBoundedTime() {
+  void fastOscillatorOverALongGapTakesBoundedTime() {
     DMatrixRMaj after = new DMatrixRMaj(4, 1);
     new DampedOscillator(Double.POSITIVE_INFINITY).evolve(column(1, 0, 0.1, 1e9), 3600, after);
     assertTrue(Double.isFinite(after.get(2)));

@@ -13,14 +13,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** After ten million updates a covariance is still one, whatever the ratio of the noises. */
+/** Covariances stay positive definite over ten million updates for any ratio of noises. */
 class PositiveCovarianceTest {
   private static final int STEPS = 10_000_000;
   private static final double DT_S = 1e-3;
 
   @ParameterizedTest
   @ValueSource(doubles = {1e-8, 1, 1e8})
-  void theKernelKeepsItPositiveUnderScalars(double ratio) {
+  void kernelKeepsCovariancesPositiveUnderScalarUpdates(double ratio) {
     GaussianState belief = new GaussianState(4);
     belief.setVariances(1e4, 1e4, 1e4, 1e6);
     double[] row = {1, 0, 0, 0};
@@ -46,7 +46,7 @@ class PositiveCovarianceTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {1e-8, 1e8})
-  void theFilterKeepsItPositive(double ratio) {
+  void filterKeepsCovariancesPositive(double ratio) {
     KalmanFilter filter =
         new KalmanFilter(AxisMotion.constantVelocity(1, ratio), column(0, 0), diagonal(1e6, 1e6));
     LinearMeasurement position = LinearMeasurement.ofEntries(2, 1, 0);
@@ -60,7 +60,7 @@ class PositiveCovarianceTest {
 
   /** Measurements so good, after a launch so bad, that the plain form P − K S Kᵀ turns negative. */
   @Test
-  void aPerfectMeasurementAfterNoKnowledgeLeavesItPositive() {
+  void perfectMeasurementOfAnUnknownStateKeepsCovariancesPositive() {
     KalmanFilter filter =
         new KalmanFilter(AxisMotion.constantVelocity(1, 1e-8), column(0, 0), diagonal(1e12, 1e12));
     LinearMeasurement position = LinearMeasurement.ofEntries(2, 1e-8, 0);
@@ -74,7 +74,7 @@ class PositiveCovarianceTest {
 
   /** Rows in any direction of eleven states, as precise as doubles allow. */
   @Test
-  void preciseRowsInAnyDirectionLeaveItPositiveAndRight() {
+  void preciseRowsInAnyDirectionKeepCovariancesPositiveAndCorrect() {
     for (int seed = 0; seed < 50; seed++) {
       Draws draws = new Draws(seed);
       int n = 11;

@@ -16,7 +16,7 @@ class RtsSmootherTest {
   private static final int STANDS = 25;
 
   @Test
-  void itIsTheMostProbableWholePath() {
+  void smoothedPathIsTheMostProbablePath() {
     Draws draws = new Draws(31);
     double variance = 0.09;
     DMatrixRMaj x0 = column(1, 2);
@@ -87,7 +87,7 @@ class RtsSmootherTest {
   }
 
   @Test
-  void errorsOfTheSmoothedPathAreAsLargeAsItSays() {
+  void smoothedErrorsAreConsistent() {
     int runs = 200;
     double nees = 0;
     double filteredSquare = 0;
@@ -126,7 +126,7 @@ class RtsSmootherTest {
   }
 
   @Test
-  void aNewLaunchCutsThePathInTwo() {
+  void reInitialisationSplitsThePath() {
     KalmanFilter filter =
         new KalmanFilter(AxisMotion.constantVelocity(1, 1), column(0, 0), diagonal(1, 1));
     List<FilterStep> steps = new ArrayList<>();

@@ -115,7 +115,7 @@ class FrequencyMapFilterTest extends EventFilterContract {
   }
 
   @Test
-  void bothWingsOfAFlyHaveTheirBeat() throws IOException {
+  void wingPixelsHaveTheFrequencyOfTheBeat() throws IOException {
     List<EventPacket> packets = new ArrayList<>();
     FrequencyMap map;
     try (Scene<?> scene =
@@ -157,7 +157,7 @@ class FrequencyMapFilterTest extends EventFilterContract {
   }
 
   @Test
-  void aReportHasARowForEachPixelWithAFrequency() {
+  void reportHasARowForEachPixelWithAFrequency() {
     FrequencyMapFilter filter =
         new FrequencyMapFilter(SENSOR, new FrequencyMapSettings(5, 1000, 0.05, 4));
     List<PixelFrequency> rows = new ArrayList<>();

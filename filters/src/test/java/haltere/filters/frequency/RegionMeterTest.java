@@ -33,14 +33,14 @@ class RegionMeterTest {
   }
 
   @Test
-  void aRegionHasBothOfItsCorners() {
+  void regionIncludesBothCorners() {
     assertEquals(new PixelRegion(10, 10, 11, 21), REGION);
     assertEquals(231, REGION.pixels());
     assertEquals(new PixelRegion(-2, 3, 5, 5), PixelRegion.around(0, 5, 2));
   }
 
   @Test
-  void theFrequencyIsFoundToAFewTenthsOfAPercent() {
+  void frequencyIsAccurateToAFewTenthsOfAPercent() {
     SplittableRandom random = new SplittableRandom(11);
     for (int i = 0; i < 30; i++) {
       double frequencyHz = Math.exp(random.nextDouble(Math.log(8), Math.log(700)));
@@ -90,7 +90,7 @@ class RegionMeterTest {
   }
 
   @Test
-  void theRateIsThatOfTheLastTenthOfASecond() {
+  void rateIsThatOfTheLast100Ms() {
     RegionMeter meter = new RegionMeter(REGION);
     EventPacket packet = new EventPacket(1);
     for (int i = 0; i < 1000; i++) {
@@ -106,7 +106,7 @@ class RegionMeterTest {
   }
 
   @Test
-  void nothingOfTheTimeBeforeAJumpIsLeft() {
+  void jumpClearsEarlierEvents() {
     RegionMeter meter = new RegionMeter(REGION);
     meter.packet(passing(100, 0, 5));
     meter.notified(new Reset(Reset.Cause.SEEK));
@@ -114,7 +114,7 @@ class RegionMeterTest {
   }
 
   @Test
-  void howTheStreamIsCutDoesNotMatter() {
+  void resultsDoNotDependOnPacketBoundaries() {
     EventPacket whole = passing(150, 0.2, 9);
     RegionMeter once = new RegionMeter(REGION);
     once.packet(whole);

@@ -20,19 +20,19 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
-/** The time of support that is chosen from the noise. */
+/** The support time selected from the noise. */
 class AutomaticSupportTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(128, 128);
   private static final BackgroundActivitySettings AUTOMATIC = BackgroundActivitySettings.defaults();
 
-  /** What becomes of a scene. */
+  /** Result of a scene. */
   private record Run(
       double keptOfObjects, double keptOfNoise, List<BackgroundActivityShare> shares) {}
 
   private record Event(long timeUs, int address) {}
 
   @Test
-  void objectsWhoseEdgePixelsFireOnceInTwoPassingsKeepNineTenthsOfTheirEvents() throws IOException {
+  void sparseObjectsKeepNineTenthsOfTheirEvents() throws IOException {
     for (int seed = 1; seed <= 3; seed++) {
       for (int speed : new int[] {80, 150, 600}) {
         Run run = run(AUTOMATIC, seed, 0.2, "dots.eventsPerPixel=0.5", "dots.speedPxS=" + speed);
@@ -44,7 +44,7 @@ class AutomaticSupportTest {
   }
 
   @Test
-  void objectsThatAreSeenWellNeedNoLongTimeAndHardlyAnyNoisePasses() throws IOException {
+  void denseObjectsHaveAShortTimeAndLittleNoise() throws IOException {
     Run run = run(AUTOMATIC, 4, 0.2, "dots.eventsPerPixel=3", "dots.speedPxS=150");
     assertTrue(run.keptOfObjects > 0.97, "of the objects " + run.keptOfObjects);
     BackgroundActivityShare last = run.shares.get(run.shares.size() - 1);
@@ -53,7 +53,7 @@ class AutomaticSupportTest {
   }
 
   @Test
-  void ofNoiseAloneOneEventInTwentyPasses() {
+  void fivePercentOfNoisePass() {
     for (double rateHz : new double[] {0.05, 0.2, 1, 5}) {
       double stepUs = 1e6 / (rateHz * SENSOR.pixels());
       int events = (int) (5e6 / stepUs);
@@ -69,7 +69,7 @@ class AutomaticSupportTest {
   }
 
   @Test
-  void moreNeighboursHaveALongerTimeForTheSameShareOfNoise() {
+  void moreNeighboursLengthenTheTimeAtTheSameShareOfNoise() {
     double stepUs = 1e6 / (0.5 * SENSOR.pixels());
     EventPacket noise = EventPackets.uniform(SENSOR, 6, 80_000, 0, stepUs);
     BackgroundActivity filter =
@@ -81,7 +81,7 @@ class AutomaticSupportTest {
   }
 
   @Test
-  void whereAllOfThePictureMovesItsEventsAreNotTakenForNoise() {
+  void eventsOfAMovingPictureAreNotTakenForNoise() {
     EventPacket bars = EventPackets.movingBars(SENSOR, 7, 2_000_000, 0);
     // the noise of 1 Hz a pixel is not wanted
     double moving = bars.size() - 2 * SENSOR.pixels();

@@ -25,7 +25,7 @@ class BackgroundActivityFilterTest extends EventFilterContract {
   }
 
   @Test
-  void anEventWithoutANeighbourIsDroppedAndOneWithANeighbourPasses() {
+  void eventPassesOnlyWithASupportingNeighbour() {
     EventPacket packet = new EventPacket(0);
     packet.append(0, 10, 10, true);
     packet.append(10, 20, 10, true);
@@ -36,7 +36,7 @@ class BackgroundActivityFilterTest extends EventFilterContract {
   }
 
   @Test
-  void supportLastsForTheCorrelationTimeAndNotAMicrosecondLonger() {
+  void supportLastsExactlyForTheCorrelationTime() {
     EventPacket packet = new EventPacket(0);
     packet.append(0, 10, 10, true);
     packet.append(1000, 10, 11, true);
@@ -45,7 +45,7 @@ class BackgroundActivityFilterTest extends EventFilterContract {
   }
 
   @Test
-  void thePixelItselfIsNoSupport() {
+  void pixelDoesNotSupportItself() {
     EventPacket packet = new EventPacket(0);
     for (int i = 0; i < 50; i++) {
       packet.append(i, 10, 10, true);
@@ -54,7 +54,7 @@ class BackgroundActivityFilterTest extends EventFilterContract {
   }
 
   @Test
-  void pixelsAtOppositeEndsOfNeighbouringRowsAreNoNeighbours() {
+  void pixelsAtOppositeEndsOfRowsAreNoNeighbours() {
     EventPacket packet = new EventPacket(0);
     packet.append(0, SENSOR.width() - 1, 4, true);
     packet.append(1, 0, 5, true);
@@ -65,7 +65,7 @@ class BackgroundActivityFilterTest extends EventFilterContract {
   }
 
   @Test
-  void whereThePolarityMattersANeighbourOfTheOtherIsNoSupport() {
+  void neighbourOfTheOtherPolarityIsNoSupportOnRequest() {
     EventPacket packet = new EventPacket(0);
     packet.append(0, 10, 10, true);
     packet.append(1, 11, 10, false);
@@ -75,7 +75,7 @@ class BackgroundActivityFilterTest extends EventFilterContract {
   }
 
   @Test
-  void itAgreesWithAPlainReferenceForEveryNumberOfNeighbours() {
+  void filterMatchesTheReferenceForEveryNumberOfNeighbours() {
     for (int neighbours = 1; neighbours <= 8; neighbours++) {
       for (boolean samePolarity : new boolean[] {false, true}) {
         EventPacket random = EventPackets.uniform(SENSOR, neighbours, 20_000, -5_000, 3);
@@ -90,7 +90,7 @@ class BackgroundActivityFilterTest extends EventFilterContract {
   }
 
   @Test
-  void itAgreesWithAPlainReferenceOverHoursAndAcrossGaps() {
+  void filterMatchesTheReferenceOverHoursAndGaps() {
     SensorGeometry tiny = new SensorGeometry(3, 3);
     BackgroundActivity filter =
         new BackgroundActivity(tiny, new BackgroundActivitySettings(10_000_000, 2, false));
@@ -108,7 +108,7 @@ class BackgroundActivityFilterTest extends EventFilterContract {
   }
 
   @Test
-  void itAgreesWithAPlainReferenceOnARecording() throws IOException {
+  void filterMatchesTheReferenceOnARecording() throws IOException {
     EventPacket stream = new EventPacket(0);
     SensorGeometry geometry;
     try (RecordingReader reader = Recordings.open(Recorded.file("dvs128-pendulum.aedat"))) {

@@ -60,14 +60,14 @@ class HotPixelsFilterTest extends EventFilterContract {
   }
 
   @Test
-  void aPixelIsNotHotBelowTheAbsoluteRate() {
+  void pixelBelowTheAbsoluteRateIsNotHot() {
     HotPixels filter = new HotPixels(SENSOR, HotPixelsSettings.defaults());
     filter.filter(EventPackets.withHotPixels(noise(2 * SECOND_US), 40, HOT));
     assertEquals(0, filter.blockedPixels());
   }
 
   @Test
-  void theEdgesOfABeatingWingAreNotBlockedAndAHotPixelUnderThemIs() {
+  void hotPixelUnderAWingIsBlockedAndWingEdgesAreNot() {
     HotPixels filter = new HotPixels(SENSOR, HotPixelsSettings.defaults());
     EventPacket wing = wing(2 * SECOND_US, 1);
     filter.filter(EventPackets.copy(wing));
@@ -79,7 +79,7 @@ class HotPixelsFilterTest extends EventFilterContract {
   }
 
   @Test
-  void onTheSimulatedFlyOnlyItsHotPixelsAreBlocked() {
+  void onlyHotPixelsOfTheSimulatedFlyAreBlocked() {
     for (String hot : new String[] {"noise.hotPixels=0", "noise.hotPixels=12"}) {
       FlyScene scene =
           new FlyScene(
@@ -106,7 +106,7 @@ class HotPixelsFilterTest extends EventFilterContract {
   }
 
   @Test
-  void calmPixelsPassAgainAfterTheStatedPeriods() {
+  void calmPixelsPassAgainAfterTheConfiguredPeriods() {
     HotPixels filter = new HotPixels(SENSOR, HotPixelsSettings.defaults());
     filter.filter(EventPackets.withHotPixels(noise(SECOND_US), 200, HOT));
     assertTrue(filter.isBlocked(40, 50));
@@ -117,7 +117,7 @@ class HotPixelsFilterTest extends EventFilterContract {
   }
 
   @Test
-  void afterALongSilenceNothingIsBlocked() {
+  void longSilenceReleasesAllPixels() {
     HotPixels filter = new HotPixels(SENSOR, HotPixelsSettings.defaults());
     filter.filter(EventPackets.withHotPixels(noise(SECOND_US), 200, HOT));
     EventPacket later = new EventPacket(0);
@@ -128,7 +128,7 @@ class HotPixelsFilterTest extends EventFilterContract {
   }
 
   @Test
-  void onlyTheBusiestAreBlockedWhereThereAreTooMany() {
+  void busiestPixelsAreBlockedUpToTheLimit() {
     HotPixels filter = new HotPixels(SENSOR, new HotPixelsSettings(500_000, 50, 6, 4, 2));
     EventPacket packet = EventPackets.withHotPixels(noise(SECOND_US), 100, HOT, CORNER);
     int busy = EventAddress.pack(80, 20, true);
@@ -141,7 +141,7 @@ class HotPixelsFilterTest extends EventFilterContract {
   }
 
   @Test
-  void fewerBlockedPixelsAreAllowedAtOnce() {
+  void loweredLimitAppliesAtOnce() {
     HotPixels filter = new HotPixels(SENSOR, HotPixelsSettings.defaults());
     filter.filter(EventPackets.withHotPixels(noise(SECOND_US), 200, HOT, CORNER));
     assertEquals(2, filter.blockedPixels());
@@ -155,7 +155,7 @@ class HotPixelsFilterTest extends EventFilterContract {
   }
 
   @Test
-  void hotPixelsAreRememberedAcrossALossOfData() {
+  void hotPixelsStayBlockedAfterADataLoss() {
     HotPixelsFilter filter = new HotPixelsFilter(SENSOR, HotPixelsSettings.defaults());
     filter.process(EventPackets.withHotPixels(noise(SECOND_US), 200, HOT));
     filter.notified(new DataLost(512, 128, SECOND_US, SECOND_US + 1, "the test"));

@@ -21,7 +21,7 @@ class RefractoryFilterTest extends EventFilterContract {
   }
 
   @Test
-  void theFirstEventOfEachPixelPasses() {
+  void firstEventOfEachPixelPasses() {
     EventPacket packet = new EventPacket(0);
     packet.append(0, 3, 3, true);
     packet.append(0, 4, 3, true);
@@ -29,7 +29,7 @@ class RefractoryFilterTest extends EventFilterContract {
   }
 
   @Test
-  void anEventPassesOnlyIfThePixelWasSilentForLongerThanThePeriod() {
+  void eventPassesOnlyAfterALongerSilenceThanThePeriod() {
     EventPacket packet = new EventPacket(0);
     packet.append(0, 3, 3, true);
     packet.append(1000, 3, 3, false);
@@ -50,7 +50,7 @@ class RefractoryFilterTest extends EventFilterContract {
   }
 
   @Test
-  void itAgreesWithAPlainReference() {
+  void filterMatchesTheReference() {
     for (Silence silence : Silence.values()) {
       for (long seed = 0; seed < 20; seed++) {
         EventPacket stream = EventPackets.uniform(SENSOR, seed, 20_000, -500, 30);

@@ -14,7 +14,7 @@ class ActivityGridTest {
   private final ActivityGrid grid = new ActivityGrid(new SensorGeometry(10, 7));
 
   @Test
-  void aPixelCountsOnceInATick() {
+  void pixelCountsOncePerTick() {
     grid.add(9, 6, 100);
     grid.add(9, 6, 900);
     grid.add(8, 6, 300);
@@ -27,7 +27,7 @@ class ActivityGridTest {
   }
 
   @Test
-  void theNextTickBeginsEmptyAndCountsAllAgain() {
+  void nextTickStartsEmpty() {
     grid.add(3, 3, 0);
     grid.next();
     assertEquals(-1, grid.nextTile(0));
@@ -36,7 +36,7 @@ class ActivityGridTest {
   }
 
   @Test
-  void timesOfAFullTileAtTheEndOfATickAddUp() {
+  void meanTimeOfAFullTileDoesNotOverflow() {
     for (int i = 0; i < 16; i++) {
       grid.add(4 + i % 4, i / 4, 9999);
     }
@@ -46,7 +46,7 @@ class ActivityGridTest {
 
   @ParameterizedTest
   @CsvSource({"1, 1", "16, 16", "17, 33", "128, 128", "1280, 720"})
-  void eachTileOfAPictureIsFoundOnceAtItsPlace(int width, int height) {
+  void everyActiveTileIsVisitedOnceAtItsPosition(int width, int height) {
     ActivityGrid picture = new ActivityGrid(new SensorGeometry(width, height));
     Set<Integer> expected = new HashSet<>();
     for (int y = 0; y < height; y += 4) {

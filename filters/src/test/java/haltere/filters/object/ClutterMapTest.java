@@ -28,7 +28,7 @@ class ClutterMapTest {
   }
 
   @Test
-  void aHotPixelsRateIsItsOwnAndTheOthersShareTheirs() {
+  void hotPixelHasItsOwnRateAndOthersShareACellRate() {
     for (int i = 0; i < 1000; i++) {
       tick(0.01, 5, 0.5);
     }
@@ -42,7 +42,7 @@ class ClutterMapTest {
   }
 
   @Test
-  void noiseAsUsualIsNoSurpriseAndABurstInOneCellIs() {
+  void burstInOneCellIsExcessAndUsualNoiseIsNot() {
     for (int i = 0; i < 500; i++) {
       tick(0.01, -1, 0);
     }
@@ -59,7 +59,7 @@ class ClutterMapTest {
   }
 
   @Test
-  void aFlashOverThePictureRaisesAllRates() {
+  void flashOverThePictureRaisesAllRates() {
     for (int i = 0; i < 500; i++) {
       tick(0.01, -1, 0);
     }
@@ -75,7 +75,7 @@ class ClutterMapTest {
   }
 
   @Test
-  void timeWithoutEventsLowersTheRates() {
+  void silenceLowersTheRates() {
     for (int i = 0; i < 500; i++) {
       tick(0.05, -1, 0);
     }

@@ -10,7 +10,7 @@ import java.util.function.DoubleFunction;
 
 /** Seeded events of shapes that move before noise. */
 final class MovingShapes {
-  /** Where a shape is at a time; null where it makes no events. */
+  /** Position of a shape at a time; null without events. */
   record Place(double x, double y) {}
 
   private record Shape(

@@ -72,7 +72,7 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void theStatusExplainsAnEmptyResultUntilAnObjectIsConfirmed() {
+  void statusExplainsMissingResultsUntilAnObjectIsConfirmed() {
     EventPacket events = stream(SENSOR, 1);
     EventPacket early = new EventPacket(events.size());
     early.append(events, 0, events.indexAtOrAfter(200_000));
@@ -97,7 +97,7 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void aBoxThatMovesIsOneTrackWithItsPlaceVelocityAndExtent() {
+  void movingBoxIsOneTrackWithItsPositionVelocityAndExtent() {
     run(shapes(1).box(8, 5, 20_000, along(20, 40, 60, 20)), 1.2);
     assertEquals(1, byIdentity().size());
     double squares = 0;
@@ -122,7 +122,7 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void theRowsSinceItsFirstEventsComeWhenItIsDecided() {
+  void rowsSinceTheFirstEventsArePublishedOnConfirmation() {
     run(shapes(2).box(6, 6, 20_000, along(20, 40, 60, 0)), 1);
     assertTrue(rows.get(0).timeUs() < 150_000, rows.get(0).timeUs() + " us");
     for (int i = 1; i < rows.size(); i++) {
@@ -131,7 +131,7 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void noiseAloneIsNoObject() {
+  void noiseYieldsNoObject() {
     for (double hertz : new double[] {0.1, 2, 20}) {
       run(new MovingShapes(SENSOR, 3).noise(hertz), 2);
       assertEquals(List.of(), rows, hertz + " Hz");
@@ -140,7 +140,7 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void anObjectThatStopsForTwoSecondsKeepsItsIdentity() {
+  void objectStoppingForTwoSecondsKeepsItsIdentity() {
     run(
         shapes(4)
             .box(
@@ -158,7 +158,7 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void twoObjectsThatMoveApartAreTwo() {
+  void objectsMovingApartAreTwoTracks() {
     run(
         shapes(5).box(5, 5, 15_000, along(60, 30, -40, 0)).box(5, 5, 15_000, along(68, 90, 40, 0)),
         1);
@@ -166,7 +166,7 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void twoEdgesThatMoveTogetherAreOneObject() {
+  void edgesMovingTogetherAreOneTrack() {
     run(
         shapes(6).box(1, 8, 8_000, along(20, 50, 70, 0)).box(1, 8, 8_000, along(34, 50, 70, 0)),
         1.2);
@@ -176,7 +176,7 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void smallPartsThatMoveTogetherAreOneObjectWhereOthersAreLarge() {
+  void smallComponentsMovingTogetherAreOneTrackBesideALargeObject() {
     MovingShapes shapes =
         shapes(6)
             .box(18, 18, 60_000, along(25, 108, 20, 0))
@@ -187,7 +187,7 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void objectsThatPassOneAnotherKeepTheirIdentities() {
+  void passingObjectsKeepTheirIdentities() {
     int kept = 0;
     for (int seed = 0; seed < 10; seed++) {
       rows.clear();
@@ -208,7 +208,7 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void aHotPixelALampAndAllEventsAtOneTimeAreNoObjects() {
+  void hotPixelFlickerAndFlashYieldNoObject() {
     SplittableRandom random = new SplittableRandom(7);
     EventPacket hot = new EventPacket(0);
     EventPacket lamp = new EventPacket(0);
@@ -233,7 +233,7 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void afterAnHourOfSilenceOrAResetNoObjectIsLeft() {
+  void silenceOfAnHourOrAResetEndsAllObjects() {
     EventPacket events = shapes(8).box(6, 6, 20_000, along(20, 60, 60, 0)).events(1);
     filter.process(EventPackets.copy(events));
     filter.process(EventPackets.shifted(events, 3_600_000_000L));
@@ -251,7 +251,7 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void theRateOfReportsIsASetting() {
+  void reportRateFollowsItsSetting() {
     ObjectTrackerFilter fast = subscribed("reportRateHz=250");
     fast.process(shapes(9).box(6, 6, 20_000, along(20, 60, 60, 0)).events(1));
     assertTrue(rows.stream().allMatch(row -> row.timeUs() % 4000 == 0));
@@ -259,7 +259,7 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void absurdSettingsAreRefused() {
+  void invalidSettingsAreRejected() {
     for (String absurd : List.of("scalePx=NaN", "confirmS=0", "rememberS=-1", "reportRateHz=0")) {
       assertThrows(
           SettingsProblem.class, () -> ObjectTrackerSettings.defaults().with(absurd), absurd);
@@ -267,9 +267,9 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
-  void statedDeviationsOfPlaceAndVelocityHoldTheErrors() {
-    int inPlace = 0;
-    int inVelocity = 0;
+  void positionAndVelocityErrorsLieWithinStatedDeviations() {
+    int withinPosition = 0;
+    int withinVelocity = 0;
     int all = 0;
     for (int seed = 0; seed < 20; seed++) {
       rows.clear();
@@ -282,12 +282,12 @@ class ObjectTrackerFilterTest extends EventFilterContract {
         }
         all++;
         double errorPx = row.xPx() - 20 - 60 * row.timeUs() * 1e-6;
-        inPlace += Math.abs(errorPx) < 1.96 * row.sdXPx() ? 1 : 0;
-        inVelocity += Math.abs(row.vxPxS() - 60) < 1.96 * row.sdVxPxS() ? 1 : 0;
+        withinPosition += Math.abs(errorPx) < 1.96 * row.sdXPx() ? 1 : 0;
+        withinVelocity += Math.abs(row.vxPxS() - 60) < 1.96 * row.sdVxPxS() ? 1 : 0;
       }
     }
     assertTrue(all > 100, all + " rows");
-    assertTrue(inPlace >= 0.92 * all, inPlace + " places of " + all);
-    assertTrue(inVelocity >= 0.92 * all, inVelocity + " velocities of " + all);
+    assertTrue(withinPosition >= 0.92 * all, withinPosition + " places of " + all);
+    assertTrue(withinVelocity >= 0.92 * all, withinVelocity + " velocities of " + all);
   }
 }

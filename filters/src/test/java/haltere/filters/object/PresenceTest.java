@@ -30,19 +30,19 @@ class PresenceTest {
   }
 
   @Test
-  void eventsAsExpectedSayThatItMoves() {
+  void expectedEventsIndicateMotion() {
     run(5, events(10, 20), 1);
     assertTrue(presence.moving() > 0.98, presence.moving() + "");
   }
 
   @Test
-  void aFifthOfTheEventsIsStillAnObjectThatMoves() {
+  void oneFifthOfTheExpectedEventsStillIndicatesMotion() {
     run(50, events(2, 20), 1);
     assertTrue(presence.isMoving());
   }
 
   @Test
-  void silenceInThePictureIsARestFirstAndAnEndLater() {
+  void silenceInsideThePictureIndicatesRestFirstAndAnEndLater() {
     run(20, events(10, 20), 1);
     run(10, SILENCE, 1);
     assertFalse(presence.isMoving());
@@ -52,14 +52,14 @@ class PresenceTest {
   }
 
   @Test
-  void silenceOutsideOfThePictureIsAnEnd() {
+  void silenceOutsideThePictureIndicatesAnEnd() {
     run(20, events(10, 20), 1);
     run(20, SILENCE, 0);
     assertTrue(presence.gone() > 0.5, presence.gone() + "");
   }
 
   @Test
-  void whatRestsMovesAgainWithItsEvents() {
+  void restingObjectMovesAgainOnceItHasEvents() {
     run(20, events(10, 20), 1);
     run(50, SILENCE, 1);
     run(3, events(10, 20), 1);
@@ -67,7 +67,7 @@ class PresenceTest {
   }
 
   @Test
-  void anyEvidenceLeavesProbabilities() {
+  void probabilitiesStayValidForExtremeEvidence() {
     for (double log : new double[] {1e6, -1e6}) {
       presence.update(new double[] {log, log, log}, 1e6, 1);
       double rest = 1 - presence.moving() - presence.gone();

@@ -21,7 +21,7 @@ class ShapeTemplateTest {
   }
 
   @Test
-  void theDensityOfAnEventIsAProbability() {
+  void densitySumsToOne() {
     double sum = 0;
     for (float density : box(10, 6).density) {
       sum += density;
@@ -30,7 +30,7 @@ class ShapeTemplateTest {
   }
 
   @Test
-  void theExtentHoldsTheEvents() {
+  void extentCoversTheEvents() {
     ShapeTemplate template = box(10, 6);
     assertEquals(10, template.halfX, 1.5);
     assertEquals(6, template.halfY, 1.5);
@@ -40,7 +40,7 @@ class ShapeTemplateTest {
   }
 
   @Test
-  void theGradientTellsADisplacementAndItsInformationItsVariance() {
+  void gradientEstimatesADisplacementWithTheVarianceOfItsInformation() {
     double squares = 0;
     double stated = 0;
     for (int trial = 0; trial < 200; trial++) {
@@ -63,7 +63,7 @@ class ShapeTemplateTest {
   }
 
   @Test
-  void anEdgeTellsMostAcrossIt() {
+  void edgeIsMostInformativeAcrossIt() {
     ShapeTemplate edge = new ShapeTemplate();
     edge.clear(2);
     for (int i = 0; i < 3000; i++) {
@@ -74,7 +74,7 @@ class ShapeTemplateTest {
   }
 
   @Test
-  void weightsFadeAndKeepTheirRatio() {
+  void decayKeepsRatiosOfWeights() {
     ShapeTemplate template = new ShapeTemplate();
     template.clear(2);
     int cell = template.cell(0, 0);
@@ -87,7 +87,7 @@ class ShapeTemplateTest {
   }
 
   @Test
-  void resamplingKeepsWeightMiddleAndExtent() {
+  void resamplingPreservesWeightCentreAndExtent() {
     ShapeTemplate template = box(10, 6);
     template.resample(template.coarser(), 3, -2);
     template.refresh();
@@ -98,7 +98,7 @@ class ShapeTemplateTest {
   }
 
   @Test
-  void theDistanceOfTwoIsTheGapBetweenTheirBoxes() {
+  void boxDistanceIsTheGapBetweenBoxes() {
     Component one = component();
     Component other = component();
     double blur = 3 * one.shape.cellPx;

@@ -53,7 +53,7 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void aSampleOfFlightsIsFollowedWithTheErrorsOfTheTable() {
+  void sampledFlightsHaveTheDocumentedErrors() {
     for (int cameras : new int[] {2, 3, 6}) {
       List<Double> axis = new ArrayList<>();
       long wrong = 0;
@@ -80,7 +80,7 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void anAxisInThePlaneOfBothCamerasKeepsItsHead() {
+  void axisInThePlaneOfBothCamerasKeepsItsHead() {
     // flights in which the axis lies where two cameras tell nothing, most of them with false lines
     for (long seed : new long[] {156, 226, 376, 467, 477, 501, 540}) {
       FlightScores scores = FlightScores.of(Flights.scene(2, seed), USUAL, 3);
@@ -90,7 +90,7 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void theOriginalsFormFollowsAFlightToo() {
+  void originalFormFollowsAFlight() {
     FlightScores scores = FlightScores.of(Flights.scene(3, 5), OrientationSettings.original(), 2);
     double median = FlightScores.quantile(scores.axisDeg, 0.5);
     assertTrue(median < 8, "median " + median);
@@ -98,7 +98,7 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void theNoiseOfTheCamerasIsLearntInDegrees() {
+  void cameraNoiseIsEstimatedInDegrees() {
     FlightScene scene = Flights.scene(4, 2, "detection.angleSdDeg=4", "body.saccadesPerS=0.3");
     BodyOrientationEstimator body =
         new BodyOrientationEstimator(Flights.cameras(scene), USUAL.with("line.calibrate=true"));
@@ -112,7 +112,7 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void aGateOfZeroRejectsAllAndOneOf180AcceptsAll() {
+  void gateOfZeroRejectsAndGateOf180AcceptsAllLines() {
     FlightScene scene = Flights.scene(3, 3);
     for (String form : new String[] {"error-state", "quaternion"}) {
       for (int gate : new int[] {0, 180}) {
@@ -137,7 +137,7 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void smallAndRoundDetectionsAreLeftOutAndCounted() {
+  void smallAndRoundDetectionsAreSkippedAndCounted() {
     FlightScene scene = clean(3, 4);
     BodyOrientationEstimator body =
         new BodyOrientationEstimator(
@@ -169,7 +169,7 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void camerasInOneLineWithTheBodyTellNoOrientation() {
+  void camerasCollinearWithTheBodyGiveNoOrientation() {
     List<CameraModel> cameras = new ArrayList<>();
     for (double away : new double[] {1, 2, 3}) {
       double[] matrix = {800, 0, 320, 320 * away, 0, 800, 240, 240 * away, 0, 0, 1, away};
@@ -255,7 +255,7 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void camerasThatLookAtDifferentTimesStartABodyTogether() {
+  void asynchronousCamerasInitialiseABodyTogether() {
     FlightScene scene =
         Flights.scene(
             2, 9, "detection.outlierShare=0", "detection.missingShare=0", "detection.rateHz=400");

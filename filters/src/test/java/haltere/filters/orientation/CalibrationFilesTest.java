@@ -113,7 +113,7 @@ class CalibrationFilesTest {
   }
 
   @Test
-  void camerasAreReadFromXmlWithTheLensOfTheirOwn() throws IOException {
+  void camerasAreReadFromXmlWithTheirLenses() throws IOException {
     List<CameraModel> cameras = Flights.cameras(Flights.scene(3, 1));
     CameraFile read = CameraFile.read(file(xml(cameras)));
     assertEquals(1.4, read.minEccentricity());
@@ -221,7 +221,7 @@ class CalibrationFilesTest {
   }
 
   @Test
-  void braidzFilesFeedTheFilterDirectly() throws IOException {
+  void observationsOfBraidzFilesAreFiltered() throws IOException {
     FlightScene scene = Flights.scene(3, 5, "run.startUs=1700000000000000");
     Path file = braidz(scene, 80, "");
     assertTrue(ObservationFile.hasCameras(file));

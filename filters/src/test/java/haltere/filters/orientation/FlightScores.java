@@ -13,7 +13,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** How well a flight was followed. Errors are counted from 0.2 s on, as the targets say. */
+/** Scores of an estimated flight, from 0.2 s on, as the targets state. */
 public final class FlightScores {
   private static final double START_S = 0.2;
 

@@ -28,7 +28,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Lines that were found already are read from HDF5 as Flydra writes it. */
+/** Detected lines are read from HDF5 files of Flydra. */
 class FlydraFileTest {
   /** The flight of the files that make.py made. */
   private static final FlightScene SCENE =
@@ -37,7 +37,7 @@ class FlydraFileTest {
   @TempDir Path folder;
   private Path cameras;
 
-  /** What a file said. */
+  /** Content of a file. */
   private static final class Heard implements ObservationFile.Listener {
     final TreeMap<Long, List<LineObservation>> seen = new TreeMap<>();
     final List<String> objects = new ArrayList<>();
@@ -103,7 +103,7 @@ class FlydraFileTest {
   }
 
   @Test
-  void theTablesOfFlydraGoStraightIntoTheFilter() throws IOException {
+  void tablesOfFlydraAreFiltered() throws IOException {
     ObservationFile file = ObservationFile.open(resource("flydra.h5"), Optional.of(cameras));
     Heard heard = new Heard();
     file.read(heard);
@@ -117,7 +117,7 @@ class FlydraFileTest {
   }
 
   @Test
-  void aLineBySlopeAndInterceptIsTheSameLine() throws IOException {
+  void lineBySlopeAndInterceptEqualsThatBySlopeAndPosition() throws IOException {
     Heard lists = read(resource("lists.h5"));
     assertEquals(List.of(), lists.bad);
     assertEquals(1, lists.remarks.size());
@@ -239,7 +239,7 @@ class FlydraFileTest {
   }
 
   @Test
-  void thePlueckerLineIsThatOfTwoPointsOnTheAxis() {
+  void plueckerLineMatchesTwoPointsOnTheAxis() {
     double[] a = {0.3, -0.2, 0.5, 1};
     double[] u = {0.48, 0.6, -0.64};
     double[] b = {a[0] + u[0], a[1] + u[1], a[2] + u[2], 1};

@@ -47,7 +47,7 @@ class LiveOrientationTest {
   }
 
   @Test
-  void theOrderInWhichCamerasBringTheirLinesDoesNotMatter() {
+  void orderOfCamerasDoesNotMatter() {
     SplittableRandom random = new SplittableRandom(1);
     List<OrientationEstimate> all = new ArrayList<>();
     LiveOrientation live =

@@ -40,7 +40,7 @@ public final class OrientationEvaluation {
     speed();
   }
 
-  /** How far off the axis is that two event cameras give. */
+  /** Error of the axis from two event cameras. */
   private static String fromEvents(int flights, long firstSeed) {
     List<Double> errors = new ArrayList<>();
     for (long seed = firstSeed; seed < firstSeed + flights; seed++) {

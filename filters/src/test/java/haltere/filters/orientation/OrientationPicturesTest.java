@@ -87,7 +87,7 @@ class OrientationPicturesTest {
   }
 
   @Test
-  void theHeadingIsFollowedThroughSaccades() throws IOException {
+  void headingIsFollowedThroughSaccades() throws IOException {
     Flight flight = new Flight(7);
     double[] t = flight.online.stream().mapToDouble(now -> now.timeUs() * 1e-6).toArray();
     double[] truth =
@@ -112,7 +112,7 @@ class OrientationPicturesTest {
   }
 
   @Test
-  void theErrorIsWhereItsStandardDeviationSaysAndLookingBackMakesItLess() throws IOException {
+  void errorMatchesItsDeviationAndSmoothingReducesIt() throws IOException {
     Flight flight = new Flight(7);
     double[] t = flight.online.stream().mapToDouble(now -> now.timeUs() * 1e-6).toArray();
     double[] online = errors(flight.online, flight.truth);

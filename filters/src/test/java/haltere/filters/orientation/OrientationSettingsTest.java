@@ -4,7 +4,7 @@ import haltere.testing.SettingsContract;
 import java.util.Collection;
 import java.util.List;
 
-/** These settings belong to no filter of the chain, so they are named here. */
+/** Contract of settings that belong to no filter of the chain. */
 class OrientationSettingsTest extends SettingsContract {
   @Override
   protected Collection<? extends Class<? extends Record>> settingsTypes() {

@@ -53,14 +53,14 @@ class OrientationTrackTest {
   }
 
   @Test
-  void theOriginalsSmootherGivesUnitVectorsNearTheAxis() {
+  void originalSmootherYieldsUnitVectorsNearTheAxis() {
     FlightScores[] both = scores(Flights.scene(4, 6), OrientationSettings.original());
     assertTrue(both[1].worstLength < 1e-12);
     assertTrue(FlightScores.quantile(both[1].lineDeg, 0.5) < 12);
   }
 
   @Test
-  void twoUpdatesOfOneTimeAndAnEmptyTrackAreSmoothedToo() {
+  void simultaneousUpdatesAndEmptyTracksAreSmoothed() {
     FlightScene scene = Flights.scene(3, 8);
     for (OrientationSettings settings :
         List.of(OrientationSettings.defaults(), OrientationSettings.original())) {
@@ -78,7 +78,7 @@ class OrientationTrackTest {
   }
 
   @Test
-  void thePathThroughTheSignsIsTheCheapestOfAll() {
+  void signPathHasMinimalCost() {
     SplittableRandom random = new SplittableRandom(1);
     for (int round = 0; round < 50; round++) {
       int count = 8;
@@ -146,7 +146,7 @@ class OrientationTrackTest {
   }
 
   @Test
-  void theOriginalWeighsTheSpeedInMetresASecond() {
+  void originalPresetWeightsSpeedInMetresPerSecond() {
     assertEquals(0.15, DirectionChoice.originalWeight(0.3), 1e-12);
     assertEquals(0.9, DirectionChoice.originalWeight(5), 1e-12);
     assertEquals(0.45, DirectionChoice.weightOf(0.003, 0.001), 1e-12);

@@ -20,7 +20,7 @@ class HomographyTest {
           new PointPair(41, 77, 0, 200));
 
   @Test
-  void theFourPixelsSeeTheirPositions() {
+  void fourPixelsMapToTheirPositions() {
     Homography table = new Homography(TABLE);
     for (PointPair point : TABLE) {
       assertEquals(point.x(), table.planeX(point.xPx(), point.yPx()), 1e-9);
@@ -31,7 +31,7 @@ class HomographyTest {
   }
 
   @Test
-  void theWayBackIsTheInverseAndTheJacobianThatOfCentralDifferences() {
+  void inverseMappingAndJacobianAreCorrect() {
     Homography table = new Homography(TABLE);
     SplittableRandom random = new SplittableRandom(3);
     for (int i = 0; i < 500; i++) {
@@ -44,7 +44,7 @@ class HomographyTest {
   }
 
   @Test
-  void aPinholeCameraIsFoundAgainFromFourOfItsPoints() {
+  void pinholeCameraIsRecoveredFromFourPoints() {
     Pinhole camera = new Pinhole(700, 0.6, 4);
     Homography found =
         new Homography(
@@ -75,7 +75,7 @@ class HomographyTest {
   }
 
   @Test
-  void pointsThatDetermineNoPlaneAreRefused() {
+  void degeneratePointsAreRejected() {
     List<PointPair> line =
         List.of(
             TABLE.get(0), TABLE.get(1), new PointPair(65, 12, 100, 90), new PointPair(3, 90, 7, 8));
@@ -92,7 +92,7 @@ class HomographyTest {
   }
 
   @Test
-  void thePictureItselfIsAPlaneWhosePositionsArePixels() {
+  void identityMappingYieldsPixels() {
     PlaneMapping picture = PlaneMapping.PICTURE;
     Planes.assertWayBackIsInverse(picture, -3, 77);
     Planes.assertJacobianIsDerivative(picture, 4, 5);

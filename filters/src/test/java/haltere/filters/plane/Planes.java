@@ -3,7 +3,7 @@ package haltere.filters.plane;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-/** What each map of a plane must keep to. */
+/** Contract of the mappings of a plane. */
 final class Planes {
   private Planes() {}
 

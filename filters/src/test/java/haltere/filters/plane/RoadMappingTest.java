@@ -51,17 +51,17 @@ class RoadMappingTest {
   }
 
   @Test
-  void theWayBackIsTheInverse() {
+  void inverseMappingIsExact() {
     everywhere(Planes::assertWayBackIsInverse);
   }
 
   @Test
-  void theJacobianIsThatOfCentralDifferences() {
+  void jacobianMatchesCentralDifferences() {
     everywhere(Planes::assertJacobianIsDerivative);
   }
 
   @Test
-  void theBottomRowSeesTheNearestDistanceAndTheVanishingRowTheFarthest() {
+  void bottomRowIsNearestAndVanishingRowFarthest() {
     for (SensorGeometry sensor : SENSORS) {
       for (RoadViewSettings road : ROADS) {
         RoadMapping mapping = new RoadMapping(road, sensor);
@@ -73,7 +73,7 @@ class RoadMappingTest {
   }
 
   @Test
-  void higherRowsSeeFartherOnTheWholeRoad() {
+  void distanceIncreasesWithTheRow() {
     for (SensorGeometry sensor : SENSORS) {
       for (RoadViewSettings road : ROADS) {
         RoadMapping mapping = new RoadMapping(road, sensor);
@@ -88,7 +88,7 @@ class RoadMappingTest {
   }
 
   @Test
-  void rowsAtOrAboveTheVanishingPointAreOffTheRoad() {
+  void rowsAtOrAboveTheVanishingPointHaveNoPosition() {
     RoadViewSettings road = new RoadViewSettings(5, 2, 300, VanishingPoint.at(64, 100));
     RoadMapping mapping = new RoadMapping(road, SENSORS.get(0));
     assertTrue(mapping.seesPlane(0, 0));
@@ -108,7 +108,7 @@ class RoadMappingTest {
   }
 
   @Test
-  void withoutAMarkTheRoadVanishesInTheMiddleOfTheTopRow() {
+  void defaultVanishingPointIsTheMiddleOfTheTopRow() {
     assertEquals(
         VanishingPoint.at(172.5, 259), VanishingPoint.defaults().on(new SensorGeometry(346, 260)));
     assertThrows(
@@ -117,7 +117,7 @@ class RoadMappingTest {
   }
 
   @Test
-  void aCaseByHand() {
+  void mappingMatchesACaseComputedByHand() {
     // h = 10, d₁ = 10, d_v = 10 √3: β = 45°, γ_v = 30°, over 15 rows δ = 1° = π/180.
     // Row 5 looks down by 40°: d = 10 / tan 40° = 11.917536, its slant range 10 / sin 40° =
     // 15.557238; 4 columns to the right of x_v = 7: X = 4 · π/180 · 15.557238 = 1.086100.
@@ -132,7 +132,7 @@ class RoadMappingTest {
   }
 
   @Test
-  void theSidesOfTheSensorChangeNothingWhereTheVanishingPointIsMarked() {
+  void sensorWidthDoesNotMatterWithAMarkedVanishingPoint() {
     // The way back of the original took the longer side for the height.
     RoadMapping square = new RoadMapping(ROADS.get(1), new SensorGeometry(128, 128));
     RoadMapping wide = new RoadMapping(ROADS.get(1), new SensorGeometry(640, 128));
@@ -142,7 +142,7 @@ class RoadMappingTest {
   }
 
   @Test
-  void theCovarianceInMetresIsThatOfDrawnPixels() {
+  void covarianceInMetresMatchesSampledPixels() {
     SplittableRandom random = new SplittableRandom(6);
     RoadMapping mapping = new RoadMapping(RoadViewSettings.defaults(), SENSORS.get(1));
     double x = 300;
@@ -169,7 +169,7 @@ class RoadMappingTest {
   }
 
   @Test
-  void aPixelFarAwayIsWorthManyMetres() {
+  void distantPixelCoversManyMetres() {
     RoadMapping mapping = new RoadMapping(RoadViewSettings.defaults(), SENSORS.get(0));
     PlaneJacobian near = mapping.jacobian(63.5, 0);
     PlaneJacobian far = mapping.jacobian(63.5, 126);

@@ -28,7 +28,7 @@ class LineCounterTest {
   }
 
   @Test
-  void eachLineIsCrossedOnceWithTimeLaneAndSpeed() {
+  void crossingIsCountedOnceWithTimeLaneAndSpeed() {
     drive(7, 1, 15.5, 40.5);
     assertEquals(List.of(20.0, 30.0), crossings.stream().map(LineCrossing::lineM).toList());
     LineCrossing first = crossings.get(0);
@@ -36,7 +36,7 @@ class LineCounterTest {
   }
 
   @Test
-  void countsAreThoseOfALaneAndADirection() {
+  void countsArePerLaneAndDirection() {
     drive(1, 1, 15.5, 25.5);
     drive(2, 1, 15.5, 25.5);
     drive(3, -1, 15.5, 25.5);
@@ -63,7 +63,7 @@ class LineCounterTest {
   }
 
   @Test
-  void aTrackOfUnknownPositionIsOnNoSide() {
+  void trackOfUnknownPositionIsOnNoSide() {
     at(0, 1, 1, 10, 30);
     at(1, 1, 1, 25, 30);
     at(2, 1, 1, 27, 0.1);
@@ -71,7 +71,7 @@ class LineCounterTest {
   }
 
   @Test
-  void noMoreThanAThousandTracksAreRemembered() {
+  void numberOfStoredTracksIsLimited() {
     at(0, 0, 1, 10, 0.1);
     for (int id = 1; id <= 1000; id++) {
       at(1, id, 1, 10, 0.1);

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 
 class ObjectsOnPlaneTest {
   @Test
-  void anObjectIsWhereItsMiddleIs() {
+  void positionOfAnObjectIsThatOfItsCentre() {
     PlanePoint point =
         new ObjectsOnPlane(PlaneMapping.PICTURE)
             .apply(SeenVehicle.row(1000, 64, 60, 55, 0, 20))
@@ -24,7 +24,7 @@ class ObjectsOnPlaneTest {
   }
 
   @Test
-  void velocitiesAndDeviationsAreThoseOfThePlane() {
+  void velocitiesAndDeviationsAreMappedToThePlane() {
     RoadMapping road = new RoadMapping(RoadViewSettings.defaults(), new SensorGeometry(128, 128));
     PlanePoint point =
         new ObjectsOnPlane(road).apply(SeenVehicle.row(1000, 64, 60, 55, 0, 20)).orElseThrow();

@@ -9,7 +9,7 @@ import java.util.SplittableRandom;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
 
-/** Errors of speeds and heights are as large as stated, on vehicles of the model. */
+/** Errors of speeds and heights are consistent on vehicles of the model. */
 class VehicleConsistencyTest {
   private static final int RUNS = 200;
   private static final double STEP_S = 0.01;
@@ -63,12 +63,12 @@ class VehicleConsistencyTest {
   }
 
   @Test
-  void ofVehiclesThatCome() {
+  void approachingVehiclesAreConsistent() {
     check(false);
   }
 
   @Test
-  void ofVehiclesThatDriveAway() {
+  void recedingVehiclesAreConsistent() {
     check(true);
   }
 }

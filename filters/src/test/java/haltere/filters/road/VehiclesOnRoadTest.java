@@ -26,7 +26,7 @@ class VehiclesOnRoadTest {
   }
 
   @Test
-  void aVehicleOfUsualHeightIsWhereItsNearerEndIsAndAsFastAsItIs() {
+  void vehicleOfUsualHeightHasItsPositionAndSpeed() {
     SeenVehicle vehicle = usual(-3, 45, -15);
     PlanePoint point = follow(vehicle, 1.5, new SeenVehicle.Errors(1, 1e-3));
     assertEquals(vehicle.yAt(1.49), point.yM(), 0.1);
@@ -42,7 +42,7 @@ class VehiclesOnRoadTest {
   }
 
   @Test
-  void aHighVehicleIsNotTakenForAFastOne() {
+  void highVehicleIsNotTakenForAFastOne() {
     // the middle of a lorry, 2 m high, seems to move 1.67 times as fast on the road
     SeenVehicle lorry = new SeenVehicle(3, 9, 15, PRIOR.lowEdgeM(), 2, 6);
     PlanePoint point = follow(lorry, 1.5, new SeenVehicle.Errors(3, 1e-3));
@@ -57,7 +57,7 @@ class VehiclesOnRoadTest {
   }
 
   @Test
-  void aVehicleIsLocatedOnceItsExtentIsKnown() {
+  void vehicleIsLocatedOnceItsExtentIsKnown() {
     SeenVehicle vehicle = usual(3, 9, 20);
     SeenVehicle.Errors errors = new SeenVehicle.Errors(5, 0.1);
     for (double s = 0; s < 0.295; s += STEP_S) {
@@ -67,7 +67,7 @@ class VehiclesOnRoadTest {
   }
 
   @Test
-  void whereTheBorderOfThePictureCutsItOffAVehicleContinuesAsBefore() {
+  void vehicleClippedByTheBorderContinuesUnchanged() {
     SeenVehicle vehicle = usual(3, 20, -15);
     SeenVehicle.Errors errors = new SeenVehicle.Errors(6, 0.1);
     PlanePoint before = follow(vehicle, 0.8, errors);
@@ -82,7 +82,7 @@ class VehiclesOnRoadTest {
   }
 
   @Test
-  void aBrakingVehicleIsFollowed() {
+  void brakingVehicleIsFollowed() {
     SeenVehicle.Errors errors = new SeenVehicle.Errors(7, 0.1);
     PlanePoint point = follow(usual(3, 60, -20), 1, errors);
     assertEquals(-20, point.vyMS(), 1.5);

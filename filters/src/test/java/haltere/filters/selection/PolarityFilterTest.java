@@ -19,7 +19,7 @@ class PolarityFilterTest extends EventFilterContract {
   }
 
   @Test
-  void onlyEventsOfTheChosenPolarityPassAndNoneIsMissing() {
+  void exactlyTheEventsOfTheSelectedPolarityPass() {
     EventPacket stream = EventPackets.uniform(new SensorGeometry(8, 8), 1, 1000, 0, 10);
     EventPacket on = selected(stream, Keep.ON);
     EventPacket off = selected(stream, Keep.OFF);

@@ -16,7 +16,7 @@ class RegionFilterTest extends EventFilterContract {
   }
 
   @Test
-  void theRectangleHoldsItsFirstAndItsLastRowAndColumn() {
+  void rectangleIncludesItsFirstAndLastRowAndColumn() {
     RegionSettings inside = new RegionSettings(2, 3, 4, 2, Keep.INSIDE);
     RegionSettings outside = new RegionSettings(2, 3, 4, 2, Keep.OUTSIDE);
     for (int x = 0; x < 10; x++) {
@@ -29,7 +29,7 @@ class RegionFilterTest extends EventFilterContract {
   }
 
   @Test
-  void everyPixelPassesWithTheDefaultsAndNoneWithAnEmptyRectangle() {
+  void defaultsPassAllPixelsAndAnEmptyRectangleNone() {
     assertEquals(1, eventsLeft(RegionSettings.defaults(), 0, 0));
     assertEquals(1, eventsLeft(RegionSettings.defaults(), 32_767, 32_767));
     assertEquals(0, eventsLeft(new RegionSettings(5, 5, 0, 9, Keep.INSIDE), 5, 5));

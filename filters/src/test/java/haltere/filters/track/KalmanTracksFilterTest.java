@@ -59,7 +59,7 @@ class KalmanTracksFilterTest extends EventFilterContract {
   }
 
   @Test
-  void outletsPublishTheirStatedResults() {
+  void outletsPublishTheirDeclaredTypes() {
     BlobPath circle = new BlobPath(64, 40, 25, 1_000_000, 4);
     KalmanTracksFilter filter =
         new KalmanTracksFilter(SENSOR, KalmanTracksSettings.defaults().with("road.mapToRoad=true"));
@@ -101,7 +101,7 @@ class KalmanTracksFilterTest extends EventFilterContract {
   }
 
   @Test
-  void whenTheLastTrackHasEndedThatIsShownOnce() {
+  void endOfTheLastTrackIsPublishedOnce() {
     BlobPath still = new BlobPath(64, 64, 0, 1, 4);
     EventPacket events = EventPackets.blob(SENSOR, 5, 300_000, still, 20_000, 0);
     events.append(5_000_000, 3, 3, true);

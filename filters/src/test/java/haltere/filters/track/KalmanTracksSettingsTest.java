@@ -23,7 +23,7 @@ class KalmanTracksSettingsTest extends SettingsContract {
   }
 
   @Test
-  void thePresetOfTheOriginalHasItsDefaults() {
+  void originalPresetHasTheDefaultsOfCardinale() {
     KalmanTracksSettings original = new KalmanTracksFilter.Provider().presets().get("original");
     assertEquals(100, original.life().eventsTillTrack());
     assertEquals(TrackLifeSettings.EventCount.ALL_CLUSTERS, original.life().eventsOf());

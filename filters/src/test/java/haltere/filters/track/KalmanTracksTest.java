@@ -87,7 +87,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void aBlobIsWhereItsTrackSaysWithItsVelocity() {
+  void trackOfABlobHasItsPositionAndVelocity() {
     run(EventPackets.blob(SENSOR, 1, 2_000_000, CIRCLE, 30_000, 0));
     assertEquals(Set.of(1), identities());
     assertTrue(points.size() > 190, points.size() + " points");
@@ -104,7 +104,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void theDotsOfASceneAreTrackedWhereTheTruthSaysTheyAre() {
+  void dotsOfASceneAreTrackedAtTheirTruePositions() {
     MovingDotsScene scene =
         new MovingDotsScene(
             MovingDotsSettings.defaults()
@@ -137,7 +137,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void aTrackCoastsWhileItIsHiddenAndKeepsItsIdentity() {
+  void hiddenTrackCoastsAndKeepsItsIdentity() {
     EventPacket events = passing(15, 64, 90, 500_000, 850_000);
     run(events, "shape.size=0.05");
     assertEquals(Set.of(1), identities());
@@ -151,7 +151,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void newClustersAreAssignedToCoastingTracksAllAtOnce() {
+  void newClustersAreAssignedToCoastingTracksJointly() {
     // Two side by side, 14 px apart, are hidden together; nearest first could exchange them.
     EventPacket events =
         merged(passing(15, 50, 90, 500_000, 700_000), passing(8, 64, 90, 500_000, 700_000));
@@ -163,7 +163,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void aClusterOutsideTheGateStartsATrackOfItsOwn() {
+  void clusterOutsideTheGateStartsANewTrack() {
     EventPacket events =
         merged(passing(15, 30, 60, 300_000, 1_000_000), passing(15, 100, 60, 0, 350_000));
     run(events, "shape.size=0.04", "coastTimeS=0.5");
@@ -180,7 +180,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void aTrackIsUpdatedWhenItsOwnClusterHasTheEvents() {
+  void trackIsUpdatedOnceItsClusterHasEnoughEvents() {
     // 10,000 and 2,500 events a second.
     EventPacket events = twoRates();
     run(events, "eventsTillTrack=100", "trackIntervalUs=1000");
@@ -189,7 +189,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void orAllTracksAreWhenAllClustersTogetherHaveThem() {
+  void allTracksAreUpdatedOnceAllClustersHaveEnoughEvents() {
     run(twoRates(), "eventsTillTrack=125", "trackIntervalUs=1000", "eventsOf=all-clusters");
     assertEquals(100, perSecond(30), 10);
     assertEquals(perSecond(30), perSecond(90), 1);
@@ -212,7 +212,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void dynamicVariancesApproachTheirEndsExponentially() {
+  void dynamicVariancesApproachTheirFinalValuesExponentially() {
     EventPacket events = EventPackets.blob(SENSOR, 4, 1_000_000, CIRCLE, 30_000, 0);
     run(
         events,
@@ -244,7 +244,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void noiseOfADensityDoesNotDependOnTheRateOfUpdatesAndThatPerUpdateDoes() {
+  void densityNoiseIsIndependentOfTheUpdateRateAndNoisePerUpdateIsNot() {
     EventPacket events = EventPackets.blob(SENSOR, 6, 2_205_000, CIRCLE, 30_000, 0);
     double[] density = new double[2];
     double[] perUpdate = new double[2];
@@ -267,7 +267,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void theNoiseOfAStepIsThatOfItsTime() {
+  void noiseOfAStepMatchesItsDuration() {
     run(EventPackets.blob(SENSOR, 7, 300_000, CIRCLE, 30_000, 0), "minProcessVariance=300");
     TrackUpdate update = updates.get(5);
     assertEquals(300 * 0.01, update.qVxvx(), 1e-9);
@@ -297,7 +297,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void aMergerOfClustersLeavesNoFrozenTrack() {
+  void mergedClustersLeaveNoFrozenTrack() {
     // In the original the filter of the merged cluster holds an object that no longer moves.
     EventPacket events =
         merged(passing(10, 64, 100, 1_000_000, 1_000_000), passing(40, 64, 40, 600_000, 1_000_000));
@@ -308,7 +308,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void thePresetOfTheOriginalFollowsABlobWithRisingVariances() {
+  void originalPresetFollowsABlobWithRisingVariances() {
     BlobPath slow = new BlobPath(64, 64, 30, 6_000_000, 4);
     run(KalmanTracksSettings.original(), EventPackets.blob(SENSOR, 9, 2_000_000, slow, 20_000, 0));
     assertEquals(Set.of(1), identities());
@@ -319,7 +319,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void onARoadTheStateIsInMetres() {
+  void stateOnARoadIsInMetres() {
     // A blob that stands 20 m ahead and 2 m to the right drives off at 10 m/s.
     KalmanTracksSettings settings =
         KalmanTracksSettings.defaults()
@@ -354,7 +354,7 @@ class KalmanTracksTest {
   // Bad input.
 
   @Test
-  void afterAnHourOfSilenceThereIsNoTrackAndNoIdentityTwice() {
+  void silenceOfAnHourEndsTracksAndReusesNoIdentity() {
     EventPacket events = EventPackets.blob(SENSOR, 11, 300_000, CIRCLE, 20_000, 0);
     EventPacket later =
         EventPackets.shifted(
@@ -368,7 +368,7 @@ class KalmanTracksTest {
   }
 
   @Test
-  void noiseOfManyPlacesMakesNoMoreTracksThanTwiceTheClusters() {
+  void noiseMakesAtMostTwiceAsManyTracksAsClusters() {
     EventPacket noise = EventPackets.uniform(SENSOR, 13, 300_000, 0, 5);
     run(noise, "maxClusters=10", "shape.size=0.02", "coastTimeS=60", "visibleMass=4");
     assertTrue(points.size() > 100);

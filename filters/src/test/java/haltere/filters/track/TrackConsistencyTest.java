@@ -52,7 +52,7 @@ class TrackConsistencyTest {
   }
 
   @Test
-  void inThePictureErrorsAndInnovationsLieInTheirBands() {
+  void neesAndNisInThePictureLieInTheirBands() {
     KalmanTracksSettings settings =
         KalmanTracksSettings.defaults().with("minProcessVariance=400", "launchSpeedPxS=100");
     for (int run = 0; run < RUNS; run++) {
@@ -62,7 +62,7 @@ class TrackConsistencyTest {
   }
 
   @Test
-  void onARoadTheVariancesInMetresAreThoseOfTheMapping() {
+  void variancesOnARoadMatchTheMapping() {
     // Small noise, within the linear range of the mapping.
     KalmanTracksSettings settings =
         KalmanTracksSettings.defaults()
@@ -148,7 +148,7 @@ class TrackConsistencyTest {
   }
 
   @Test
-  void theResultOfAnUpdateIsThatOfTheEquations() {
+  void updateMatchesTheEquations() {
     KalmanTracksSettings settings = KalmanTracksSettings.defaults();
     TrackPrediction filter = new TrackPrediction(PlaneMapping.PICTURE, settings);
     Track track = new Track(1);

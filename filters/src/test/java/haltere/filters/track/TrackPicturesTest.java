@@ -60,7 +60,7 @@ class TrackPicturesTest {
   }
 
   @Test
-  void theEstimateIsSmootherThanTheLocationOfTheCluster() throws IOException {
+  void estimateIsSmootherThanTheClusterPosition() throws IOException {
     List<TrackUpdate> updates = updates(KalmanTracksSettings.defaults());
     double[] t = times(updates);
     double[] measured = each(updates, TrackUpdate::measuredX);
@@ -74,7 +74,7 @@ class TrackPicturesTest {
   }
 
   @Test
-  void theCovarianceSettlesWithinATenthOfASecond() throws IOException {
+  void covarianceSettlesWithin100Ms() throws IOException {
     List<TrackUpdate> updates = updates(KalmanTracksSettings.defaults());
     double[] t = times(updates);
     double[] velocity = each(updates, update -> Math.log10(update.pVxvx()));
@@ -93,7 +93,7 @@ class TrackPicturesTest {
   }
 
   @Test
-  void withDynamicVariancesTheGainFallsAsTheTrackGrowsOld() throws IOException {
+  void gainFallsWithTheAgeOfATrackUnderDynamicVariances() throws IOException {
     List<TrackUpdate> updates = updates(dynamic());
     double[] gain = each(updates, TrackUpdate::gainX);
     SvgPlot plot = new SvgPlot(0, SHOWN_S, 0, 1).line("position", BLUE, times(updates), gain);
@@ -102,7 +102,7 @@ class TrackPicturesTest {
   }
 
   @Test
-  void dynamicVariancesApproachTheirEnds() throws IOException {
+  void dynamicVariancesApproachTheirFinalValues() throws IOException {
     List<TrackUpdate> updates = updates(dynamic());
     double[] t = times(updates);
     double[] measurement = each(updates, TrackUpdate::rPx2);

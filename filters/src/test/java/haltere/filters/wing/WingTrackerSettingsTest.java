@@ -10,10 +10,10 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
-/** Settings of the wing tracker as files have them. */
+/** Settings of the wing tracker in files. */
 class WingTrackerSettingsTest {
   @Test
-  void settingsOfThePositionAreReadUnderTheirFormerNames() {
+  void formerNamesOfPositionSettingsAreRead() {
     SettingsSchema<WingTrackerSettings> schema = SettingsSchema.of(WingTrackerSettings.class);
     List<String> notes = new ArrayList<>();
     WingTrackerSettings read =

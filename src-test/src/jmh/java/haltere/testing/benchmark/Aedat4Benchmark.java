@@ -51,7 +51,7 @@ public class Aedat4Benchmark {
   private static final int COPY_EVENTS = 111_954;
   private static final int EVENTS = COPIES * COPY_EVENTS;
 
-  /** How packets are packed. */
+  /** Compression of packets. */
   @Param({"NONE", "LZ4", "ZSTD"})
   public Aedat4Compression compression;
 

@@ -173,7 +173,7 @@ public class CameraBenchmark implements StreamHandler {
         public void send(int request, int value, int index, byte... data) {}
 
         @Override
-        public byte[] ask(int request, int value, int index, int length) {
+        public byte[] query(int request, int value, int index, int length) {
           return new byte[length];
         }
 

@@ -33,7 +33,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @Warmup(iterations = 3, time = 1)
 @Measurement(iterations = 5, time = 1)
 public class ChainBenchmark {
-  /** What is in the chain. */
+  /** Filters of the chain. */
   @Param({"empty", "nothing", "default"})
   public String chain;
 

@@ -69,7 +69,7 @@ public class RawFormatsBenchmark {
   private Path file;
   private Path target;
 
-  /** How many events were read or written. */
+  /** Number of events read or written. */
   @State(Scope.Thread)
   @AuxCounters(AuxCounters.Type.OPERATIONS)
   public static class Counts {

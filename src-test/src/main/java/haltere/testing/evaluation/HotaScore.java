@@ -122,14 +122,14 @@ public record HotaScore(List<Threshold> thresholds) {
   }
 
   private static Threshold at(double alpha, Frames frames, double d0) {
-    double least = alpha - ROUNDING;
+    double min = alpha - ROUNDING;
     int[] truthPoints = frames.truthPoints();
     int[] trackPoints = frames.trackPoints();
     int[][] possible = new int[truthPoints.length][trackPoints.length];
     for (Frame frame : frames.list()) {
       for (ObjectPoint truth : frame.truth()) {
         for (ObjectPoint track : frame.tracks()) {
-          if (similarity(frames, truth, track, d0) >= least) {
+          if (similarity(frames, truth, track, d0) >= min) {
             possible[frames.truthIndex(truth)][frames.trackIndex(track)]++;
           }
         }
@@ -150,7 +150,7 @@ public record HotaScore(List<Threshold> thresholds) {
         for (int j = 0; j < tracks.size(); j++) {
           int b = frames.trackIndex(tracks.get(j));
           double similarity = similarity(frames, truth.get(i), tracks.get(j), d0);
-          if (similarity >= least) {
+          if (similarity >= min) {
             double agreement = jaccard(possible[a][b], truthPoints[a], trackPoints[b]);
             assignment.setCost(i, j, -(1 / EPSILON + agreement + EPSILON * similarity));
           }

@@ -140,11 +140,11 @@ public record TrackingScene(
     List<long[]> events = new ArrayList<>();
     double perPixel = random.nextDouble(1, 3);
     for (DiscPath path : paths) {
-      double mostSpeed =
+      double maxSpeed =
           Math.hypot(path.vx(), path.vy()) + 2 * Math.PI * path.swing() * path.swingHz();
-      double mostHz = 4 * path.radius() * mostSpeed * perPixel;
-      for (double s = pause(random, mostHz); s < DURATION_S; s += pause(random, mostHz)) {
-        if (random.nextDouble() * mostSpeed < path.speed(s)) {
+      double maxHz = 4 * path.radius() * maxSpeed * perPixel;
+      for (double s = pause(random, maxHz); s < DURATION_S; s += pause(random, maxHz)) {
+        if (random.nextDouble() * maxSpeed < path.speed(s)) {
           addEvent(random, geometry, path, s, events);
         }
       }

@@ -18,7 +18,7 @@ final class BrightnessSensor {
   /** Standard deviation of the thresholds of pixels, as a share. */
   private static final double MISMATCH = 0.1;
 
-  /** How far the fastest sprite moves between two pictures, pixels. */
+  /** Maximum motion of a sprite between two pictures, pixels. */
   private static final double STEP_PX = 0.8;
 
   private static final double LONGEST_STEP_S = 0.005;

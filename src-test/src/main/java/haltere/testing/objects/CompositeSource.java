@@ -66,7 +66,7 @@ record CompositeSource(
     return new Choice(new LabelledRecording(file, playback, fromMs, toMs, times), scale, marginPx);
   }
 
-  /** How many recordings there are to choose from. */
+  /** Number of available recordings. */
   static int choices() {
     return CHOICES.size();
   }

@@ -17,7 +17,7 @@ import java.util.SplittableRandom;
  * of both are there. The same seed makes the same composite.
  */
 final class Composites {
-  /** How the objects of a composite lie. */
+  /** Arrangement of the objects of a composite. */
   enum Kind {
     /** Never close to each other. */
     APART,
@@ -38,7 +38,7 @@ final class Composites {
 
   private static final double MIN_VISIBLE = 0.5;
 
-  /** Where an object whose box is unknown may be beyond the last known one, pixels. */
+  /** Margin around the last known box of an object whose box is unknown, pixels. */
   private static final double UNKNOWN_PX = 12;
 
   private final Kind kind;

@@ -38,7 +38,7 @@ record Footage(SensorGeometry geometry, EventPacket events, List<TruthMoment> tr
     return new Footage(geometry, kept, truth);
   }
 
-  /** The same at other times. */
+  /** The same footage at other times. */
   Footage shifted(long shiftUs) {
     return mapped(1, shiftUs);
   }

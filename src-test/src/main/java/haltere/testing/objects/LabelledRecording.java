@@ -22,9 +22,9 @@ import java.util.SplittableRandom;
  * @param times how often it is played
  */
 public record LabelledRecording(String file, Playback playback, long fromMs, long toMs, int times) {
-  /** How a recording is played. */
+  /** Playback of a recording. */
   public enum Playback {
-    /** As it is. */
+    /** Unchanged. */
     ONCE,
     /** From the start again at the end: its objects end where they began. */
     LOOP,
@@ -102,7 +102,7 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
         Matching.BOX);
   }
 
-  /** All that is played, in memory. */
+  /** All played events, in memory. */
   Footage footage() throws IOException {
     Footage whole = read();
     long firstUs = whole.events().firstTimeUs();

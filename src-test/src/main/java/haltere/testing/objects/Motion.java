@@ -30,10 +30,10 @@ record Motion(
     double phaseRad,
     double meetingS,
     double stopS) {
-  /** How long a stop lasts, seconds. */
+  /** Duration of a stop, seconds. */
   static final double STOP_S = 2;
 
-  /** How long braking and starting last, seconds. */
+  /** Duration of braking and of starting, seconds. */
   private static final double RAMP_S = 0.3;
 
   /** A straight or wavy line. */

@@ -17,7 +17,7 @@ import java.util.Set;
  */
 public record ObjectScene(
     String name, String kind, Events events, List<TruthMoment> truth, Matching matching) {
-  /** Where the events come from. */
+  /** Source of the events. */
   public interface Events {
     /**
      * Opens the events.

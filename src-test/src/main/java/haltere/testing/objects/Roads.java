@@ -16,7 +16,7 @@ import java.util.SplittableRandom;
  * The same seed makes the same scene.
  */
 final class Roads {
-  /** How cars drive. */
+  /** Kinds of traffic. */
   enum Traffic {
     /** One after the other, each lane at its own speeds. */
     FREE,
@@ -26,7 +26,7 @@ final class Roads {
     QUEUE
   }
 
-  /** How many events an edge makes at a pixel that it passes. */
+  /** Number of events of an edge at a pixel. */
   enum Events {
     /** One in two passings. */
     HALF(0.5),

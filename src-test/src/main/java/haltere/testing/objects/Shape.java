@@ -38,7 +38,7 @@ record Shape(Kind kind, double a, double b, double strokePx) {
     return 2 * Math.PI * distancePx / (STRIDE * 2 * b);
   }
 
-  /** How much of a pixel is covered, 0 to 1, with borders one pixel wide. */
+  /** Covered share of a pixel, 0 to 1, with borders one pixel wide. */
   double coverage(double u, double v, double gaitRad) {
     double inside =
         switch (kind) {

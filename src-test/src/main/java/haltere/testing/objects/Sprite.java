@@ -96,7 +96,7 @@ final class Sprite {
     }
   }
 
-  /** How much of a pixel it covers at its time, 0 to 1. */
+  /** Covered share of a pixel at its time, 0 to 1. */
   double coverage(double px, double py) {
     double dx = px - x;
     double dy = py - y;

@@ -13,7 +13,7 @@ import java.util.TreeMap;
 
 /** Tables of tracks as {@code haltere track} writes them, and as other trackers may. */
 public final class TrackTable {
-  /** How far the rows of a tracker may be from a moment of truth, microseconds. */
+  /** Maximum time between a moment of the truth and a row of a tracker, microseconds. */
   static final long TICK_US = 10_000;
 
   private TrackTable() {}

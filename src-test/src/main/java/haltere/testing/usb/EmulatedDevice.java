@@ -227,7 +227,7 @@ public final class EmulatedDevice {
     return packetsDropped.get();
   }
 
-  /** How many packets may wait at an endpoint. */
+  /** Maximum number of packets waiting at an endpoint. */
   int maxQueuedPackets() {
     return maxQueuedPackets;
   }

@@ -30,7 +30,7 @@ final class HostConnections {
   private static final int CLEAR_HALT = 21;
   private static final int TO_HOST = 0x80;
 
-  /** What a thread of this class does until a channel closes. */
+  /** Work of a thread until a channel closes. */
   interface Body {
     void run() throws IOException;
   }

@@ -71,7 +71,7 @@ final class MemoryTransport implements UsbTransport {
   }
 
   @Override
-  public byte[] ask(int request, int value, int index, int length) throws CameraProblem {
+  public byte[] query(int request, int value, int index, int length) throws CameraProblem {
     byte[] answer =
         control(
             new ControlRequest(ControlRequest.TO_HOST, request, value, index, length, new byte[0]));
@@ -101,12 +101,12 @@ final class MemoryTransport implements UsbTransport {
   }
 
   @Override
-  public byte[] read(int endpoint, int most) throws CameraProblem {
+  public byte[] read(int endpoint, int maxBytes) throws CameraProblem {
     requirePlugged();
     CompletableFuture<byte[]> read = new CompletableFuture<>();
     EmulatedEndpoint.Transfer transfer =
         new EmulatedEndpoint.Transfer(
-            most, (error, data, length) -> read.complete(Arrays.copyOf(data, length)));
+            maxBytes, (error, data, length) -> read.complete(Arrays.copyOf(data, length)));
     emulated.submit(endpoint, transfer);
     try {
       return read.get(TIMEOUT_MS, TimeUnit.MILLISECONDS);

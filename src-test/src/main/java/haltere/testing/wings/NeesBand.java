@@ -18,7 +18,7 @@ import java.util.List;
  * that is off by more than its standard deviations counts for no more than one that is not, so that
  * bad scenes do not make the band wide.
  */
-record NeesBand(double least, double most) {
+record NeesBand(double min, double max) {
   private static final double NINETY_FIVE_PERCENT = 1.96;
 
   /**
@@ -55,10 +55,10 @@ record NeesBand(double least, double most) {
   }
 
   boolean contains(double nees) {
-    return nees >= least && nees <= most;
+    return nees >= min && nees <= max;
   }
 
-  /** How many of the scenes are within it. */
+  /** Number of scenes within the band. */
   int count(List<NormalisedErrors[]> scenes) {
     return (int) scenes.stream().filter(s -> contains(NormalisedErrors.meanSquare(s))).count();
   }

@@ -101,7 +101,7 @@ public final class WingEvaluation {
             "hertz");
   }
 
-  /** What is beyond the picture stands at its upper edge. */
+  /** Draws values beyond the picture at its upper edge. */
   private static void dots(SvgPlot plot, List<Result> results, ToDoubleFunction<Result> value) {
     for (boolean manoeuvres : new boolean[] {false, true}) {
       List<Result> kind =
@@ -196,7 +196,7 @@ public final class WingEvaluation {
       if (!kind.isEmpty()) {
         NeesBand band = NeesBand.of(kind);
         inside += band.count(kind);
-        bands.append(String.format(Locale.ROOT, " %.2f to %.2f", band.least(), band.most()));
+        bands.append(String.format(Locale.ROOT, " %.2f to %.2f", band.min(), band.max()));
       }
     }
     line(text, "| %s in its band | %d of %d |%s | |", name, inside, found.size(), bands);

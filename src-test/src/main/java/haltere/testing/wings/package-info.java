@@ -1,2 +1,2 @@
-/** How well the wings of simulated flies are tracked, scene by scene and over many of them. */
+/** Evaluation of the wing tracker on simulated flies, scene by scene and over many scenes. */
 package haltere.testing.wings;

@@ -36,7 +36,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
-/** The arrows of docs/architecture.md. A rule that stands in the way is discussed, not deleted. */
+/** The dependency rules of docs/architecture.md. Discuss a rule before you delete it. */
 class ArchitectureTest {
   private static final String INTERNAL = "haltere..internal..";
 
@@ -64,13 +64,13 @@ class ArchitectureTest {
   }
 
   @Test
-  void allModulesAreLookedAt() {
+  void allModulesAreImported() {
     List.of("core", "device", "filters", "columnar", "ui")
         .forEach(name -> exists("haltere." + name));
   }
 
   @Test
-  void coreKnowsNobody() {
+  void coreDependsOnNoOtherModule() {
     check(
         noClasses()
             .that()
@@ -82,7 +82,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void coreStandsOnTheJdkAndAFewNamedLibrariesEachInOnePlace() {
+  void coreUsesOnlyTheJdkAndNamedLibrariesEachInItsPackage() {
     check(
         classes()
             .that()
@@ -130,7 +130,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void thePacketImportsNothing() {
+  void eventPackageDependsOnlyOnTheJdk() {
     check(
         classes()
             .that()
@@ -140,7 +140,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void streamAndSettingsKnowAtMostThePacketAndTheJsonText() {
+  void streamAndSettingsDependOnlyOnEventsAndJson() {
     check(
         classes()
             .that()
@@ -162,7 +162,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void theStagesOfCoreDoNotKnowEachOther() {
+  void chainFormatCameraAndSimulationAreIndependent() {
     String[] stages = {"chain", "format", "camera", "simulation"};
     for (String stage : stages) {
       for (String other : stages) {
@@ -188,7 +188,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void scenesDoNotKnowEachOtherAndWhatTheyShareKnowsNone() {
+  void scenesAreIndependentAndSharedCodeDependsOnNone() {
     String simulation = "haltere.core.simulation.internal";
     String[] scenes = {"fly", "road", "dots", "flight"};
     for (String scene : scenes) {
@@ -215,7 +215,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void partsOfTheWindowKnowOnlyThoseBelowThemAndFeaturesDoNotKnowEachOther() {
+  void viewerPackagesAreLayeredAndFeaturesAreIndependent() {
     String window = "haltere.ui.viewer";
     List<String> parts =
         List.of(
@@ -246,7 +246,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void whatStandsBelowAPackageDoesNotKnowIt() {
+  void lowerPackagesDoNotDependOnHigherOnes() {
     knowsNoneOf(
         "haltere.filters.estimation",
         Set.of("haltere.filters.estimation.motion", "haltere.filters.estimation.internal.example"),
@@ -326,7 +326,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void deviceAndFiltersDoNotKnowEachOtherNorTheWindow() {
+  void deviceAndFiltersAreIndependentOfEachOtherAndOfTheViewer() {
     check(
         noClasses()
             .that()
@@ -344,7 +344,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void eachOutsideLibraryHasItsPlace() {
+  void externalLibrariesAreConfinedToTheirPackages() {
     check(
         noClasses()
             .that()
@@ -405,7 +405,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void algorithmsCanBeUsedWithoutTheChain() {
+  void algorithmsDoNotDependOnTheChain() {
     check(
         noClasses()
             .that()
@@ -420,7 +420,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void packagesFormNoCycle() {
+  void packagesAreFreeOfCycles() {
     check(slices().matching("haltere.core.(**)").should().beFreeOfCycles());
     check(slices().matching("haltere.filters.(**)").should().beFreeOfCycles());
     check(slices().matching("haltere.device.(*)..").should().beFreeOfCycles());
@@ -428,7 +428,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void whatIsPublicShowsNothingInternal() {
+  void publicTypesExposeNoInternalTypes() {
     check(
         classes()
             .that()
@@ -479,7 +479,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void whoIsNoModuleOfHaltereUsesNothingInternal() throws IOException {
+  void documentsAndExamplesNameNoInternalPackage() throws IOException {
     Path root = Path.of("").toAbsolutePath().getParent();
     List<Path> texts = new ArrayList<>(List.of(root.resolve("README.md")));
     for (String folder : List.of("docs", "examples", "spark/src")) {
@@ -498,7 +498,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void packagesAreNamedForWhatTheyDo() {
+  void packagesHaveNoGenericNames() {
     check(
         noClasses()
             .should()
@@ -506,7 +506,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void noPackageIsTooLargeToFindOnesWayIn() {
+  void packagesHaveAtMost45Classes() {
     product.stream()
         .filter(JavaClass::isTopLevelClass)
         .collect(Collectors.groupingBy(JavaClass::getPackageName, Collectors.counting()))
@@ -516,7 +516,7 @@ class ArchitectureTest {
   }
 
   @Test
-  void nothingStaticChanges() {
+  void staticFieldsAreFinal() {
     check(
         fields()
             .that()

@@ -14,14 +14,14 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What docs/compatibility.md says of the public types of a library. */
+/** Rules of docs/compatibility.md for public types. */
 class PublicTypesTest {
   private static final Pattern PUBLIC_TYPE = Pattern.compile("(?m)^public ");
   private static final Pattern SINCE = Pattern.compile("\\* @since \\d+\\.\\d+\\R");
 
   @ParameterizedTest
   @ValueSource(strings = {"core", "filters"})
-  void eachSaysSinceWhichVersionItIsThereOrItsPackageDoes(String module) throws IOException {
+  void everyPublicTypeOrItsPackageHasASinceTag(String module) throws IOException {
     Path sources = Path.of("..", module, "src", "main", "java");
     List<Path> types;
     try (Stream<Path> files = Files.walk(sources)) {

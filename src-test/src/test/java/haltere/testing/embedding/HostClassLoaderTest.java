@@ -67,7 +67,7 @@ class HostClassLoaderTest {
   }
 
   @Test
-  void findsAllFormatsAndFiltersWhateverTheContextClassLoaderIs()
+  void formatsAndFiltersAreFoundWhateverTheContextClassLoader()
       throws ReflectiveOperationException {
     assertNotSame(Filters.class, host.loadClass(Filters.class.getName()));
     ClassLoader[] contexts = {null, ClassLoader.getPlatformClassLoader(), before, host};
@@ -82,7 +82,7 @@ class HostClassLoaderTest {
   }
 
   @Test
-  void aJarInTheExtensionsFolderBringsItsFilterAndBrokenOnesAreNamedAndLeftOut() throws Exception {
+  void extensionJarProvidesItsFilterAndBrokenJarsAreReportedAndSkipped() throws Exception {
     Path extensions = Files.createDirectory(folder.resolve("extensions"));
     jar(extensions.resolve("good.jar"), "Good", provider("Good", "good", SETTINGS_WITH_UNIT));
     jar(extensions.resolve("unitless.jar"), "Bare", provider("Bare", "bare", SETTINGS_WITHOUT));

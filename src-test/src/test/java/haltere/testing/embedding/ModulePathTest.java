@@ -16,7 +16,7 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A modular program with core and filters on its module path, as decision 4 says. */
+/** A modular program with core and filters on its module path (decision 4). */
 class ModulePathTest {
   private static final String MAIN =
       """
@@ -42,7 +42,7 @@ class ModulePathTest {
   @TempDir Path folder;
 
   @Test
-  void aModuleThatRequiresJacksonWritesJsonWithoutAFlag() throws Exception {
+  void moduleThatRequiresJacksonWritesJsonWithoutAFlag() throws Exception {
     String jars =
         Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
             .filter(

@@ -15,7 +15,7 @@ class AccuracyTest {
   }
 
   @Test
-  void thePositionErrorIsTheRootOfTheMeanSquaredDistance() {
+  void positionErrorIsTheRootMeanSquareDistance() {
     // Distances 5 (3, 4) and 1: √((25 + 1) / 2). The third object has no track.
     Accuracy accuracy =
         of(
@@ -32,7 +32,7 @@ class AccuracyTest {
   }
 
   @Test
-  void theVelocityOfATrackCountsOnceItHasSettled() {
+  void velocityErrorExcludesTheSettlingTimeOfATrack() {
     // At 299,999 us the track is too young, whatever its velocity. Then errors of 0.3 and 0.4 at
     // speeds of 10 and 20: √((0.09 + 0.16) / 2) and √(0.25 / 500).
     Accuracy accuracy =
@@ -57,7 +57,7 @@ class AccuracyTest {
   }
 
   @Test
-  void anObjectThatStandsHasAVelocityErrorButNoRatioOfSpeeds() {
+  void stationaryObjectHasAVelocityErrorButNoSpeedRatio() {
     Accuracy accuracy =
         of(
             List.of(new ObjectPoint(0, 1, 0, 0, 0, 0), new ObjectPoint(SETTLED_US, 1, 0, 0, 0, 0)),

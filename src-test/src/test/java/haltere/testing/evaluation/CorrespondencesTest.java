@@ -17,17 +17,17 @@ class CorrespondencesTest {
   }
 
   @Test
-  void aTrackInTwoHalvesIsOneSwitchOfFourPoints() {
+  void trackBrokenInTwoIsOneSwitch() {
     check(0, 0, 1, 1 - 1.0 / 4, new Correspondences(Rows.brokenTrack(), 5));
   }
 
   @Test
-  void swappedTracksAreTwoSwitchesOfTwentyPoints() {
+  void swappedTracksAreTwoSwitches() {
     check(0, 0, 2, 1 - 2.0 / 20, new Correspondences(Rows.swappedTracks(), 5));
   }
 
   @Test
-  void anOutlierIsMissedAndFalse() {
+  void outlierCountsAsMissedAndFalse() {
     check(1, 1, 0, 1 - 2.0 / 4, new Correspondences(Rows.outlierTrack(), 5));
   }
 
@@ -42,7 +42,7 @@ class CorrespondencesTest {
   }
 
   @Test
-  void anObjectKeepsItsTrackWhenAnotherComesNearer() {
+  void objectKeepsItsTrackWhenAnotherTrackIsNearer() {
     // From frame 2 on track 1 is 3 away, within the gate, and track 2 at the object's own place.
     Frames frames =
         Rows.frames(
@@ -54,7 +54,7 @@ class CorrespondencesTest {
   }
 
   @Test
-  void anObjectThatIsFoundAgainUnderAnotherIdentityIsASwitch() {
+  void reacquisitionUnderAnotherIdentityIsASwitch() {
     // Without a track in frames 2 and 3, then with a new one: 2 missed and 1 switch of 6.
     Frames frames =
         Rows.frames(new Rows().add(1, 0, 5, 0), new Rows().add(1, 0, 1, 0).add(9, 4, 5, 0));
@@ -66,14 +66,14 @@ class CorrespondencesTest {
   }
 
   @Test
-  void anObjectThatIsFoundAgainUnderItsIdentityIsNone() {
+  void reacquisitionUnderTheSameIdentityIsNoSwitch() {
     Frames frames =
         Rows.frames(new Rows().add(1, 0, 5, 0), new Rows().add(1, 0, 1, 0).add(1, 4, 5, 0));
     check(2, 0, 0, 1 - 2.0 / 6, new Correspondences(frames, 5));
   }
 
   @Test
-  void aTrackThatAnotherObjectTookIsNotGivenBack() {
+  void trackAssignedToAnotherObjectStaysThere() {
     // Object 1 is away in frame 1 while its track 1 goes over to object 2, which has been without a
     // track. In frame 2 both are near track 1: object 2 keeps it, and object 1 is missed.
     Frames frames =
@@ -86,7 +86,7 @@ class CorrespondencesTest {
   }
 
   @Test
-  void asManyPairsAsThereCanBeComeBeforeTheNearest() {
+  void matchingMaximizesPairsBeforeMinimizingDistance() {
     Correspondences found = new Correspondences(Rows.chain(), 9.5);
     check(0, 0, 0, 1, found);
     assertEquals(8, found.motp());
@@ -95,7 +95,7 @@ class CorrespondencesTest {
   }
 
   @Test
-  void pairsReachUpToTheGate() {
+  void gateIncludesItsDistance() {
     Frames frames = Rows.frames(new Rows().add(1, 0, 0, 0), new Rows().add(1, 0, 0, 3));
     assertEquals(1, new Correspondences(frames, 3).matches().size());
     assertEquals(0, new Correspondences(frames, Math.nextDown(3.0)).matches().size());
@@ -105,7 +105,7 @@ class CorrespondencesTest {
   }
 
   @Test
-  void withoutTruthThereIsNoMota() {
+  void motaIsUndefinedWithoutTruth() {
     Frames frames = Rows.frames(new Rows(), new Rows().add(1, 0, 0, 3));
     Correspondences found = new Correspondences(frames, 3);
     assertTrue(Double.isNaN(found.mota()));

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 
 class FramesTest {
   @Test
-  void rowsAreLaidSideBySideAtAllTimes() {
+  void rowsAreGroupedByTime() {
     ObjectPoint a = new ObjectPoint(20, 5, 1, 1);
     ObjectPoint b = new ObjectPoint(20, 3, 2, 2);
     ObjectPoint c = new ObjectPoint(10, 3, 2, 2);
@@ -31,7 +31,7 @@ class FramesTest {
   }
 
   @Test
-  void statedTimesHaveAFrameEachAndOtherRowsAreRefused() {
+  void givenTimesHaveOneFrameEachAndRowsAtOtherTimesAreRejected() {
     List<ObjectPoint> truth = List.of(new ObjectPoint(10, 1, 0, 0));
     Frames frames = Frames.at(new long[] {30, 10, 20}, truth, List.of());
     assertEquals(List.of(10L, 20L, 30L), frames.list().stream().map(Frame::timeUs).toList());
@@ -42,7 +42,7 @@ class FramesTest {
   }
 
   @Test
-  void anIdentityAtTwoPlacesAtOnceAndAPointNowhereAreRefused() {
+  void duplicateIdentitiesAndNonFinitePointsAreRejected() {
     List<ObjectPoint> twice = List.of(new ObjectPoint(10, 1, 0, 0), new ObjectPoint(10, 1, 5, 5));
     assertThrows(IllegalArgumentException.class, () -> Frames.of(twice, List.of()));
     assertThrows(IllegalArgumentException.class, () -> Frames.of(List.of(), twice));
@@ -52,7 +52,7 @@ class FramesTest {
   }
 
   @Test
-  void joinedScenesWeighByWhatIsInThem() {
+  void joinedScenesAreWeightedByTheirPoints() {
     // Identities 1 and 2 of the scenes are not the same objects. Truth 4 + 20 + 4 points, switches
     // 1 + 2 + 0, missed and false 0 + 0 + 2: MOTA = 1 − 5/28. IDTP = 2 + 12 + 3 of 28 on each side.
     Frames joined =
@@ -79,7 +79,7 @@ class FramesTest {
   }
 
   @Test
-  void noScoreDependsOnTheOrderOfRowsOrOnTheNumbersOfIdentities() {
+  void scoresDoNotDependOnRowOrderOrIdentityNumbers() {
     List<ObjectPoint> truth = new ArrayList<>();
     List<ObjectPoint> tracks = new ArrayList<>();
     SplittableRandom random = new SplittableRandom(11);

@@ -26,27 +26,27 @@ class GospaTest {
   }
 
   @Test
-  void onePairOneMissedTwoFalse() {
+  void localizationMissedAndFalseTermsAddUp() {
     // c = 10: 3² + 10²/2 + 2 · 10²/2 = 159.
     check(9, 50, 100, at(0, 100), at(3, 200, 300));
   }
 
   @Test
-  void aPairAtTheCutOffCostsAsMuchAsAMissAndAFalseTrack() {
+  void pairAtTheCutOffCostsAMissAndAFalseTrack() {
     check(0, 50, 50, at(0), at(10));
     check(0, 50, 50, at(0), at(1000));
     check(81, 0, 0, at(0), at(9));
   }
 
   @Test
-  void pairsAreTakenTogetherNotTheNearestFirst() {
+  void assignmentIsGloballyOptimalNotGreedy() {
     // (0, 3) and (5, 12): 9 + 49 = 58. Nearest first: (5, 3) costs 4, but then 50 + 50 for the
     // rest.
     check(58, 0, 0, at(0, 5), at(3, 12));
   }
 
   @Test
-  void leavingOutAPairCanBeBest() {
+  void optimalAssignmentMayLeaveAPairUnassigned() {
     // (0, 1): 1; the object at 50 and the track at −9: 59 apart. Pairing 0 with −9 as well as 50
     // with
     // nothing would cost 81 + 50 + 50.
@@ -54,13 +54,13 @@ class GospaTest {
   }
 
   @Test
-  void itIsSymmetricButForTheNamesOfItsParts() {
+  void gospaIsSymmetricExceptForMissedAndFalse() {
     check(58, 0, 50, at(3, 12), at(0, 5, 400));
     check(58, 50, 0, at(0, 5, 400), at(3, 12));
   }
 
   @Test
-  void overTimeItIsTheMean() {
+  void gospaOverTimeIsTheMeanOfFrames() {
     // Frame 0: 58, see above. Frame 1: an object without a track, 50.
     Frames frames = Rows.frames(at(0, 5).add(0, 1, 1, 0), at(3, 12));
     Gospa gospa = Gospa.of(frames, 10);
@@ -72,7 +72,7 @@ class GospaTest {
   }
 
   @Test
-  void anEmptyFrameIsPerfectAndNoFrameIsNothing() {
+  void emptyFrameScoresZeroAndNoFramesAreUndefined() {
     Frames empty = Frames.at(new long[] {0}, at().points(), at().points());
     assertEquals(0, Gospa.of(empty, 10).mean());
     assertTrue(Double.isNaN(Gospa.of(Rows.frames(at(), at()), 10).mean()));

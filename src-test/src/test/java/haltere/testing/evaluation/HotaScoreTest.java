@@ -18,7 +18,7 @@ class HotaScoreTest {
   }
 
   @Test
-  void theThresholdsAreThoseOfThePaper() {
+  void thresholdsMatchThePaper() {
     HotaScore score = HotaScore.of(Rows.brokenTrack(), D0);
     assertEquals(0.05, score.thresholds().get(0).alpha());
     assertEquals(0.5, score.thresholds().get(9).alpha());
@@ -26,32 +26,32 @@ class HotaScoreTest {
   }
 
   @Test
-  void tracksThatAreTheTruthScoreOne() {
+  void tracksEqualToTheTruthScoreOne() {
     Rows truth = new Rows().add(1, 0, 9, 0).add(2, 3, 5, 4);
     check(1, 1, 1, Rows.frames(truth, truth));
   }
 
   @Test
-  void aTrackInTwoHalvesHasAnAssociationOfOneHalf() {
+  void trackBrokenInTwoHasAnAssociationScoreOfOneHalf() {
     // All 4 points are pairs: DetA = 1. Each: TPA = 2, FNA = 4 − 2, FPA = 2 − 2, so A = 2/4.
     check(1, 0.5, Math.sqrt(0.5), Rows.brokenTrack());
   }
 
   @Test
-  void swappedTracksByHand() {
+  void swappedTracksScoreAsComputedByHand() {
     // DetA = 1. 12 pairs of identity: TPA = 6, FNA = FPA = 4, A = 6/14. 8 swapped: TPA = 4,
     // FNA = FPA = 6, A = 4/16. AssA = (12 · 6/14 + 8 · 4/16) / 20 = 5/14.
     check(1, 5.0 / 14, Math.sqrt(5.0 / 14), Rows.swappedTracks());
   }
 
   @Test
-  void anOutlierIsMissedAndFalseInDetectionAndInAssociation() {
+  void outlierLowersDetectionAndAssociationScores() {
     // TP = 3, FN = 1, FP = 1: DetA = 3/5. TPA = 3, FNA = 1, FPA = 1: A = 3/5. HOTA = 3/5.
     check(0.6, 0.6, 0.6, Rows.outlierTrack());
   }
 
   @Test
-  void anOffsetOfThreeTenthsCountsUpToAlphaOfSevenTenths() {
+  void offsetOfThreeTenthsMatchesUpToAlphaOfSevenTenths() {
     // S = 1 − 3/10 = 0.7: a perfect score at 0.05 … 0.70, 14 of 19, and 0 above.
     Frames frames = Rows.frames(new Rows().add(1, 0, 4, 20), new Rows().add(1, 0, 4, 23));
     check(14.0 / 19, 14.0 / 19, 14.0 / 19, frames);
@@ -63,7 +63,7 @@ class HotaScoreTest {
   }
 
   @Test
-  void whereTracksAreNearBothObjectsTheirIdentityDecides() {
+  void identitiesDecideWhenTracksAreNearBothObjects() {
     // In one frame of four the objects are at 0 and 1, their tracks at 0.6 and 0.4. With S = 0.94
     // of
     // the right pairs the score is 1 up to α = 0.90. At 0.95 only the wrong pairs are left, S =
@@ -77,14 +77,14 @@ class HotaScoreTest {
   }
 
   @Test
-  void asManyPairsAsThereCanBeComeFirst() {
+  void matchingMaximizesThePairs() {
     // S of (0, 8) and (12, 20) is 0.2, of (12, 8) 0.6. α ≤ 0.2 (4 of them): both pairs, all 1.
     // 0.25 to 0.60 (8): one pair, DetA = 1/3, AssA = 1. Above (7): none.
     check((4 + 8.0 / 3) / 19, (4 + 8.0) / 19, (4 + 8 * Math.sqrt(1.0 / 3)) / 19, Rows.chain());
   }
 
   @Test
-  void withoutTracksOrTruthTheScoreIsZeroAndWithoutBothThereIsNone() {
+  void scoreIsZeroWithoutTracksOrTruthAndUndefinedWithoutBoth() {
     Rows one = new Rows().add(1, 0, 3, 0);
     check(0, 0, 0, Rows.frames(one, new Rows()));
     check(0, 0, 0, Rows.frames(new Rows(), one));
@@ -92,7 +92,7 @@ class HotaScoreTest {
   }
 
   @Test
-  void aDistanceWithoutMeaningIsRefused() {
+  void invalidDistanceIsRejected() {
     Frames frames = Rows.brokenTrack();
     for (double d0 : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
       assertThrows(IllegalArgumentException.class, () -> HotaScore.of(frames, d0));

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 class IdentityScoreTest {
   @Test
-  void aTrackInTwoHalvesScoresOneHalf() {
+  void trackBrokenInTwoScoresOneHalf() {
     // The object takes one of the halves: IDTP = 2, IDFP = 2, IDFN = 2; 4 / (4 + 2 + 2).
     IdentityScore score = IdentityScore.of(Rows.brokenTrack(), 1);
     assertEquals(new IdentityScore(2, 2, 2), score);
@@ -16,7 +16,7 @@ class IdentityScoreTest {
   }
 
   @Test
-  void swappedTracksScoreTheirLongerPart() {
+  void swappedTracksScoreTheirLongerSegment() {
     // 6 of 10 points each: IDTP = 12, IDFP = IDFN = 8; 24 / (24 + 8 + 8).
     IdentityScore score = IdentityScore.of(Rows.swappedTracks(), 1);
     assertEquals(new IdentityScore(12, 8, 8), score);
@@ -24,7 +24,7 @@ class IdentityScoreTest {
   }
 
   @Test
-  void trajectoriesAreMatchedTogetherNotTheLongestFirst() {
+  void trajectoryMatchingIsGloballyOptimalNotGreedy() {
     // Common points: object 1 with track 1: 5, with track 2: 4; object 2 with track 1: 4. The
     // longest
     // first gives 5, all together 4 + 4 = 8 of 13 points on either side; 16 / (16 + 5 + 5).
@@ -39,7 +39,7 @@ class IdentityScoreTest {
   }
 
   @Test
-  void precisionAndRecallAreTheSharesOfEitherSide() {
+  void precisionAndRecallAreSharesOfTrackAndTruthPoints() {
     // 10 points of truth, a track on 4 of them, a false track of 2 points.
     IdentityScore score =
         IdentityScore.of(
@@ -52,7 +52,7 @@ class IdentityScoreTest {
   }
 
   @Test
-  void pointsCountUpToTheGate() {
+  void gateIncludesItsDistance() {
     Frames frames = Rows.frames(new Rows().add(1, 0, 0, 0), new Rows().add(1, 0, 0, 3));
     assertEquals(1, IdentityScore.of(frames, 3).idf1());
     assertEquals(0, IdentityScore.of(frames, Math.nextDown(3.0)).idf1());
@@ -62,7 +62,7 @@ class IdentityScoreTest {
   }
 
   @Test
-  void withoutTracksTheScoreIsZeroAndWithoutPointsThereIsNone() {
+  void scoreIsZeroWithoutTracksAndUndefinedWithoutPoints() {
     Rows one = new Rows().add(1, 0, 3, 0);
     assertEquals(0, IdentityScore.of(Rows.frames(one, new Rows()), 1).idf1());
     assertTrue(Double.isNaN(IdentityScore.of(Rows.frames(new Rows(), new Rows()), 1).idf1()));

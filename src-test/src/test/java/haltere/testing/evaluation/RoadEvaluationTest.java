@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 class RoadEvaluationTest {
   @Test
-  void onFreeRoadsHalfOfTheSpeedsOfPassagesAreWithinFifteenPercent() throws IOException {
+  void medianSpeedErrorOnFreeRoadsIsBelowFifteenPercent() throws IOException {
     RoadEvaluation evaluation = new RoadEvaluation();
     for (int seed = 1; seed <= 2; seed++) {
       evaluation.judge(

@@ -28,20 +28,20 @@ class TrackLatencyTest {
   }
 
   @Test
-  void latenciesCountFromTheFirstEventWhereItIsKnown() {
+  void latenciesCountFromAKnownFirstEvent() {
     TrackLatency latency = TrackLatency.of(FRAMES, FOUND, Map.of(1, 1600L, 2, 1250L));
     assertEquals(List.of(750L, 2400L), latency.latenciesUs());
   }
 
   @Test
-  void theMedianOfAnEvenNumberLiesBetween() {
+  void medianOfAnEvenCountIsTheMidpoint() {
     assertEquals(15, new TrackLatency(List.of(30L, 10L, 20L, 0L), 0).medianUs());
     assertEquals(30, new TrackLatency(List.of(30L, 10L, 20L, 0L), 0).greatestUs());
     assertEquals(Double.POSITIVE_INFINITY, new TrackLatency(List.of(1L), 1).medianUs());
   }
 
   @Test
-  void withoutObjectsThereIsNoLatency() {
+  void latencyIsUndefinedWithoutObjects() {
     TrackLatency latency = new TrackLatency(List.of(), 0);
     assertTrue(Double.isNaN(latency.meanUs()));
     assertTrue(Double.isNaN(latency.medianUs()));

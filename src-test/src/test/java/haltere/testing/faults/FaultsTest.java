@@ -76,7 +76,7 @@ class FaultsTest {
         "a.npz",
         "a.mcap"
       })
-  void aFileThatDoesNotFitOnTheDiskDoesNotAppear(String name) throws IOException {
+  void fullDiskLeavesNoRecording(String name) throws IOException {
     Path file = out.resolve(name);
     FaultyProgram.run(NONE, notes, "convert", in.resolve(CUTS.get(0)), file).wentWell();
     long bytes = Files.size(file);
@@ -96,7 +96,7 @@ class FaultsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"tracks.csv", "tracks.parquet", "tracks.npz"})
-  void aTableThatDoesNotFitDoesNotAppear(String name) throws IOException {
+  void fullDiskLeavesNoTable(String name) throws IOException {
     Path table = out.resolve(name);
     Map<String, ?> full = Map.of("FAULTS_FOLDER", out, "FAULTS_FULL_AFTER", 3000);
     FaultyProgram.run(full, notes, "track", in.resolve(CUTS.get(0)), "--out", table)
@@ -105,7 +105,7 @@ class FaultsTest {
   }
 
   @Test
-  void aSceneWhoseTruthDoesNotFitLeavesNeitherOfTheTwo() throws IOException {
+  void fullDiskLeavesNeitherSceneNorTruth() throws IOException {
     Map<String, ?> full = Map.of("FAULTS_FOLDER", out, "FAULTS_FULL_AFTER", 60_000);
     Path truth = out.resolve("truth.csv");
     FaultyProgram.run(full, notes, "simulate", "fly", out.resolve("fly.dat"), "--truth", truth)
@@ -115,7 +115,7 @@ class FaultsTest {
 
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 2, 3})
-  void aDiskThatCannotBeReadIsNamedWithFileAndByte(int number) throws IOException {
+  void readErrorIsReportedWithFileAndByte(int number) throws IOException {
     Path recording = in.resolve(CUTS.get(number));
     Path whole = folder.resolve("whole.csv");
     FaultyProgram.run(NONE, notes, "convert", recording, whole).wentWell();
@@ -136,7 +136,7 @@ class FaultsTest {
   }
 
   @Test
-  void aRecordingThatCannotBeReadStopsNoOtherOfABatchAndIsNamed() throws IOException {
+  void unreadableRecordingIsReportedAndDoesNotStopABatch() throws IOException {
     Map<String, byte[]> whole = undisturbedBatch();
     for (String cut : CUTS) {
       Path results = out.resolve(cut);
@@ -154,7 +154,7 @@ class FaultsTest {
   @ParameterizedTest
   @ValueSource(
       strings = {"FAULTS_FULL_AFTER", "FAULTS_SYNC_ERROR", "FAULTS_RENAME_ERROR", "FAULTS_SLOW_US"})
-  void aBatchOnAFaultyDiskIsResumedToWhatAnUndisturbedOneGives(String fault) throws IOException {
+  void batchInterruptedByDiskFaultsResumesToTheSameResults(String fault) throws IOException {
     Map<String, byte[]> whole = undisturbedBatch();
     long bytes = whole.values().stream().mapToLong(content -> content.length).sum();
     for (int i = 0; i < TRIES; i++) {
@@ -174,7 +174,7 @@ class FaultsTest {
   }
 
   @Test
-  void aRecordingOnADiskThatGetsFullHoldsWhatTheLineSays() throws IOException {
+  void cameraRecordingOnAFullDiskHoldsTheReportedEvents() throws IOException {
     Path file = out.resolve("r.aedat4");
     Map<String, ?> full = Map.of("FAULTS_FOLDER", out, "FAULTS_FULL_AFTER", 200_000);
     Ended ended = record(full, file);
@@ -188,7 +188,7 @@ class FaultsTest {
   }
 
   @Test
-  void aRecordingOnASlowDiskByAClockThatJumpsIsWhole() throws IOException {
+  void cameraRecordingIsCompleteDespiteASlowDiskAndAClockJump() throws IOException {
     Path file = out.resolve("r.aedat4");
     Map<String, ?> faults =
         Map.of("FAULTS_FOLDER", out, "FAULTS_SLOW_US", 50_000, "FAULTS_CLOCK_JUMP_S", -7200);
@@ -198,7 +198,7 @@ class FaultsTest {
 
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 2, 3})
-  void littleMemoryAndAClockThatJumpsGiveTheSameTracks(int number) throws IOException {
+  void tracksAreTheSameWithLittleMemoryAndAClockJump(int number) throws IOException {
     Path recording = in.resolve(CUTS.get(number));
     Path usual = out.resolve("usual.csv");
     FaultyProgram.run(NONE, notes, "track", recording, "--out", usual).wentWell();

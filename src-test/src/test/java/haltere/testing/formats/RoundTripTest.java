@@ -43,7 +43,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class RoundTripTest {
   private static final Pattern LEFT_OUT = Pattern.compile("^(\\d+) events? .* left out");
 
-  /** What writers of text say, whose readers take rows to count from the top. */
+  /** Warning of text writers, whose readers count rows from the top. */
   private static final String ROWS_UP =
       "rows count from the bottom, as in the source; most programs, including this one, read text"
           + " from the top: use --origin top for these";
@@ -62,7 +62,7 @@ class RoundTripTest {
     return folder.resolve("recording-" + files++ + "." + format);
   }
 
-  /** What became of a recording: all empty if the writer refused it. */
+  /** Written recording and its warnings; empty if the writer rejected it. */
   private record Written(Path file, Optional<List<String>> warnings) {}
 
   private Written convert(RecordingReader from, String to, Conversion conversion)
@@ -127,7 +127,7 @@ class RoundTripTest {
     }
   }
 
-  /** How many events the writer says that it could not hold. */
+  /** Number of events that the writer reported as skipped. */
   private static long leftOut(List<String> losses) {
     return losses.stream()
         .map(LEFT_OUT::matcher)
@@ -164,7 +164,7 @@ class RoundTripTest {
 
   @ParameterizedTest
   @MethodSource("writable")
-  void whatEveryFormatHoldsComesBackWithoutAWord(String format) throws IOException {
+  void plainRecordingsAreReadBackUnchangedWithoutWarnings(String format) throws IOException {
     for (Recording recording : RandomRecordings.plain()) {
       Written written = write(recording, format);
       String what = format + ", " + recording;
@@ -175,7 +175,7 @@ class RoundTripTest {
 
   @ParameterizedTest
   @MethodSource("writable")
-  void whatAFormatCannotHoldIsSaid(String format) throws IOException {
+  void lossesOfExtremeRecordingsAreReported(String format) throws IOException {
     for (Recording recording : RandomRecordings.extreme()) {
       Written written = write(recording, format);
       if (written.warnings().isPresent()) {
@@ -186,7 +186,7 @@ class RoundTripTest {
 
   @ParameterizedTest
   @MethodSource("writable")
-  void aFileWhoseSizeIsNotStatedSaysThatItWasGuessed(String format) throws IOException {
+  void guessedSensorSizeIsReported(String format) throws IOException {
     for (Recording recording : RandomRecordings.plain()) {
       Written written = write(recording, format);
       try (RecordingReader reader = Recordings.open(written.file())) {
@@ -199,7 +199,7 @@ class RoundTripTest {
 
   @ParameterizedTest
   @MethodSource("writable")
-  void everyOtherFormatTakesItOver(String format) throws IOException {
+  void recordingsConvertToEveryOtherFormatUnchanged(String format) throws IOException {
     for (Recording original : RandomRecordings.plain()) {
       Recording recording = fromTheTop(original);
       Written first = write(recording, format);
@@ -228,7 +228,7 @@ class RoundTripTest {
 
   @ParameterizedTest
   @MethodSource("writable")
-  void aStretchIsHalfOpenAndFiltersSeeNothingElse(String format) throws IOException {
+  void timeRangeIsHalfOpenAndFiltersSeeOnlyItsEvents(String format) throws IOException {
     SensorGeometry sensor = new SensorGeometry(240, 180, Origin.TOP);
     EventPacket events = RandomRecordings.random(sensor, 31, 3000, 5000);
     Recording recording = new Recording("to be cut", true, sensor, events);
@@ -266,7 +266,7 @@ class RoundTripTest {
     }
   }
 
-  /** What a chain that sees nothing else leaves of events, which stay as they are. */
+  /** Events that a new chain passes; the originals are unchanged. */
   private static EventPacket filtered(SensorGeometry sensor, EventPacket events) {
     EventPacket left = EventPackets.copy(events);
     FilterChain chain = chain(sensor);
@@ -287,7 +287,7 @@ class RoundTripTest {
 
   @ParameterizedTest
   @MethodSource("writable")
-  void whereRowsCountFromDoesNotChangeWhatComesBack(String format) throws IOException {
+  void rowOriginDoesNotChangeEventsReadBack(String format) throws IOException {
     SensorGeometry sensor = new SensorGeometry(240, 180, Origin.BOTTOM);
     EventPacket events = RandomRecordings.random(sensor, 33, 500, 5000);
     Path file = newFile(format);

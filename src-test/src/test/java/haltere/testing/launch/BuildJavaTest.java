@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A build that is started with a Java that Gradle does not run on says so in one line. */
+/** A Java version that Gradle does not support is reported in one line. */
 class BuildJavaTest {
   @TempDir Path folder;
 
@@ -46,14 +46,14 @@ class BuildJavaTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"1.8.0_392", "11.0.21", "25.0.1"})
-  void aJavaThatIsTooOldOrTooNewIsNamedInOneLine(String version) throws Exception {
+  void unsupportedJavaVersionIsReportedInOneLine(String version) throws Exception {
     String said = errorOf(version, 1);
     assertEquals(1, said.lines().count(), said);
     assertTrue(said.contains("jdk-" + version) && said.contains("set JAVA_HOME"), said);
   }
 
   @Test
-  void aJavaThatFitsIsTakenWithoutAWord() throws Exception {
+  void supportedJavaVersionIsAcceptedSilently() throws Exception {
     assertEquals("", errorOf("17.0.9", 0));
     assertEquals("", errorOf("21", 0));
   }

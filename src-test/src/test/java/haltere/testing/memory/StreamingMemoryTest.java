@@ -38,7 +38,7 @@ class StreamingMemoryTest {
   private static final long BUDGET_KIB = 64 * 1024;
   private static final int PACKET_EVENTS = 50_000;
 
-  /** As packets in memory, 48 MB; in each format more than its readers hold at once. */
+  /** 48 MB as packets in memory; in each format more than its readers buffer. */
   private static final int PACKETS = 80;
 
   private static final int LIES = 60;
@@ -52,7 +52,7 @@ class StreamingMemoryTest {
 
   @TempDir Path folder;
 
-  /** What a process prints that reads a list of files. */
+  /** Output of a process that reads a list of files. */
   private List<String[]> probe(List<String> lines) throws IOException, InterruptedException {
     List<String> command =
         new ArrayList<>(
@@ -121,7 +121,7 @@ class StreamingMemoryTest {
   }
 
   @Test
-  void aLargeRecordingOfAnyFormatIsReadInLittleMemory() throws IOException, InterruptedException {
+  void largeRecordingsOfAllFormatsAreReadInLittleMemory() throws IOException, InterruptedException {
     EventPacket events = EventPackets.uniform(SENSOR, 1, PACKET_EVENTS, 1_000_000, 3);
     long emptyKib = peakKib(probe(List.of()));
     List<String> lines = new ArrayList<>();
@@ -139,7 +139,7 @@ class StreamingMemoryTest {
   }
 
   @Test
-  void aLyingRecordingOfAnyFormatIsReadOrRefusedInLittleMemory()
+  void recordingsWithFalseSizesAreReadOrRejectedInLittleMemory()
       throws IOException, InterruptedException {
     EventPacket events = EventPackets.uniform(SENSOR, 2, 3000, 1_000_000, 3);
     List<String> lines = new ArrayList<>();

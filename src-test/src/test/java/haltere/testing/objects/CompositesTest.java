@@ -28,14 +28,14 @@ class CompositesTest {
 
   @ParameterizedTest
   @EnumSource
-  void objectsMakeEventsWhereTheyAre(Composites.Kind kind) throws IOException {
+  void eventsAreDenserInObjectBoxesThanElsewhere(Composites.Kind kind) throws IOException {
     ObjectScene scene = Composites.scene(kind, 7);
     assertEquals(3, scene.objects());
     assertTrue(EventDensity.of(scene).ratio() > 4, () -> kind + " has its events elsewhere");
   }
 
   @Test
-  void theSameSeedMakesTheSameComposite() throws IOException {
+  void sameSeedGivesTheSameComposite() throws IOException {
     ObjectScene first = Composites.scene(Composites.Kind.CROSSING, 11);
     ObjectScene again = Composites.scene(Composites.Kind.CROSSING, 11);
     assertEquals(first.truth(), again.truth());
@@ -43,13 +43,13 @@ class CompositesTest {
   }
 
   @Test
-  void crossingObjectsOverlapInBetweenAndOthersNever() throws IOException {
-    assertTrue(leastGap(Composites.Kind.CROSSING) < 0);
-    assertTrue(leastGap(Composites.Kind.APART) > 0);
-    assertTrue(leastGap(Composites.Kind.BESIDE) > 0);
+  void onlyCrossingObjectsOverlap() throws IOException {
+    assertTrue(minGap(Composites.Kind.CROSSING) < 0);
+    assertTrue(minGap(Composites.Kind.APART) > 0);
+    assertTrue(minGap(Composites.Kind.BESIDE) > 0);
   }
 
-  private static double leastGap(Composites.Kind kind) throws IOException {
+  private static double minGap(Composites.Kind kind) throws IOException {
     double least = Double.POSITIVE_INFINITY;
     for (TruthMoment moment : Composites.scene(kind, 3).truth()) {
       List<TrueObject> there = moment.objects();

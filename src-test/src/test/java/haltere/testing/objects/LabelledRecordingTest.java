@@ -22,14 +22,14 @@ class LabelledRecordingTest {
 
   @ParameterizedTest
   @MethodSource("withObjectsInsideThePicture")
-  void eventsAreDenserInBoxesThanElsewhere(LabelledRecording recording) throws IOException {
+  void eventsAreDenserInObjectBoxesThanElsewhere(LabelledRecording recording) throws IOException {
     Recorded.file(recording.file());
     double ratio = EventDensity.of(recording.scene()).ratio();
     assertTrue(ratio > 4, recording.file() + ": " + ratio);
   }
 
   @Test
-  void labelsAscendInTime() throws IOException {
+  void labelTimesAscend() throws IOException {
     for (LabelledRecording recording : LabelledRecording.all()) {
       List<TruthMoment> labels = LabelledBoxes.of(recording.file());
       for (int i = 1; i < labels.size(); i++) {
@@ -40,7 +40,7 @@ class LabelledRecordingTest {
   }
 
   @Test
-  void aPartOfARecordingBeginsLaterAndLacksATenthOfTheEvents() throws IOException {
+  void partOfARecordingStartsLaterWithNineTenthsOfTheEvents() throws IOException {
     LabelledRecording recording = LabelledRecording.all().get(0);
     Recorded.file(recording.file());
     ObjectScene part = recording.part(1);
@@ -58,7 +58,7 @@ class LabelledRecordingTest {
   }
 
   @Test
-  void footageThatRunsBackAndForthMirrorsItsTimesAndPolarities() {
+  void reversedFootageMirrorsTimesAndPolarities() {
     EventPacket events = new EventPacket(2);
     events.append(100, 1, 2, true);
     events.append(130, 3, 4, false);

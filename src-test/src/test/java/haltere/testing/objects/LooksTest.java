@@ -17,7 +17,7 @@ class LooksTest {
 
   @ParameterizedTest
   @EnumSource
-  void objectsMakeEventsWhereTheyAreAndTheTruthScoresOne(Looks.Look look) throws IOException {
+  void eventsAreDenserInObjectBoxesAndTheTruthScoresOne(Looks.Look look) throws IOException {
     ObjectScene scene = Looks.scene(look, 5, SMALL);
     assertTrue(scene.objects() >= 2 && scene.objects() <= 8);
     assertTrue(EventDensity.of(scene).ratio() > 2, () -> look + " has its events elsewhere");
@@ -48,7 +48,7 @@ class LooksTest {
   }
 
   @Test
-  void theSameSeedMakesTheSameScene() throws IOException {
+  void sameSeedGivesTheSameScene() throws IOException {
     ObjectScene first = Looks.scene(Looks.Look.HIDDEN, 3, SMALL);
     ObjectScene again = Looks.scene(Looks.Look.HIDDEN, 3, SMALL);
     assertEquals(first.truth(), again.truth());
@@ -56,7 +56,7 @@ class LooksTest {
   }
 
   @Test
-  void velocitiesAreTheSlopesOfPositions() {
+  void velocitiesAreTheDerivativesOfPositions() {
     SplittableRandom random = new SplittableRandom(1);
     double h = 1e-5;
     for (int i = 0; i < 50; i++) {
@@ -73,7 +73,7 @@ class LooksTest {
   }
 
   @Test
-  void anObjectThatStopsRestsForTwoSeconds() {
+  void stoppingObjectRestsForTwoSeconds() {
     Motion motion = Motion.line(new SplittableRandom(2), 0, 0, 0.3, 40, 2).stopping(1);
     assertEquals(1, motion.pace(0.9));
     assertEquals(0, motion.pace(1.4));

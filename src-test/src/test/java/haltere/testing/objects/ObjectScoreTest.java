@@ -37,7 +37,7 @@ class ObjectScoreTest {
   }
 
   @Test
-  void oneObjectScoresAsInTheReferenceScript() throws IOException {
+  void singleObjectScoresAsInTheReferenceScript() throws IOException {
     truth.addAll(
         LabelledBoxes.read(
             new StringReader(
@@ -86,7 +86,7 @@ class ObjectScoreTest {
   }
 
   @Test
-  void aTrackThatIsReplacedHalfwayCostsIdentityAndOneSwitch() {
+  void trackReplacedHalfwayLowersIdf1AndAddsOneSwitch() {
     always(List.of(new TrueObject(1, LEFT), new TrueObject(2, RIGHT)), List.of());
     track(7, 0, 9, 20, 15);
     track(8, 0, 4, 70, 15);
@@ -103,7 +103,7 @@ class ObjectScoreTest {
   }
 
   @Test
-  void aTrackInTwoBoxesCountsForOneObject() {
+  void trackInTwoBoxesCountsForOneObject() {
     always(List.of(new TrueObject(1, LEFT), new TrueObject(2, LEFT.mapped(1, 1, 5, 0))), List.of());
     track(1, 0, 9, 22, 15);
     ObjectScore score = score(Matching.BOX);
@@ -114,7 +114,7 @@ class ObjectScoreTest {
   }
 
   @Test
-  void tracksInIgnoredRegionsDoNotCountUnlessTheyAreOnAnObject() {
+  void tracksInIgnoredRegionsCountOnlyOnAnObject() {
     always(List.of(new TrueObject(1, LEFT)), List.of(RIGHT, LEFT));
     track(1, 0, 9, 20, 15);
     track(2, 0, 9, 70, 15);
@@ -127,7 +127,7 @@ class ObjectScoreTest {
   }
 
   @Test
-  void velocitiesCountFromHalfASecondAfterBirth() {
+  void velocityErrorsExcludeTheFirstHalfSecondOfATrack() {
     always(List.of(new TrueObject(1, LEFT, 10, 0)), List.of());
     for (int i = 0; i < 10; i++) {
       // Errors: 10 px/s in the first half second, then 3 and 4 px/s in x and y.
@@ -145,14 +145,14 @@ class ObjectScoreTest {
   }
 
   @Test
-  void deviationsAreNotJudgedWhereTheTruthIsALabel() {
+  void standardDeviationsAreNotScoredAgainstLabelledBoxes() {
     always(List.of(new TrueObject(1, LEFT)), List.of());
     rows.add(new TrackRow(0, 1, 20, 15, 0, 0, 1, 1, 1, 1, 0, 0, 0));
     assertEquals(0, score(Matching.BOX).position().count());
   }
 
   @Test
-  void aTrackIsOnAnObjectUpToTheToleranceOfTheMatching() {
+  void matchingToleranceIsInclusive() {
     Box box = new Box(0, 0, 40, 4);
     assertEquals(1, Matching.BOX.distance(box, 44, 8));
     assertTrue(Matching.BOX.distance(box, 44.001, 2) > 1);
@@ -164,7 +164,7 @@ class ObjectScoreTest {
   }
 
   @Test
-  void aSceneWithoutTracksScoresZero() {
+  void sceneWithoutTracksScoresZero() {
     always(List.of(new TrueObject(1, LEFT)), List.of());
     ObjectScore score = score(Matching.BOX);
     assertEquals(0, score.idf1());

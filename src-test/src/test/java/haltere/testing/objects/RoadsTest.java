@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class RoadsTest {
   @ParameterizedTest
   @EnumSource
-  void edgesMakeTheStatedNumberOfEvents(Roads.Events edges) throws IOException {
+  void eventDensityFollowsTheNumberOfEventsPerEdge(Roads.Events edges) throws IOException {
     ObjectScene scene = Roads.scene(Roads.Traffic.FREE, edges, 4);
     EventDensity density = EventDensity.of(scene);
     EventDensity ofTwo = EventDensity.of(Roads.scene(Roads.Traffic.FREE, Roads.Events.TWO, 4));
@@ -21,7 +21,7 @@ class RoadsTest {
   }
 
   @Test
-  void theTruthScoresOneAndTheSameSeedMakesTheSameRoad() throws IOException {
+  void truthScoresOneAndTheSameSeedGivesTheSameRoad() throws IOException {
     ObjectScene scene = Roads.scene(Roads.Traffic.OVERTAKING, Roads.Events.TWO, 8);
     ObjectScore score = ObjectScore.of(scene, LooksTest.rows(scene, 0));
     assertEquals(1, score.idf1());

@@ -61,7 +61,7 @@ class Aedat4PeersTest {
   }
 
   @Test
-  void twoOtherProgramsReadEveryEventThatWeWrite() throws IOException {
+  void writtenEventsAreReadByTwoOtherPrograms() throws IOException {
     EventPacket events = events();
     List<String> command = new ArrayList<>(List.of("read"));
     List<String> expected = new ArrayList<>();
@@ -83,7 +83,7 @@ class Aedat4PeersTest {
   }
 
   @Test
-  void twoOtherProgramsReadEveryFrameSampleAndTriggerThatWeWrite() throws IOException {
+  void writtenFramesSamplesAndTriggersAreReadByTwoOtherPrograms() throws IOException {
     Path file = folder.resolve("readings.aedat4");
     WriteOptions options = WriteOptions.of(SENSOR).withSamples(EnumSet.allOf(SampleKind.class));
     List<String> expected = new ArrayList<>();
@@ -164,7 +164,7 @@ class Aedat4PeersTest {
   }
 
   @Test
-  void ofARecordingWhoseProgramWasKilledTheyReadAllWholePackets() throws IOException {
+  void completePacketsOfAnInterruptedRecordingAreReadByOtherPrograms() throws IOException {
     EventPacket events = events();
     int whole = 20_000;
     String facts = " " + whole + " " + record(EventPackets.part(events, 0, whole)).crc32(SENSOR);
@@ -192,7 +192,7 @@ class Aedat4PeersTest {
   }
 
   @Test
-  void weReadEveryEventThatAnotherProgramWrites() throws IOException {
+  void eventsOfAnotherProgramAreRead() throws IOException {
     EventPacket events = events();
     ByteBuffer rows = ByteBuffer.allocate(EVENTS * 32).order(ByteOrder.LITTLE_ENDIAN);
     for (int i = 0; i < EVENTS; i++) {

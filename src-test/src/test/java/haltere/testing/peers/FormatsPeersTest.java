@@ -74,7 +74,7 @@ class FormatsPeersTest {
   }
 
   @Test
-  void otherProgramsReadEveryEventThatWeWrite() throws IOException {
+  void writtenEventsAreReadByOtherPrograms() throws IOException {
     PythonPrograms programs = PythonPrograms.orSkip("formats.py", folder);
     EventPacket events = events();
     StreamRecorder recorder = new StreamRecorder();

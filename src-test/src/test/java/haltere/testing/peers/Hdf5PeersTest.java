@@ -50,15 +50,14 @@ class Hdf5PeersTest {
   }
 
   @Test
-  void twoOtherProgramsReadEveryEventThatWeWriteAndTheIndexOfMillisecondsHolds()
-      throws IOException {
+  void writtenEventsAndMillisecondIndexAreReadByTwoOtherPrograms() throws IOException {
     EventPacket events = events(EVENTS);
     StreamRecorder recorder = new StreamRecorder();
     recorder.packet(events);
     String facts = " " + EVENTS + " " + recorder.crc32(SENSOR);
     List<String> command = new ArrayList<>(List.of("read"));
     List<String> expected = new ArrayList<>();
-    for (int level : new int[] {0, Hdf5Writer.USUAL_LEVEL}) {
+    for (int level : new int[] {0, Hdf5Writer.DEFAULT_LEVEL}) {
       Path file = folder.resolve("ours-" + level + ".h5");
       try (RecordingWriter writer = Hdf5Writer.create(file, WriteOptions.of(SENSOR), level)) {
         for (EventPacket part : EventPackets.cut(events, 3)) {
@@ -75,7 +74,7 @@ class Hdf5PeersTest {
   }
 
   @Test
-  void weReadEveryEventInWhicheverWayH5pyStoresIt() throws IOException {
+  void eventsAreReadFromEveryStorageLayoutOfH5py() throws IOException {
     EventPacket events = events(THEIR_EVENTS);
     ByteBuffer rows = ByteBuffer.allocate(THEIR_EVENTS * 32).order(ByteOrder.LITTLE_ENDIAN);
     for (int i = 0; i < THEIR_EVENTS; i++) {

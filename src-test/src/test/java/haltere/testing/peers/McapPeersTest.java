@@ -27,7 +27,7 @@ class McapPeersTest {
   @TempDir Path folder;
 
   @Test
-  void twoOtherProgramsReadEveryEventThatWeWrite() throws IOException {
+  void writtenEventsAreReadByTwoOtherPrograms() throws IOException {
     PythonPrograms programs = PythonPrograms.orSkip("mcap_bag.py", folder);
     EventPacket events = EventPackets.uniform(SENSOR, 12, 30_000, 1_718_925_184_590_631L, 40);
     Path file = folder.resolve("ours.mcap");

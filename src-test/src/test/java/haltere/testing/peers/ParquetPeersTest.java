@@ -53,7 +53,7 @@ class ParquetPeersTest {
   }
 
   @Test
-  void bothReadTypesAndRows() throws IOException {
+  void columnTypesAndRowsAreReadByPyarrowAndDuckDb() throws IOException {
     List<String> rows =
         List.of(
             "1700000000000001,1,LEFT,0.123456,0.5,True,2.0", "-5,-1,RIGHT,null,-1.0,False,null");
@@ -71,7 +71,7 @@ class ParquetPeersTest {
   }
 
   @Test
-  void theMetadataHasUnitsAndTheRecording() throws IOException {
+  void metadataHasUnitsAndRecordingName() throws IOException {
     List<String> metadata = peers.run("metadata", file.toString()).orElseThrow();
     assertEquals("haltere.recording \u00fc.aedat", metadata.get(0));
     assertTrue(metadata.get(1).contains("\"t_us\" : \"\u00b5s\""), metadata.get(1));

@@ -101,7 +101,7 @@ class PythonExamplesTest {
   }
 
   @Test
-  void aBatchBecomesNwbFilesThatAreValidWithItsEvents() throws IOException {
+  void batchToNwbExampleWritesValidFilesWithEvents() throws IOException {
     PythonPrograms script =
         PythonPrograms.exampleOrSkip("batch_to_nwb.py", folder, "pynwb.event", "pyarrow");
     for (String tables : List.of("csv", "parquet")) {
@@ -124,7 +124,7 @@ class PythonExamplesTest {
   }
 
   @Test
-  void wingsArePlotted() throws IOException {
+  void plotWingsExampleWritesAPicture() throws IOException {
     PythonPrograms script =
         PythonPrograms.exampleOrSkip("plot_wings.py", folder, "matplotlib", "pyarrow");
     for (String tables : List.of("csv", "parquet")) {
@@ -138,7 +138,7 @@ class PythonExamplesTest {
   }
 
   @Test
-  void theLinesForJPypeTrackObjects() throws IOException {
+  void jPypeExampleTracksObjects() throws IOException {
     Path recording = folder.resolve("recording.aedat");
     simulate("dots", recording);
     Matcher lines =

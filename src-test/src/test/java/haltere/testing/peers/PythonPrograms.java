@@ -54,7 +54,7 @@ final class PythonPrograms {
     return new PythonPrograms(Path.of("../examples/python").resolve(name), folder);
   }
 
-  /** What the last script said that failed. */
+  /** Messages of the last failed script. */
   String errors() {
     try {
       return Files.readString(folder.resolve("errors.txt"));

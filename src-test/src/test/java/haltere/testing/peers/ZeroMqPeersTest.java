@@ -23,7 +23,7 @@ class ZeroMqPeersTest {
   @TempDir Path folder;
 
   @Test
-  void libzmqReceivesTheTopicsThatItSubscribedTo() throws Exception {
+  void libzmqReceivesSubscribedTopics() throws Exception {
     PythonPrograms programs = PythonPrograms.orSkip("zeromq.py", folder);
     try (LineOutput output = LineOutputs.open("zmq://127.0.0.1:0")) {
       String address = output.address().replace("zmq:", "tcp:");

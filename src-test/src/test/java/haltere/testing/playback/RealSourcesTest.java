@@ -30,7 +30,7 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The player over what readers and scenes really give. */
+/** The player on recordings and scenes. */
 @Timeout(60)
 class RealSourcesTest {
   /** Order-sensitive digest of all events, with the grammar checked on the way. */
@@ -60,7 +60,7 @@ class RealSourcesTest {
   }
 
   @Test
-  void aRecordingPlayedInSlicesIsTheRecording() throws Exception {
+  void playbackInSlicesYieldsAllEventsOfTheRecording() throws Exception {
     for (RecordedPackets recorded :
         List.of(RecordedPackets.WALKING, RecordedPackets.ROTATING_BAR)) {
       Digest plain = new Digest();
@@ -87,7 +87,7 @@ class RealSourcesTest {
   }
 
   @Test
-  void everyJumpInARecordingLandsWhereItShould() throws IOException {
+  void seekContinuesAtTheGivenTime() throws IOException {
     RecordingPlayable playable = new RecordingPlayable(RecordedPackets.WALKING.open());
     FilterChain chain = new FilterChain(playable.geometry());
     long duration = playable.durationUs().orElseThrow();
@@ -121,7 +121,7 @@ class RealSourcesTest {
   }
 
   @Test
-  void aSceneInALoopIsTheSameSceneEachTime() throws Exception {
+  void loopedSceneRepeatsTheSameEvents() throws Exception {
     CountDownLatch thrice = new CountDownLatch(3);
     Digest[] rounds = {new Digest()};
     long[] digests = new long[4];

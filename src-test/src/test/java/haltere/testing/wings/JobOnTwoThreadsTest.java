@@ -41,7 +41,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A recording job on two threads writes what it writes on one, and leaves no thread behind. */
+/** A recording job on two threads writes the same files as on one, and ends its threads. */
 @Timeout(120)
 class JobOnTwoThreadsTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(128, 128);
@@ -72,19 +72,19 @@ class JobOnTwoThreadsTest {
   }
 
   @Test
-  void tablesHaveTheSameBytes() throws IOException {
+  void tablesAreIdenticalOnOneAndTwoThreads() throws IOException {
     Map<String, String> one = tables(1, false);
     assertTrue(one.get("beats.csv").lines().count() > 50);
     assertEquals(one, tables(2, false));
   }
 
   @Test
-  void aSubscriberThatThrowsIsDroppedAndTheTablesAreTheSame() throws IOException {
+  void throwingSubscriberDoesNotChangeTheTables() throws IOException {
     assertEquals(tables(1, true), tables(2, true));
   }
 
   @Test
-  void whatAFilterThrowsInAPieceEndsTheJobAndNamesTheFilter() {
+  void exceptionInSharedWorkEndsTheJobWithTheNameOfTheFilter() {
     RecordingJob job =
         RecordingJob.of(
             recording,

@@ -45,26 +45,26 @@ class NeesBandTest {
   }
 
   @Test
-  void holdsRightStandardDeviationsInNineteenOfTwentyScenesHoweverErrorsFollowEachOther() {
+  void correctDeviationsLieInTheBandIn95PercentOfScenesWhateverTheErrorCorrelation() {
     for (double constantShare : new double[] {0, 0.3, 0.7, 1}) {
       assertEquals(0.95, shareInside(scenes(constantShare, 1, 1)), 0.04, "share " + constantShare);
     }
   }
 
   @Test
-  void findsOutStandardDeviationsThatAreTooSmallOrTooLargeInSomeScenes() {
+  void incorrectDeviationsLieOutsideTheBand() {
     assertTrue(shareInside(scenes(0, 1.5, 2)) < 0.6, "too small");
     assertTrue(shareInside(scenes(0, 0.6, 3)) < 0.6, "too large");
     assertTrue(shareInside(scenes(0.3, 2, 4)) < 0.85, "too small beside constant errors");
   }
 
   @Test
-  void isTheWiderTheMoreOfAnErrorIsTheSameThroughout() {
+  void bandWidensWithTheConstantShareOfTheError() {
     NeesBand following = NeesBand.of(scenes(0, 1, 5));
     NeesBand constant = NeesBand.of(scenes(1, 1, 5));
-    assertTrue(following.least() > 0.7 && following.most() < 1.35, following::toString);
+    assertTrue(following.min() > 0.7 && following.max() < 1.35, following::toString);
     // chi squared of one degree of freedom: 0.001 to 5.02
-    assertEquals(0.001, constant.least(), 0.03);
-    assertEquals(5.02, constant.most(), 0.8);
+    assertEquals(0.001, constant.min(), 0.03);
+    assertEquals(5.02, constant.max(), 0.8);
   }
 }

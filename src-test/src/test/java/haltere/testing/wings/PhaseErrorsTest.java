@@ -5,10 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Errors over the phase of a stroke are distinguished by what makes them. */
+/** Errors over the phase of a stroke are separated by cause. */
 class PhaseErrorsTest {
   @Test
-  void aConstantAnAmplitudeADelayAndARestAreDistinguished() {
+  void constantAmplitudeDelayAndRemainderErrorsAreSeparated() {
     SplittableRandom random = new SplittableRandom(1);
     PhaseErrors errors = new PhaseErrors();
     for (int i = 0; i < 100_000; i++) {

@@ -6,10 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.simulation.internal.fly.RenderedFlySceneSettings;
 import org.junit.jupiter.api.Test;
 
-/** The flies that the wing tracker is evaluated on. */
+/** Random flies for the evaluation of the wing tracker. */
 class RenderedFliesTest {
   @Test
-  void everySeedMakesAValidFlyWhoseMembraneThePixelsCanSee() {
+  void everySeedGivesAValidFlyWithAMembraneAboveThePixelThreshold() {
     for (long seed = 0; seed < 1000; seed++) {
       RenderedFlySceneSettings scene = RenderedFlies.random(seed);
       double contrast = -Math.log(scene.fly().wing().transmission());
@@ -19,7 +19,7 @@ class RenderedFliesTest {
   }
 
   @Test
-  void aSeedMakesTheSameFlyAgain() {
+  void sameSeedGivesTheSameFly() {
     assertEquals(RenderedFlies.random(5), RenderedFlies.random(5));
   }
 }

@@ -66,7 +66,7 @@ class BadInputTest {
   }
 
   @Test
-  void anEmptyFileIsSaidToBeEmpty() throws IOException {
+  void emptyFileIsReportedAsEmpty() throws IOException {
     Path empty = Files.createFile(folder.resolve("empty.aedat"));
     assertFails(CommandRun.of("info", empty), empty, "empty");
     assertFails(CommandRun.of("convert", empty, out), empty, "empty");
@@ -74,33 +74,33 @@ class BadInputTest {
   }
 
   @Test
-  void aFileThatIsNotThereIsNamed() {
+  void missingFileIsReportedByName() {
     Path missing = folder.resolve("missing.aedat");
     assertFails(CommandRun.of("info", missing), missing, "no such file");
   }
 
   @Test
-  void aFolderOfSeveralRecordingsIsNone() throws IOException {
+  void folderOfSeveralRecordingsIsRejected() throws IOException {
     Files.copy(good, folder.resolve("copy-of-" + good.getFileName()));
     assertFails(CommandRun.of("info", folder), folder, "folder with 2 recordings");
   }
 
   @Test
-  void aFileWithoutReadPermissionIsSaidToLackIt() throws IOException {
+  void missingReadPermissionIsReported() throws IOException {
     Files.setPosixFilePermissions(good, PosixFilePermissions.fromString("-w-------"));
     assumeFalse(Files.isReadable(good), "this user may read everything");
     assertFails(CommandRun.of("info", good), good, "permission");
   }
 
   @Test
-  void aFileOfAnotherKindWithThisEndingIsNotRead() throws IOException {
+  void fileOfAnotherKindWithARecordingExtensionIsRejected() throws IOException {
     Path picture = folder.resolve("picture.aedat");
     Files.write(picture, new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 1, 2, 3});
     assertFails(CommandRun.of("info", picture), picture, "--format");
   }
 
   @Test
-  void aFileCutAnywhereInItsEventsIsReadUpToTheLastWholeOne() throws IOException {
+  void truncatedFileIsReadUpToTheLastCompleteEvent() throws IOException {
     byte[] whole = TinyRecording.hundred().bytes();
     Path cut = folder.resolve("cut.aedat");
     for (int length = TinyRecording.headerBytes() + 8; length < whole.length; length += 13) {
@@ -119,7 +119,7 @@ class BadInputTest {
 
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 5, 11, 12, 13, 14, 20, 40})
-  void aFileCutInItsHeaderDoesNotCrash(int length) throws IOException {
+  void fileTruncatedInItsHeaderIsHandled(int length) throws IOException {
     Path cut = folder.resolve("cut.aedat");
     Files.write(cut, Arrays.copyOf(TinyRecording.hundred().bytes(), length));
     CommandRun run = CommandRun.of("info", "--json", cut);
@@ -132,7 +132,7 @@ class BadInputTest {
   }
 
   @Test
-  void strictReadingNamesTheByteWhereTheFileEnds() throws IOException {
+  void strictReadingReportsTheByteWhereTheFileEnds() throws IOException {
     Path cut = folder.resolve("cut.aedat");
     Files.write(cut, Arrays.copyOf(TinyRecording.hundred().bytes(), 100));
     CommandRun run = CommandRun.of("info", "--strict", cut);
@@ -142,14 +142,14 @@ class BadInputTest {
   }
 
   @Test
-  void eventsOutsideOfTheSensorAreLeftOutWithAWarning() throws IOException {
+  void eventsOutsideTheSensorAreSkippedWithAWarning() throws IOException {
     CommandRun run = CommandRun.of("info", "--json", "--sensor", "64x64", good);
     assertEquals(0, run.status(), run.err());
     assertTrue(run.err().contains("warning") || run.out().contains("\"width\" : 128"), run.err());
   }
 
   @Test
-  void aDamagedFileNamedAmongOthersDoesNotHideThem() throws IOException {
+  void damagedFileDoesNotHideOtherFiles() throws IOException {
     Path empty = Files.createFile(folder.resolve("empty.aedat"));
     CommandRun run = CommandRun.of("info", "--json", good, empty, good);
     assertEquals(1, run.status());
@@ -159,7 +159,7 @@ class BadInputTest {
   }
 
   @Test
-  void anOutputThatExistsIsRefusedAndStaysAsItWas() throws IOException {
+  void existingOutputIsRejectedAndUnchanged() throws IOException {
     Files.writeString(out, "mine");
     assertFails(CommandRun.of("convert", good, out), out, "--overwrite");
     assertEquals("mine", Files.readString(out));
@@ -168,20 +168,20 @@ class BadInputTest {
   }
 
   @Test
-  void anOutputInAFolderThatIsNotThereIsRefused() throws IOException {
+  void outputInAMissingFolderIsRejected() throws IOException {
     Path lost = folder.resolve("nowhere").resolve("out.csv");
     assertFails(CommandRun.of("convert", good, lost), lost, "folder");
     assertNothingWritten();
   }
 
   @Test
-  void anOutputThatIsAFolderIsRefused() throws IOException {
+  void folderAsOutputIsRejected() throws IOException {
     Path taken = Files.createDirectory(folder.resolve("taken.csv"));
     assertFails(CommandRun.of("convert", "--overwrite", good, taken), taken, "folder");
   }
 
   @Test
-  void theInputIsNeverReplacedByTheOutput() throws IOException {
+  void inputAsOutputIsRejected() throws IOException {
     byte[] before = Files.readAllBytes(good);
     assertFails(CommandRun.of("convert", "--overwrite", good, good), good, "same file");
     Path link = Files.createSymbolicLink(folder.resolve("link.aedat"), good);
@@ -193,14 +193,14 @@ class BadInputTest {
   }
 
   @Test
-  void anEndingThatNobodyWritesIsAWrongArgument() {
+  void unknownOutputExtensionIsAWrongArgument() {
     assertWrongArguments(
         CommandRun.of("convert", good, folder.resolve("out.xyz")), ".xyz", ".aedat", ".csv");
     assertWrongArguments(CommandRun.of("convert", good, folder.resolve("out")));
   }
 
   @Test
-  void fromMustBeBeforeTo() throws IOException {
+  void fromAfterToIsAWrongArgument() throws IOException {
     assertWrongArguments(
         CommandRun.of("convert", good, out, "--from", 20, "--to", 10), "--from 20", "--to 10");
     assertWrongArguments(CommandRun.of("convert", good, out, "--from", "soon"), "--from", "soon");
@@ -209,24 +209,24 @@ class BadInputTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"346", "346x", "x260", "0x260", "346x-1", "346*260", "40000x1", ""})
-  void aSensorThatIsNoSizeIsAWrongArgument(String size) {
+  void invalidSensorSizeIsAWrongArgument(String size) {
     assertWrongArguments(CommandRun.of("info", "--sensor=" + size, good), "--sensor");
   }
 
   @Test
-  void aFormatThatDoesNotExistIsAWrongArgument() {
+  void unknownFormatIsAWrongArgument() {
     assertWrongArguments(CommandRun.of("info", "--format", "tiff", good), "tiff", "aedat2");
   }
 
   @Test
-  void aFilterThatDoesNotExistIsAWrongArgument() {
+  void unknownFilterIsAWrongArgument() {
     assertWrongArguments(
         CommandRun.of("convert", good, out, "--filter", "sharpen"), "sharpen", "refractory");
     assertWrongArguments(CommandRun.of("filters", "sharpen"), "sharpen", "refractory");
   }
 
   @Test
-  void anUnknownCommandOrOptionIsAWrongArgument() {
+  void unknownCommandOrOptionIsAWrongArgument() {
     assertWrongArguments(CommandRun.of("polish", good), "polish");
     assertWrongArguments(CommandRun.of("info", "--shiny", good), "--shiny");
     assertWrongArguments(CommandRun.of("info"), "FILE");
@@ -235,19 +235,19 @@ class BadInputTest {
   }
 
   @Test
-  void aChainThatIsNotThereIsNamed() {
+  void missingChainFileIsReportedByName() {
     assertFails(
         CommandRun.of("run", good, "--chain", folder.resolve("none.json")), "none.json", "no such");
   }
 
   @Test
-  void malformedJsonIsShownWithItsLine() throws IOException {
+  void malformedJsonIsReportedWithItsLine() throws IOException {
     Path chain = chain("{\"filters\": [\n  {\"filter\": \"refractory\",}\n]}");
     assertFails(CommandRun.of("run", good, "--chain", chain), chain, "line 2");
   }
 
   @Test
-  void aChainThatIsNoTextIsSaidToBeNone() throws IOException {
+  void binaryChainFileIsRejected() throws IOException {
     Path chain = folder.resolve("chain.json");
     Files.write(chain, new byte[] {'{', (byte) 0xff, (byte) 0xfe, 0});
     assertFails(CommandRun.of("run", good, "--chain", chain), chain);
@@ -255,26 +255,26 @@ class BadInputTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"", "[]", "{}", "7", "{\"filters\": 3}", "{\"filters\": [4]}"})
-  void jsonThatIsNoChainIsRefused(String text) throws IOException {
+  void jsonOtherThanAChainIsRejected(String text) throws IOException {
     Path chain = chain(text);
     assertFails(CommandRun.of("run", good, "--chain", chain), chain);
   }
 
   @Test
-  void aChainWithAnUnknownFilterListsTheFiltersThatExist() throws IOException {
+  void unknownFilterInAChainIsReportedWithTheKnownFilters() throws IOException {
     Path chain = chain("{\"filters\": [{\"filter\": \"sharpen\"}]}");
     assertFails(CommandRun.of("run", good, "--chain", chain), chain, "sharpen", "refractory");
   }
 
   @Test
-  void aChainWithAnUnknownSettingListsTheSettingsThatExist() throws IOException {
+  void unknownSettingInAChainIsReportedWithTheKnownSettings() throws IOException {
     Path chain =
         chain("{\"filters\": [{\"filter\": \"refractory\", \"settings\": {\"sparkle\": 1}}]}");
     assertFails(CommandRun.of("run", good, "--chain", chain), chain, "sparkle", "refractory");
   }
 
   @Test
-  void aChainWithAValueOutOfRangeStatesTheRange() throws IOException {
+  void valueOutOfRangeInAChainIsReportedWithTheRange() throws IOException {
     Path chain =
         chain(
             "{\"filters\": [{\"filter\": \"refractory\", \"settings\":" + " {\"periodUs\": -1}}]}");
@@ -282,7 +282,7 @@ class BadInputTest {
   }
 
   @Test
-  void aTraceIsPrintedOnlyWhenAskedFor() throws IOException {
+  void stackTraceIsPrintedOnlyWithDebug() throws IOException {
     Path empty = Files.createFile(folder.resolve("empty.aedat"));
     assertFalse(CommandRun.of("info", empty).err().contains("\tat "));
     assertTrue(CommandRun.of("info", "--debug", empty).err().contains("\tat "));

@@ -84,7 +84,7 @@ class BatchCommandTest {
   }
 
   @Test
-  void eachRecordingGetsItsTablesAndARecordOfWhatWasDone() throws IOException {
+  void eachRecordingHasTablesAndACompletionRecord() throws IOException {
     Path out = folder.resolve("out");
     CommandRun run = batch(out);
     assertEquals(0, run.status(), run.err());
@@ -103,7 +103,7 @@ class BatchCommandTest {
   }
 
   @Test
-  void theTablesAreThoseOfASingleRun() throws IOException {
+  void tablesEqualThoseOfASingleRun() throws IOException {
     Path out = folder.resolve("out");
     assertEquals(0, batch(out).status());
     Path single = folder.resolve("single.csv");
@@ -130,7 +130,7 @@ class BatchCommandTest {
   }
 
   @Test
-  void aBadRecordingStopsNothingAndIsNamed() throws IOException {
+  void unreadableRecordingIsReportedAndDoesNotStopTheBatch() throws IOException {
     Files.write(in.resolve("bad.aedat4"), new byte[] {1, 2, 3});
     Path out = folder.resolve("out");
     CommandRun run = batch(out);
@@ -149,7 +149,7 @@ class BatchCommandTest {
   }
 
   @Test
-  void resultsThatAreThereAreNotReplacedUnlessAsked() throws IOException {
+  void existingResultsAreReplacedOnlyWithOverwrite() throws IOException {
     Path out = folder.resolve("out");
     assertEquals(0, batch(out).status());
     CommandRun again = batch(out);
@@ -159,7 +159,7 @@ class BatchCommandTest {
   }
 
   @Test
-  void resumeKeepsWhatIsValidAndMakesTheRest() throws IOException {
+  void resumeKeepsValidResultsAndComputesTheRest() throws IOException {
     Path out = folder.resolve("out");
     assertEquals(0, batch(out).status());
     Map<String, String> before = files(out);
@@ -179,7 +179,7 @@ class BatchCommandTest {
   }
 
   @Test
-  void listsNameRecordingsToo() throws IOException {
+  void listFileNamesInputs() throws IOException {
     Path list = folder.resolve("list.txt");
     Files.writeString(list, in.resolve("a.aedat") + "\n\n" + in.resolve("deep") + "\n");
     Path out = folder.resolve("out");
@@ -190,7 +190,7 @@ class BatchCommandTest {
   }
 
   @Test
-  void twoRecordingsOfOneNameAreRefusedUntilTheyHaveARoot() throws IOException {
+  void recordingsWithEqualNamesNeedARoot() throws IOException {
     Files.copy(in.resolve("a.aedat"), in.resolve("deep/a.aedat"));
     Object[] both = {
       "batch",
@@ -209,7 +209,7 @@ class BatchCommandTest {
   }
 
   @Test
-  void onlyTheOutletsThatAreNamedGetTables() throws IOException {
+  void onlySelectedOutletsHaveTables() throws IOException {
     Path out = folder.resolve("out");
     assertEquals(0, batch(out, "--outlets", "clusters").status());
     assertEquals(
@@ -227,7 +227,7 @@ class BatchCommandTest {
   }
 
   @Test
-  void wingsGiveAllTablesButThatOfEachEvent() throws IOException {
+  void wingsOptionWritesAllTablesExceptMeasurements() throws IOException {
     Path fly = folder.resolve("fly.aedat");
     assertEquals(0, CommandRun.of("simulate", "fly", fly, "--duration", "0.1").status());
     Files.writeString(chain, "{\"filters\": [{\"filter\": \"wing-tracker\"}]}");
@@ -241,7 +241,7 @@ class BatchCommandTest {
   }
 
   @Test
-  void wrongShardsAndContradictionsAreRefused() {
+  void invalidShardsAndContradictoryOptionsAreRejected() {
     Path out = folder.resolve("out");
     assertEquals(2, batch(out, "--shard", "0/4").status());
     assertEquals(2, batch(out, "--shard", "5/4").status());
@@ -253,7 +253,7 @@ class BatchCommandTest {
 
   @Test
   @Timeout(240)
-  void aBatchThatIsKilledAtRandomMomentsLeavesTheSameFilesOnceItIsResumed() throws Exception {
+  void batchKilledAtRandomMomentsResumesToTheSameFiles() throws Exception {
     Path undisturbed = folder.resolve("undisturbed");
     assertEquals(0, batch(undisturbed).status());
     Random random = new Random(5);

@@ -16,7 +16,7 @@ class BenchCommandTest {
   @TempDir Path folder;
 
   @Test
-  void everyStageHasItsThroughput() throws IOException {
+  void everyStageIsListedWithItsThroughput() throws IOException {
     Path recording = TinyRecording.hundred().write(folder.resolve("hundred.aedat"));
     CommandRun run = CommandRun.of("bench", "--seconds", "0", recording);
     assertEquals(0, run.status(), run.err());
@@ -40,7 +40,7 @@ class BenchCommandTest {
   }
 
   @Test
-  void aRecordingWithoutEventsCannotBeMeasuredWith() throws IOException {
+  void recordingWithoutEventsIsRejected() throws IOException {
     Path none = new TinyRecording().write(folder.resolve("none.aedat"));
     CommandRun run = CommandRun.of("bench", none);
     assertEquals(1, run.status());
@@ -48,7 +48,7 @@ class BenchCommandTest {
   }
 
   @Test
-  void aTimeThatIsNoneIsAWrongArgument() throws IOException {
+  void invalidDurationIsAWrongArgument() throws IOException {
     assertEquals(2, CommandRun.of("bench", "--seconds", "-1").status());
     assertEquals(2, CommandRun.of("bench", "--seconds", "NaN").status());
     assertTrue(Files.isDirectory(folder));

@@ -23,7 +23,7 @@ class CompletionCommandTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"bash", "zsh", "fish"})
-  void aScriptNamesCommandsAndOptions(String shell) {
+  void scriptContainsCommandsAndOptions(String shell) {
     CommandRun run = CommandRun.of("completion", shell);
     assertEquals(0, run.status(), run.err());
     assertEquals("", run.err());
@@ -35,7 +35,7 @@ class CompletionCommandTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"bash", "zsh", "fish"})
-  void theShellUnderstandsItsScript(String shell) throws Exception {
+  void scriptIsValidInItsShell(String shell) throws Exception {
     assertEquals("", said(shell, "-n", script(shell)));
   }
 
@@ -47,7 +47,7 @@ class CompletionCommandTest {
     "haltere --vers|, --version",
     "haltere convert --out-f|, --out-format"
   })
-  void bashAndFishCompleteAWord(String line, String words) throws Exception {
+  void wordsAreCompletedInBashAndFish(String line, String words) throws Exception {
     String typed = line.substring(0, line.length() - 1);
     String last = typed.substring(typed.lastIndexOf(' ') + 1);
     String bash =
@@ -82,7 +82,7 @@ class CompletionCommandTest {
   }
 
   @Test
-  void anotherShellIsAWrongArgument() {
+  void unknownShellIsAWrongArgument() {
     assertEquals(2, CommandRun.of("completion", "csh").status());
     assertEquals(2, CommandRun.of("completion").status());
   }

@@ -49,7 +49,7 @@ class ConvertCommandTest {
   }
 
   @Test
-  void csvHasTheColumnsOfTheContractAndTheRecordingsOwnTimes() throws IOException {
+  void csvHasTheDocumentedColumnsAndTheTimesOfTheRecording() throws IOException {
     Locale.setDefault(Locale.forLanguageTag("ar-EG"));
     List<String> lines = converted();
     assertEquals(101, lines.size());
@@ -58,7 +58,7 @@ class ConvertCommandTest {
   }
 
   @Test
-  void aTextWhoseRowsCountFromTheBottomComesBackAsItWas() throws IOException {
+  void textWithBottomOriginIsReadBackUnchanged() throws IOException {
     Path text = folder.resolve("bottom.csv");
     assertEquals(0, CommandRun.of("convert", in, text).status());
     Path back = folder.resolve("back.aedat");
@@ -81,7 +81,7 @@ class ConvertCommandTest {
   }
 
   @Test
-  void theStretchOfTimeIsHalfOpen() throws IOException {
+  void timeRangeIsHalfOpen() throws IOException {
     List<String> lines = converted("--from", 5_010_000, "--to", 5_020_000);
     assertEquals(11, lines.size());
     assertEquals("5010000,10,10,1", lines.get(1));
@@ -91,7 +91,7 @@ class ConvertCommandTest {
   }
 
   @Test
-  void aStretchWithoutEventsGivesATableWithoutRowsAndAWarning() throws IOException {
+  void rangeWithoutEventsGivesAnEmptyTableAndAWarning() throws IOException {
     CommandRun run = CommandRun.of("convert", in, out, "--from", 1, "--to", 2);
     assertEquals(0, run.status(), run.err());
     assertTrue(run.err().contains("no events in this part"), run.err());
@@ -99,13 +99,13 @@ class ConvertCommandTest {
   }
 
   @Test
-  void rowsCountFromTheTopOnRequest() throws IOException {
+  void originTopFlipsRows() throws IOException {
     assertEquals("5001000,1,126,1", converted("--origin", "top").get(2));
     assertEquals("5001000,1,1,1", converted("--origin", "bottom").get(2));
   }
 
   @Test
-  void whereRowsCountFromIsRefusedWhereTheFormatDecidesIt() {
+  void originIsRejectedForFormatsWithAFixedOrigin() {
     Path copy = folder.resolve("copy.aedat4");
     CommandRun run = CommandRun.of("convert", in, copy, "--origin", "top");
     assertEquals(2, run.status(), run.err());
@@ -114,13 +114,13 @@ class ConvertCommandTest {
   }
 
   @Test
-  void textWhoseRowsCountFromTheBottomComesWithAWarning() {
+  void textWithBottomOriginIsWrittenWithAWarning() {
     String err = CommandRun.of("convert", in, out).err();
     assertTrue(err.contains("warning") && err.contains("--origin top"), err);
   }
 
   @Test
-  void aRecordingKeepsItsEventsThroughAnotherOne() throws IOException {
+  void eventsSurviveAConversionAndBack() throws IOException {
     List<String> direct = converted();
     Path copy = folder.resolve("copy.aedat");
     assertEquals(0, CommandRun.of("convert", in, copy).status());
@@ -130,7 +130,7 @@ class ConvertCommandTest {
   }
 
   @Test
-  void filtersWorkInTheirOrder() throws IOException {
+  void filtersRunInTheGivenOrder() throws IOException {
     Path noisy = folder.resolve("noisy.aedat");
     TinyRecording events = new TinyRecording();
     for (int i = 0; i < 10; i++) {
@@ -144,7 +144,7 @@ class ConvertCommandTest {
 
   @ParameterizedTest
   @CsvSource({"2, evt2", "2.1, evt21", "3, evt3", ", evt3"})
-  void rawFilesHaveTheEncodingThatIsAskedFor(String encoding, String format) throws IOException {
+  void rawFilesHaveTheRequestedEncoding(String encoding, String format) throws IOException {
     List<String> direct = converted("--origin", "top");
     Path raw = folder.resolve("hundred.raw");
     CommandRun made =
@@ -160,7 +160,7 @@ class ConvertCommandTest {
   }
 
   @Test
-  void anEncodingIsForRawFilesOnly() throws IOException {
+  void encodingIsRejectedForOtherThanRawFiles() throws IOException {
     for (Object[] words :
         new Object[][] {
           {"convert", in, out, "--evt", "2"},
@@ -177,7 +177,7 @@ class ConvertCommandTest {
   }
 
   @Test
-  void theMessageSaysWhatWasWrittenUnlessOneIsQuiet() {
+  void messageReportsTheOutputUnlessQuiet() {
     assertEquals(
         "wrote " + out + " (100 events)\n",
         CommandRun.of("convert", "--origin", "bottom", in, out).err());
@@ -187,7 +187,7 @@ class ConvertCommandTest {
   }
 
   @Test
-  void anInterruptedConversionLeavesNothing() throws IOException {
+  void interruptedConversionLeavesNoFile() throws IOException {
     Thread.currentThread().interrupt();
     CommandRun run = CommandRun.of("convert", in, out);
     assertTrue(Thread.interrupted());

@@ -92,7 +92,7 @@ class DocumentedCommandsTest {
   }
 
   @TestFactory
-  Stream<DynamicTest> eachCommandOfTheDocumentsRuns() throws IOException {
+  Stream<DynamicTest> documentedCommandsRun() throws IOException {
     List<DynamicTest> tests = new ArrayList<>();
     List<Path> documents = new ArrayList<>(List.of(DOCS.resolve("../README.md")));
     try (Stream<Path> files = Files.list(DOCS)) {

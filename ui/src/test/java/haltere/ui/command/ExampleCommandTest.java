@@ -63,7 +63,7 @@ class ExampleCommandTest {
   }
 
   @Test
-  void aSimulatedFallGivesGravityATableAndPlots() throws Exception {
+  void simulatedFallYieldsGravityWithTableAndPlots() throws Exception {
     CommandRun run = CommandRun.of("example", "falling-weight", "--out", out, "--plots", plots);
     assertEquals(0, run.status(), run.err());
     assertEquals(98, Files.readAllLines(out).size());
@@ -83,7 +83,7 @@ class ExampleCommandTest {
   }
 
   @Test
-  void aSimulatedOscillatorGivesDampingFrequencyATableAndPlots() throws Exception {
+  void simulatedOscillatorYieldsDampingAndFrequencyWithTableAndPlots() throws Exception {
     CommandRun run = CommandRun.of("example", "oscillator", "--out", out, "--plots", plots);
     assertEquals(0, run.status(), run.err());
     assertEquals(1203, Files.readAllLines(out).size());
@@ -107,7 +107,7 @@ class ExampleCommandTest {
   }
 
   @Test
-  void theSameSeedGivesTheSameBytesAndAnotherSeedOthers() throws IOException {
+  void tablesAreReproducibleForASeedAndDifferBetweenSeeds() throws IOException {
     byte[][] tables = new byte[3][];
     for (int i = 0; i < 3; i++) {
       CommandRun run =
@@ -135,7 +135,7 @@ class ExampleCommandTest {
   }
 
   @Test
-  void ownMeasurementsAreEstimatedWithAndWithoutAccelerations() throws IOException {
+  void measuredPositionsAreEstimatedWithAndWithoutAccelerations() throws IOException {
     write("t_s,x_m", t -> 3 - 2 * t * t);
     Object[] fall = {"example", "falling-weight", "--data", data, "--out", out, "--overwrite"};
     assertEquals(0, CommandRun.of(fall).status());
@@ -150,7 +150,7 @@ class ExampleCommandTest {
   }
 
   @Test
-  void ownOscillationsAreFoundFarFromTheStartAndOtherMotionsAreWarnedOf() throws IOException {
+  void measuredOscillationsAreIdentifiedAndOtherMotionsCauseAWarning() throws IOException {
     DoubleUnaryOperator motion = t -> 0.2 * Math.exp(-0.1 * t) * Math.cos(15 * t);
     write("t_s,x_m", motion);
     Object[] command = {"example", "oscillator", "--data", data, "--out", out, "--overwrite"};
@@ -182,7 +182,7 @@ class ExampleCommandTest {
         "t_s,x_m|line 1: the table ends after 0 rows",
         "t_s,x_m;0,1;1,1;2,1;3,1;4,1;5,1;6,1;7,1|the measurements never change",
       })
-  void aBadTableIsToldWithItsLineAndNothingIsWritten(String text, String told) throws IOException {
+  void invalidTableIsReportedWithItsLineAndNoOutput(String text, String told) throws IOException {
     Files.writeString(data, text.replace(";", "\n") + "\n");
     for (String example : new String[] {"falling-weight", "oscillator"}) {
       CommandRun run =
@@ -203,7 +203,7 @@ class ExampleCommandTest {
   }
 
   @Test
-  void filesThatAreNoTablesOrTooLongAreRefused() throws IOException {
+  void invalidAndOverlongFilesAreRejected() throws IOException {
     Object[] command = {"example", "oscillator", "--data", data, "--out", out};
     assertFailed(CommandRun.of(command), 1, data.toString(), "no such file");
     Files.writeString(data, "");
@@ -219,7 +219,7 @@ class ExampleCommandTest {
   }
 
   @Test
-  void anOscillationNeedsAMeasurementASecond() throws IOException {
+  void oscillatorRejectsGapsLongerThanASecond() throws IOException {
     Files.writeString(data, "t_s,x_m\n0,1\n1,2\n2,1\n3,0\n4,1\n7,2\n8,1\n9,0\n");
     Object[] command = {"example", "oscillator", "--data", data, "--out", out};
     assertFailed(CommandRun.of(command), 1, data + ": ", "for 3.0 s before t_s = 7.0");
@@ -229,7 +229,7 @@ class ExampleCommandTest {
   }
 
   @Test
-  void whatExistsIsRefusedAndStaysAsItWas() throws IOException {
+  void existingOutputsAreRejectedAndUnchanged() throws IOException {
     Files.writeString(out, "mine");
     Object[] command = {"example", "falling-weight", "--out", out, "--plots", plots};
     assertFailed(CommandRun.of(command), 1, out.toString(), "--overwrite");
@@ -257,7 +257,7 @@ class ExampleCommandTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"pendulum", "Falling-Weight"})
-  void anExampleThatDoesNotExistIsAWrongArgument(String name) {
+  void unknownExampleIsAWrongArgument(String name) {
     assertFailed(
         CommandRun.of("example", name, "--out", out), 2, name, "falling-weight, oscillator");
   }

@@ -34,7 +34,7 @@ class FailuresTest {
   }
 
   @Test
-  void aTableThatCannotBeWrittenIsNoFaultOfTheFilterThatPublishesIt() {
+  void unwritableTableIsNotReportedAsAFaultOfTheFilter() {
     String full = "t.csv: cannot be written: No space left on device";
     assertEquals(
         "results of filter tracker were lost: " + full,
@@ -42,13 +42,13 @@ class FailuresTest {
   }
 
   @Test
-  void anEndlessNameLosesItsMiddle() {
+  void overlongNameIsShortenedInItsMiddle() {
     String line = CommandRun.of("info", "a".repeat(5000)).err();
     assertTrue(line.length() < 300 && line.contains("aaa...aaa"), line);
   }
 
   @Test
-  void aFaultOfAFilterIsSaidToBeOne() {
+  void faultOfAFilterIsReportedAsSuch() {
     String line = said(new IllegalStateException("odd"));
     assertTrue(
         line.contains("filter tracker failed") && line.contains("fault in the filter"), line);

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class FiltersCommandTest {
   @Test
-  void everyFilterIsListedWithItsSentenceAndAllItsSettings() {
+  void everyFilterIsListedWithDescriptionAndSettings() {
     CommandRun run = CommandRun.of("filters");
     assertEquals(0, run.status(), run.err());
     assertFalse(Filters.all().isEmpty());
@@ -39,7 +39,7 @@ class FiltersCommandTest {
   }
 
   @Test
-  void aSettingIsShownWithRangeUnitAndDefault() {
+  void settingsAreListedWithRangeUnitAndDefault() {
     CommandRun run = CommandRun.of("filters", "refractory");
     assertTrue(run.out().contains("0 to 10000000 us [1000]"), run.out());
     assertFalse(run.out().contains("background-activity"), run.out());
@@ -48,7 +48,7 @@ class FiltersCommandTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"filters", "scenes"})
-  void asJsonEachHasItsSettingsWithRangeUnitAndDefault(String command) throws JsonProblem {
+  void jsonListsSettingsWithRangeUnitAndDefault(String command) throws JsonProblem {
     CommandRun run = CommandRun.of(command, "--json");
     assertEquals(0, run.status(), run.err());
     Map<?, ?> all = (Map<?, ?>) Json.parse(run.out(), command);
@@ -65,7 +65,7 @@ class FiltersCommandTest {
   }
 
   @Test
-  void asJsonASettingHasNumbers() throws JsonProblem {
+  void jsonStatesRangesAndDefaultsAsNumbers() throws JsonProblem {
     CommandRun run = CommandRun.of("filters", "refractory", "--json");
     Map<?, ?> all = (Map<?, ?>) Json.parse(run.out(), "filters");
     Map<?, ?> filter = (Map<?, ?>) ((List<?>) all.get("filters")).get(0);
@@ -75,7 +75,7 @@ class FiltersCommandTest {
   }
 
   @Test
-  void presetsAreNamed() {
+  void presetsAreListed() {
     CommandRun run = CommandRun.of("filters", "kalman-tracks");
     assertTrue(run.out().contains("    presets: original"), run.out());
   }

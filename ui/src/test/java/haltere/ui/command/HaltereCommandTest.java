@@ -32,7 +32,7 @@ class HaltereCommandTest {
   }
 
   @Test
-  void withoutADisplayTheDemonstrationLeavesAPictureAndATableAndSaysWhere() throws IOException {
+  void demonstrationWithoutDisplayWritesAPictureAndATable() throws IOException {
     assertEquals(0, demonstration.status(), demonstration.err());
     assertEquals("", demonstration.err());
     assertTrue(demonstration.out().contains(picture.toString()), demonstration.out());
@@ -44,7 +44,7 @@ class HaltereCommandTest {
   }
 
   @Test
-  void theDemonstrationReplacesItsOwnFilesByTheSameAndShowsABarOnATerminal() throws IOException {
+  void demonstrationReproducesItsFilesAndShowsProgressOnATerminal() throws IOException {
     String rows = Files.readString(table);
     byte[] pixels = Files.readAllBytes(picture);
     Files.writeString(table, "another");
@@ -61,14 +61,14 @@ class HaltereCommandTest {
   }
 
   @Test
-  void withADisplayTheViewerOpensOnTheBuiltInScene() {
+  void viewerOpensTheBuiltInSceneOnADisplay() {
     CommandRun run = CommandRun.on(CommandRun.Machine.BARE.in(folder).withDisplay());
     assertEquals(0, run.status());
     assertEquals(List.of(Optional.empty()), run.windows());
   }
 
   @Test
-  void viewOpensTheRecordingItIsGiven() throws IOException {
+  void viewOpensTheGivenRecording() throws IOException {
     Path recording = TinyRecording.hundred().write(folder.resolve("hundred.aedat"));
     CommandRun.Machine desk = CommandRun.Machine.BARE.withDisplay();
     assertEquals(List.of(Optional.of(recording)), CommandRun.on(desk, "view", recording).windows());
@@ -76,7 +76,7 @@ class HaltereCommandTest {
   }
 
   @Test
-  void viewComplainsOfABadRecordingBeforeItOpensAWindow() throws IOException {
+  void viewReportsAnUnreadableRecordingBeforeOpeningAWindow() throws IOException {
     Path empty = Files.createFile(folder.resolve("empty.aedat"));
     CommandRun.Machine desk = CommandRun.Machine.BARE.withDisplay().withTerminal();
     CommandRun run = CommandRun.on(desk, "view", empty);
@@ -86,7 +86,7 @@ class HaltereCommandTest {
   }
 
   @Test
-  void withoutATerminalABadRecordingIsForTheWindowToComplainOf() throws IOException {
+  void unreadableRecordingOpensInTheViewerWithoutATerminal() throws IOException {
     Path empty = Files.createFile(folder.resolve("empty.aedat"));
     CommandRun run = CommandRun.on(CommandRun.Machine.BARE.withDisplay(), "view", empty);
     assertEquals(0, run.status(), run.err());
@@ -94,7 +94,7 @@ class HaltereCommandTest {
   }
 
   @Test
-  void viewWithoutADisplaySaysSoInOneLine() {
+  void viewWithoutDisplayIsReportedInOneLine() {
     CommandRun run = CommandRun.of("view");
     assertEquals(1, run.status());
     assertEquals(1, run.errorLines().size(), run.err());
@@ -102,7 +102,7 @@ class HaltereCommandTest {
   }
 
   @Test
-  void aMachineWithoutGraphicsLibrariesGetsOneLine() {
+  void missingGraphicsLibrariesAreReportedInOneLine() {
     CommandRun.Machine lacking =
         CommandRun.Machine.BARE.withDisplay().withObstacle("install libgtk-3-0");
     for (Object[] words : new Object[][] {{}, {"view"}}) {
@@ -114,7 +114,7 @@ class HaltereCommandTest {
   }
 
   @Test
-  void helpNamesEveryCommand() {
+  void helpListsEveryCommand() {
     CommandRun run = CommandRun.of("--help");
     assertEquals(0, run.status());
     for (String command :
@@ -127,7 +127,7 @@ class HaltereCommandTest {
   }
 
   @Test
-  void helpIsInGroupsAndEndsWithAnExample() {
+  void helpIsGroupedAndEndsWithAnExample() {
     String help = CommandRun.of("--help").out();
     assertTrue(help.indexOf("Work on recordings:") < help.indexOf("\n  wings "), help);
     assertTrue(help.indexOf("Make recordings:") < help.indexOf("\n  record "), help);
@@ -137,14 +137,14 @@ class HaltereCommandTest {
   }
 
   @Test
-  void coloursAreForTerminalsOnly() {
+  void coloursAppearOnlyOnTerminals() {
     assertFalse(CommandRun.of("--help").out().contains("\u001b["));
     assertTrue(
         CommandRun.on(CommandRun.Machine.BARE.withTerminal(), "--help").out().contains("\u001b["));
   }
 
   @Test
-  void aFileThatIsNoRecordingIsOneShortLine() throws IOException {
+  void fileOtherThanARecordingIsReportedInOneLine() throws IOException {
     Path text = Files.writeString(folder.resolve("passwd"), "root:x:0:0\n".repeat(40));
     CommandRun run = CommandRun.of("info", text);
     assertEquals(1, run.status());
@@ -153,7 +153,7 @@ class HaltereCommandTest {
   }
 
   @Test
-  void theVersionIsOneLine() {
+  void versionIsOneLine() {
     CommandRun run = CommandRun.of("--version");
     assertEquals(0, run.status());
     assertTrue(run.out().startsWith("haltere "), run.out());
@@ -168,7 +168,7 @@ class HaltereCommandTest {
   }
 
   @Test
-  void aCommandOrOptionThatIsNearlyRightGetsTheRightOne() {
+  void misspelledCommandOrOptionIsCorrectedInTheMessage() {
     CommandRun command = CommandRun.of("trak");
     assertEquals(2, command.status());
     assertTrue(command.err().contains("Did you mean: ") && command.err().contains("haltere track"));

@@ -47,7 +47,7 @@ class InfoCommandTest {
   }
 
   @Test
-  void jsonHasExactlyTheKeysOfTheContract() throws IOException {
+  void jsonHasExactlyTheDocumentedKeys() throws IOException {
     assertEquals(
         List.of(
             "format",
@@ -69,7 +69,7 @@ class InfoCommandTest {
   }
 
   @Test
-  void jsonTellsWhatIsInTheFile() throws IOException {
+  void jsonDescribesTheRecording() throws IOException {
     Map<?, ?> info = object(CommandRun.of("info", recording, "--json"));
     assertEquals("aedat2", info.get("format"));
     assertEquals(128L, info.get("width"));
@@ -89,7 +89,7 @@ class InfoCommandTest {
   }
 
   @Test
-  void endsWithTheRateOverTimeOnATerminalOnly() throws IOException {
+  void rateOverTimeIsPrintedOnlyOnATerminal() throws IOException {
     TinyRecording bursts = new TinyRecording();
     for (int ms = 0; ms < 300; ms++) {
       for (int i = 0; i < (ms < 100 ? 1 : ms < 200 ? 8 : 4); i++) {
@@ -105,7 +105,7 @@ class InfoCommandTest {
   }
 
   @Test
-  void aPictureShowsTheRecordingAtEightMoments() throws IOException {
+  void pictureShowsTheRecordingAtEightMoments() throws IOException {
     TinyRecording sweep = new TinyRecording();
     for (int i = 0; i < 1000; i++) {
       sweep.event(1000 * i, i / 8, 64, true);
@@ -139,7 +139,7 @@ class InfoCommandTest {
   }
 
   @Test
-  void aSilenceAndAClockThatGoesBackAreSeen() throws IOException {
+  void gapsAndClockRestartsAreReported() throws IOException {
     Path file =
         new TinyRecording()
             .event(1_000_000, 1, 1, true)
@@ -154,7 +154,7 @@ class InfoCommandTest {
   }
 
   @Test
-  void severalFilesGiveAnArrayInTheirOrder() throws IOException {
+  void severalFilesGiveAnArrayInTheGivenOrder() throws IOException {
     Path other = new TinyRecording().event(1, 2, 3, true).write(folder.resolve("one.aedat"));
     CommandRun run = CommandRun.of("info", "--json", recording, other);
     List<?> array = (List<?>) Json.parse(run.out(), "the output");
@@ -164,7 +164,7 @@ class InfoCommandTest {
   }
 
   @Test
-  void aFileThatCannotBeReadHasItsPlaceInTheArray() throws IOException {
+  void unreadableFileHasAnEntryInTheArray() throws IOException {
     Path missing = folder.resolve("missing.aedat");
     CommandRun run = CommandRun.of("info", "--json", missing, recording);
     assertEquals(1, run.status());
@@ -180,7 +180,7 @@ class InfoCommandTest {
   }
 
   @Test
-  void whatAStrictUserObjectsToIsInTheObject() throws IOException {
+  void strictErrorsAreInTheObject() throws IOException {
     byte[] bytes = Files.readAllBytes(recording);
     Path cut = Files.write(folder.resolve("cut.aedat"), Arrays.copyOf(bytes, bytes.length - 3));
     CommandRun lenient = CommandRun.of("info", "--json", cut);
@@ -194,7 +194,7 @@ class InfoCommandTest {
   }
 
   @Test
-  void aFileWithoutEventsHasNoRates() throws IOException {
+  void fileWithoutEventsHasNoRates() throws IOException {
     Path none = new TinyRecording().write(folder.resolve("none.aedat"));
     Map<?, ?> info = object(CommandRun.of("info", "--json", none));
     assertEquals(0L, info.get("events"));
@@ -204,7 +204,7 @@ class InfoCommandTest {
   }
 
   @Test
-  void peopleGetAlignedTextThatNoLocaleChanges() {
+  void textIsAlignedAndIndependentOfTheLocale() {
     String expected =
         """
         %s
@@ -228,7 +228,7 @@ class InfoCommandTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"aedat4", "h5", "npz"})
-  void aQuickLookSaysWhatTheFileTellsOfItselfAndNoMore(String ending) throws IOException {
+  void quickInfoContainsOnlyStatedValues(String ending) throws IOException {
     Path file = folder.resolve("hundred." + ending);
     assertEquals(0, CommandRun.of("convert", recording, file).status());
 
@@ -253,20 +253,20 @@ class InfoCommandTest {
   }
 
   @Test
-  void aQuickLookReadsWhatTellsNothingOfItself() throws IOException {
+  void quickInfoReadsFilesWithoutStatedValues() throws IOException {
     assertEquals(
         object(CommandRun.of("info", "--json", recording)),
         object(CommandRun.of("info", "--json", "--quick", recording)));
   }
 
   @Test
-  void anotherEndingOfTheNameDoesNotMatter() throws IOException {
+  void fileExtensionDoesNotMatter() throws IOException {
     Path renamed = TinyRecording.hundred().write(folder.resolve("photo.jpg"));
     assertEquals("aedat2", object(CommandRun.of("info", "--json", renamed)).get("format"));
   }
 
   @Test
-  void theProgressBarIsOnlyForTerminalsAndNotForTheQuiet() throws IOException {
+  void progressBarAppearsOnlyOnTerminalsAndNotWhenQuiet() throws IOException {
     TinyRecording large = new TinyRecording();
     for (int i = 0; i < 1_000_000; i++) {
       large.event(i, i & 127, 64, true);
@@ -288,7 +288,7 @@ class InfoCommandTest {
         + " 3508437",
     "synthetic-rotating-bar.aedat, aedat2, 240, 180, 45000, 45000, 0, 100000, 90000000"
   })
-  void aRealRecordingIsDescribedAsItsSourceDescribesIt(
+  void realRecordingsMatchTheDescriptionsOfTheirSources(
       String name,
       String format,
       long width,

@@ -49,7 +49,7 @@ class LiveResultsPageTest {
   }
 
   @Test
-  void theReaderOfThePageGetsEveryRowThatATableWouldHave() throws Exception {
+  void documentedReaderReceivesAllRowsOfTheTable() throws Exception {
     assumeTrue(pythonIsHere(), "SKIPPED python3 is not installed");
     Matcher block = EXAMPLE.matcher(Files.readString(PAGE));
     assertTrue(block.find(), "there is no Python in " + PAGE);
@@ -109,7 +109,7 @@ class LiveResultsPageTest {
   }
 
   @Test
-  void wrongAddressesAndLonelyOptionsAreWrongArguments() {
+  void invalidAddressesAndIncompleteOptionsAreWrongArguments() {
     for (List<String> wrong :
         List.of(
             List.of("--publish", "nowhere"),
@@ -130,7 +130,7 @@ class LiveResultsPageTest {
   }
 
   @Test
-  void anOutletThatNobodyHasIsAnsweredWithThoseThatThereAre() {
+  void unknownOutletIsReportedWithTheExistingOnes() {
     CommandRun run =
         CommandRun.of(
             "run",
@@ -151,7 +151,7 @@ class LiveResultsPageTest {
   }
 
   @Test
-  void otherCommandsPublishToo() {
+  void otherCommandsPublishResults() {
     for (List<String> command :
         List.of(List.of("track", "tracks.csv"), List.of("wings", "wings.csv"))) {
       CommandRun run =

@@ -116,7 +116,7 @@ class OrientCommandTest {
   }
 
   @Test
-  void aReportHasTheCamerasTheSettingsAndThePlotsOfEachComponent() throws IOException {
+  void reportContainsCamerasSettingsAndPlots() throws IOException {
     Path report = folder.resolve("report.html");
     assertEquals(0, orient("--gate-angle", "50", "--report", report).status());
     String page = Files.readString(report);
@@ -130,7 +130,7 @@ class OrientCommandTest {
   }
 
   @Test
-  void smoothingLooksBothWaysAndIsNearer() throws IOException {
+  void smoothingReducesTheError() throws IOException {
     assertEquals(0, orient().status());
     double before = medianDeg(rows(out));
     CommandRun run = orient("--smooth", "--overwrite");
@@ -143,7 +143,7 @@ class OrientCommandTest {
   }
 
   @Test
-  void theOriginalsFilterRunsWithTheSameColumns() throws IOException {
+  void originalPresetHasTheSameColumns() throws IOException {
     for (String[] more : new String[][] {{}, {"--smooth"}}) {
       CommandRun run =
           more.length == 0
@@ -156,7 +156,7 @@ class OrientCommandTest {
   }
 
   @Test
-  void aGateOfZeroRejectsAllAndOneOf180AcceptsAll() throws IOException {
+  void gateOfZeroRejectsAndGateOf180AcceptsAllLines() throws IOException {
     for (String mode : new String[] {"--quiet", "--smooth"}) {
       CommandRun none = orient("--gate-angle", "0", "--overwrite", mode);
       assertEquals(0, none.status(), none.err());
@@ -173,7 +173,7 @@ class OrientCommandTest {
   }
 
   @Test
-  void detectionsThatAreTooSmallAreNotUsed() {
+  void smallDetectionsAreNotUsed() {
     CommandRun run = orient("--min-area", "100000");
     assertEquals(0, run.status(), run.err());
     assertTrue(run.out().contains("too small"), run.out());
@@ -181,7 +181,7 @@ class OrientCommandTest {
   }
 
   @Test
-  void severalBodiesAreKeptApartAndRowsStayInOrder() throws IOException {
+  void severalBodiesAreSeparatedAndRowsStayInOrder() throws IOException {
     List<String> lines = new ArrayList<>();
     for (String line : Files.readAllLines(seen)) {
       lines.add(line);
@@ -203,7 +203,7 @@ class OrientCommandTest {
   }
 
   @Test
-  void badRowsAreToldWithTheirLineAndLeftOut() throws IOException {
+  void invalidRowsAreReportedWithTheirLineAndSkipped() throws IOException {
     assertEquals(0, orient().status());
     List<String> good = Files.readAllLines(out);
     List<String> lines = new ArrayList<>(Files.readAllLines(seen));
@@ -223,7 +223,7 @@ class OrientCommandTest {
   }
 
   @Test
-  void anglesThatAreNoNumbersAndEmptyFieldsAreUnknown() throws IOException {
+  void nonNumericAnglesAndEmptyFieldsAreUnknown() throws IOException {
     List<String> lines = new ArrayList<>();
     int changed = 0;
     for (String line : Files.readAllLines(seen)) {
@@ -272,7 +272,7 @@ class OrientCommandTest {
   }
 
   @Test
-  void linesInHdf5GiveTheSameAxesAndTheLineInSpaceBesideThem() throws IOException {
+  void hdf5LinesGiveTheSameAxesWithPlueckerCoordinates() throws IOException {
     assertEquals(0, orient().status());
     List<String[]> expected = rows(out);
     Path file = flydra();
@@ -328,7 +328,7 @@ class OrientCommandTest {
   }
 
   @Test
-  void whatCannotWorkIsSaidInOneLine() throws IOException {
+  void invalidInputsAreReportedInOneLine() throws IOException {
     Path single = folder.resolve("one.json");
     String all = Files.readString(cameras);
     Files.writeString(single, "{\"cameras\": []}");
@@ -372,7 +372,7 @@ class OrientCommandTest {
   }
 
   @Test
-  void oneCameraAndOneThatSeesNothingAreStatedAndLeaveAnEmptyTable() throws IOException {
+  void singleUsefulCameraIsReportedAndGivesAnEmptyTable() throws IOException {
     Files.writeString(
         cameras,
         """

@@ -101,7 +101,7 @@ class RandomCommandsTest {
 
   @ParameterizedTest
   @MethodSource("seeds")
-  void aCommandWithRandomOptionsEndsInOrder(long seed) throws IOException {
+  void commandWithRandomOptionsEndsWithAStatusAndAReason(long seed) throws IOException {
     writeFiles();
     List<String> words = command(new SplittableRandom(seed));
     CommandRun run =

@@ -36,7 +36,7 @@ class RecordCommandTest {
   }
 
   @Test
-  void devicesListsTheSimulatedCamerasBehindThoseThatArePluggedIn() throws IOException {
+  void devicesListsSimulatedCamerasAfterPhysicalOnes() throws IOException {
     CommandRun text = CommandRun.of("devices");
     assertEquals(0, text.status(), text.err());
     assertTrue(text.out().lines().anyMatch(line -> line.startsWith("simulated:fly ")), text.out());
@@ -52,7 +52,7 @@ class RecordCommandTest {
   }
 
   @Test
-  void aCameraIsRecordedWithItsBiasesAndReadBack() throws IOException {
+  void cameraIsRecordedWithItsBiasesAndReadBack() throws IOException {
     Path out = folder.resolve("fly.aedat4");
     CommandRun run =
         CommandRun.of(
@@ -83,7 +83,7 @@ class RecordCommandTest {
   }
 
   @Test
-  void aChainFiltersAndIsSavedInTheHeader() throws IOException {
+  void chainFiltersAndIsSavedInTheHeader() throws IOException {
     Path out = folder.resolve("fly.aedat4");
     Path chain = folder.resolve("chain.json");
     Files.writeString(chain, "{\"filters\": [{\"filter\": \"background-activity\"}]}");
@@ -97,7 +97,7 @@ class RecordCommandTest {
   }
 
   @Test
-  void twoCamerasAtOnceHaveAFileEachAndAClock() throws IOException {
+  void twoCamerasHaveSeparateFilesWithRelatedClocks() throws IOException {
     Path out = folder.resolve("both.aedat4");
     CommandRun run =
         CommandRun.of(
@@ -119,7 +119,7 @@ class RecordCommandTest {
   }
 
   @Test
-  void wrongArgumentsAreToldBeforeTheCameraIsTouched() throws IOException {
+  void wrongArgumentsAreReportedBeforeTheCameraIsOpened() throws IOException {
     Path out = folder.resolve("fly.aedat4");
     for (List<String> wrong :
         List.of(
@@ -143,7 +143,7 @@ class RecordCommandTest {
   }
 
   @Test
-  void whatCannotBeDoneIsToldInALine() throws IOException {
+  void failuresAreReportedInOneLine() throws IOException {
     Path out = folder.resolve("fly.aedat4");
     CommandRun unknown = CommandRun.of("record", "--device", "dvs128:none", out);
     assertEquals(1, unknown.status());
@@ -163,7 +163,7 @@ class RecordCommandTest {
 
   @Test
   @Timeout(60)
-  void aDiskWithoutRoomIsRefusedAtTheStartAndTheOldFileStays() throws IOException {
+  void fullDiskIsRejectedAtTheStartAndTheOldFileRemains() throws IOException {
     Files.writeString(folder.resolve("fly.aedat4"), "mine");
     CommandRun run =
         CommandRun.of(
@@ -181,7 +181,7 @@ class RecordCommandTest {
   }
 
   @Test
-  void aChainRunsOnACameraAndItsTablesAreWritten() throws IOException {
+  void chainOnACameraWritesItsTables() throws IOException {
     Path chain = folder.resolve("chain.json");
     Files.writeString(chain, "{\"filters\": [{\"filter\": \"cluster-tracker\"}]}");
     CommandRun plain =
@@ -212,7 +212,7 @@ class RecordCommandTest {
   }
 
   @Test
-  void whatMovesBeforeACameraIsTracked() throws IOException {
+  void objectsOfACameraAreTracked() throws IOException {
     Path out = folder.resolve("tracks.csv");
     CommandRun run =
         CommandRun.of("track", "--device", "simulated:road", "--out", out, "--duration", "0.3");
@@ -222,7 +222,7 @@ class RecordCommandTest {
   }
 
   @Test
-  void theWingsOfAFlyBeforeACameraAreTracked() throws IOException {
+  void wingsOfACameraAreTracked() throws IOException {
     Path out = folder.resolve("wings.csv");
     CommandRun run =
         CommandRun.of("wings", "--device", "simulated:fly", "--out", out, "--duration", "0.3");
@@ -233,7 +233,7 @@ class RecordCommandTest {
 
   @Test
   @DisabledOnOs(OS.WINDOWS)
-  void aProgramThatIsToldToStopLeavesAWholeFile() throws Exception {
+  void terminatedRecordingLeavesACompleteFile() throws Exception {
     Path out = folder.resolve("fly.aedat4");
     Path program = Path.of(System.getProperty("haltere.installed"), "bin", "haltere");
     Process haltere =

@@ -86,7 +86,7 @@ class ReportTest {
   }
 
   @Test
-  void wingsAreReportedWithSettingsPlotsAndPictures() throws Exception {
+  void wingReportContainsSettingsPlotsAndPictures() throws Exception {
     Path fly = scene("a&b <fly>.aedat", "fly", "0.3");
     Path out = folder.resolve("wings.csv");
     String page = page("wings", fly, "--out", out, "--rate", "500");
@@ -120,7 +120,7 @@ class ReportTest {
   }
 
   @Test
-  void tracksAndChainsAreReported() throws Exception {
+  void tracksAndChainsHaveReports() throws Exception {
     Path dots = scene("dots.aedat", "dots", "0.5");
     String track = page("track", dots, "--out", folder.resolve("tracks.csv"));
     assertPlots(track, "objects: x", "objects: y");
@@ -178,7 +178,7 @@ class ReportTest {
   }
 
   @Test
-  void aBatchIsOnePage() throws Exception {
+  void batchReportIsOnePage() throws Exception {
     Path in = Files.createDirectory(folder.resolve("in"));
     scene("in/one.aedat", "dots", "0.2");
     Path two = scene("in/two.es", "dots", "0.3");
@@ -196,7 +196,7 @@ class ReportTest {
   }
 
   @Test
-  void aReportThatExistsAndOneOfACameraAreRefused() throws Exception {
+  void existingReportsAndReportsOfCamerasAreRejected() throws Exception {
     Path dots = scene("dots.aedat", "dots", "0.1");
     Path there = Files.writeString(folder.resolve("there.html"), "mine");
     Path out = folder.resolve("tracks.csv");

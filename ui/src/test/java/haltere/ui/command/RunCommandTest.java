@@ -43,7 +43,7 @@ class RunCommandTest {
   }
 
   @Test
-  void withoutAnOutputOnlyTheStagesAreReported() throws IOException {
+  void runWithoutOutputReportsOnlyTheStages() throws IOException {
     CommandRun run = CommandRun.of("run", in, "--chain", chain);
     assertEquals(0, run.status(), run.err());
     List<String> lines = run.out().lines().toList();
@@ -55,7 +55,7 @@ class RunCommandTest {
   }
 
   @Test
-  void withAnOutputEventsAndTablesAreWrittenAndNamed() throws IOException {
+  void runWithOutputWritesAndListsEventsAndTables() throws IOException {
     Path out = folder.resolve("left.csv");
     CommandRun run = CommandRun.of("run", in, "--chain", chain, "--out", out);
     assertEquals(0, run.status(), run.err());
@@ -84,7 +84,7 @@ class RunCommandTest {
   }
 
   @Test
-  void theSameRunGivesTheSameBytes() throws IOException {
+  void runsAreReproducible() throws IOException {
     Path first = Files.createDirectory(folder.resolve("first"));
     Path second = Files.createDirectory(folder.resolve("second"));
     for (Path place : List.of(first, second)) {
@@ -97,7 +97,7 @@ class RunCommandTest {
   }
 
   @Test
-  void aTableThatExistsIsRefusedBeforeAnyWork() throws IOException {
+  void existingTableIsRejectedBeforeAnyWork() throws IOException {
     Path table = folder.resolve("left.cluster-tracker.clusters.csv");
     Files.writeString(table, "mine");
     CommandRun run =
@@ -110,7 +110,7 @@ class RunCommandTest {
   }
 
   @Test
-  void aStrictRunOverATruncatedFileLeavesNothing() throws IOException {
+  void strictRunOfATruncatedFileLeavesNoOutput() throws IOException {
     byte[] whole = Files.readAllBytes(in);
     Files.write(in, java.util.Arrays.copyOf(whole, whole.length - 3));
     CommandRun strict =

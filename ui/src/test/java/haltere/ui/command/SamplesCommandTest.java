@@ -39,7 +39,7 @@ class SamplesCommandTest {
   }
 
   @Test
-  void infoCountsThem() throws IOException {
+  void infoCountsSamples() throws IOException {
     CommandRun run = CommandRun.of("info", "--json", davis);
     Map<?, ?> info = (Map<?, ?>) Json.parse(run.out(), "the output");
     assertEquals(59L, info.get("frames"));
@@ -51,7 +51,7 @@ class SamplesCommandTest {
   }
 
   @Test
-  void convertCarriesThemWhereTheTargetCan() {
+  void convertCopiesSamplesIfTheTargetFormatHoldsThem() {
     Path copy = out("copy.aedat4");
     String said = succeed("convert", davis, copy);
     assertTrue(said.contains("59 frames, 2363 inertial samples, 236 triggers"), said);
@@ -59,7 +59,7 @@ class SamplesCommandTest {
   }
 
   @Test
-  void convertSaysWhatIsLeftBehind() {
+  void convertReportsSkippedSamples() {
     assertEquals(
         davis
             + ": 59 frames, 2363 inertial samples, 236 triggers were left out: the format that is"
@@ -70,7 +70,7 @@ class SamplesCommandTest {
   }
 
   @Test
-  void runCarriesThemWhereTheTargetCanAndSaysWhatIsLeftBehind() throws IOException {
+  void runCopiesSamplesIfPossibleAndReportsSkippedOnes() throws IOException {
     Path chain = out("chain.json");
     Files.writeString(chain, "{\"filters\": [{\"filter\": \"refractory\"}]}");
     String carried = succeed("run", davis, "--chain", chain, "--out", out("left.aedat4"));
@@ -85,13 +85,13 @@ class SamplesCommandTest {
   }
 
   @Test
-  void whatTracksAreNotMadeOfIsNoWarning() {
+  void trackGivesNoWarningAboutSamples() {
     String tracked = succeed("track", davis, "--out", out("tracks.csv"), "--quiet");
     assertEquals("", tracked);
   }
 
   @Test
-  void runSaysThatWordsOfAnotherKindWereLeftBehind() throws IOException {
+  void runReportsSkippedWordsOfOtherData() throws IOException {
     Path recording = Recorded.file("imx636-evt3.raw");
     Path chain = out("chain.json");
     Files.writeString(chain, "{\"filters\": []}");
@@ -101,7 +101,7 @@ class SamplesCommandTest {
   }
 
   @Test
-  void samplesAndTriggersBecomeTables() throws IOException {
+  void inertialSamplesAndTriggersAreWrittenAsTables() throws IOException {
     succeed("convert", davis, out("imu.csv"), "--stream", "imu");
     List<String> imu = Files.readAllLines(out("imu.csv"));
     assertEquals(
@@ -122,7 +122,7 @@ class SamplesCommandTest {
   }
 
   @Test
-  void framesBecomePicturesInAFolder() throws IOException {
+  void framesAreWrittenAsPicturesInAFolder() throws IOException {
     succeed("convert", davis, out("frames"), "--stream", "frames", "--to", "1589163147480000");
     List<String> table = Files.readAllLines(out("frames").resolve("frames.csv"));
     assertEquals(
@@ -142,7 +142,7 @@ class SamplesCommandTest {
   }
 
   @Test
-  void greyFramesOfSixteenBitsLoseNothing() throws IOException {
+  void greyFramesOf16BitsAreWrittenWithoutLoss() throws IOException {
     Path gray = Recorded.file("gray16-frame.aedat4");
     succeed("convert", gray, out("gray"), "--stream", "frames");
     BufferedImage picture = ImageIO.read(out("gray").resolve("frame-000000.png").toFile());
@@ -152,7 +152,7 @@ class SamplesCommandTest {
   }
 
   @Test
-  void aFailureLeavesNothing() throws IOException {
+  void failureLeavesNoFile() throws IOException {
     Path cut = out("cut.aedat4");
     byte[] bytes = Files.readAllBytes(davis);
     Files.write(cut, java.util.Arrays.copyOf(bytes, bytes.length / 3));
@@ -164,7 +164,7 @@ class SamplesCommandTest {
   }
 
   @Test
-  void whatMakesNoSenseIsAWrongArgument() {
+  void invalidStreamOptionsAreWrongArguments() {
     assertEquals(2, CommandRun.of("convert", davis, out("a.txt"), "--stream", "imu").status());
     assertEquals(2, CommandRun.of("convert", davis, out("a.csv"), "--stream", "smell").status());
     Object[] filtered = {
@@ -174,7 +174,7 @@ class SamplesCommandTest {
   }
 
   @Test
-  void anIndexIsKeptOnlyForWhoAsks() throws IOException {
+  void indexIsWrittenOnlyOnRequest() throws IOException {
     Path file = Files.copy(davis, out("davis.aedat4"));
     Path index = out("davis.aedat4.haltere-index");
     succeed("info", file);

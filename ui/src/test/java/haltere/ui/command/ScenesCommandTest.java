@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 
 class ScenesCommandTest {
   @Test
-  void everySceneIsListedWithItsSentenceAndAllItsSettings() {
+  void everySceneIsListedWithDescriptionAndSettings() {
     CommandRun run = CommandRun.of("scenes");
     assertEquals(0, run.status(), run.err());
     for (SceneProvider<?> scene : Scenes.all().values()) {
@@ -23,21 +23,21 @@ class ScenesCommandTest {
   }
 
   @Test
-  void oneSceneIsListedByItself() {
+  void namedSceneIsListedAlone() {
     CommandRun run = CommandRun.of("scenes", "road");
     assertTrue(run.out().startsWith("road\n"), run.out());
     assertFalse(run.out().contains("\nfly\n"), run.out());
   }
 
   @Test
-  void aSceneThatDoesNotExistIsAWrongArgument() {
+  void unknownSceneIsAWrongArgument() {
     CommandRun run = CommandRun.of("scenes", "unicorn");
     assertEquals(2, run.status());
     assertTrue(run.err().contains("there is no scene named unicorn; there are dots"), run.err());
   }
 
   @Test
-  void theUsageOfSimulateNamesTheScenes() {
+  void usageOfSimulateListsTheScenes() {
     CommandRun run = CommandRun.of("simulate", "--help");
     String words = run.out().replaceAll("\\s+", " ");
     assertTrue(words.contains("dots, flight, fly, rendered-fly, road"), run.out());

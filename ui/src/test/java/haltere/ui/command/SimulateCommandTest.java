@@ -14,7 +14,7 @@ class SimulateCommandTest {
   @TempDir Path folder;
 
   @Test
-  void writesARecordingAndItsTruthAtTheRateAskedFor() throws IOException {
+  void recordingAndTruthAreWrittenAtTheRequestedRate() throws IOException {
     Path out = folder.resolve("fly.csv");
     Path truth = folder.resolve("truth.csv");
     CommandRun run =
@@ -49,7 +49,7 @@ class SimulateCommandTest {
   }
 
   @Test
-  void theSameSettingsMakeTheSameBytesAndAnotherSeedOthers() throws IOException {
+  void recordingsAreReproducibleAndDifferBetweenSeeds() throws IOException {
     Path first = simulate("first.aedat", "run.seed=7");
     Path second = simulate("second.aedat", "run.seed=7");
     Path third = simulate("third.aedat", "seed=7");
@@ -68,7 +68,7 @@ class SimulateCommandTest {
   }
 
   @Test
-  void whatCannotBeSimulatedIsAWrongArgumentThatListsWhatCan() {
+  void unknownSceneIsReportedWithTheExistingOnes() {
     Path out = folder.resolve("x.aedat");
     assertWrong("fly", "simulate", "unicorn", out);
     assertWrong("run.seed", "simulate", "fly", out, "--set", "wingspan=3");
@@ -84,7 +84,7 @@ class SimulateCommandTest {
   }
 
   @Test
-  void recordingAndTruthCannotBeOneFile() {
+  void equalFilesForRecordingAndTruthAreRejected() {
     Path out = folder.resolve("x.csv");
     CommandRun run = CommandRun.of("simulate", "fly", out, "--truth", out);
     assertEquals(1, run.status());

@@ -46,7 +46,7 @@ class StreamsCommandTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"a.es", "a.raw", "a.dat", "a.aedat", "a.csv"})
-  void aRecordingGoesThroughAPipeUnchanged(String name) throws IOException {
+  void recordingPassesThroughAPipeUnchanged(String name) throws IOException {
     byte[] bytes = Files.readAllBytes(recording(name, EVENTS));
     CommandRun copy = piped(bytes, "convert", "-", "-", "--sensor", "128x128");
     assertEquals(0, copy.status(), copy.err());
@@ -57,7 +57,7 @@ class StreamsCommandTest {
   }
 
   @Test
-  void aRecordingOfAnyFormatGoesToAPipeAndAPartOfItAsText() throws IOException {
+  void anyFormatIsWrittenToAPipeAndAPartAsText() throws IOException {
     Path file = recording("a.aedat4", 1000);
     CommandRun out = CommandRun.of("convert", file, "-");
     assertEquals(0, out.status(), out.err());
@@ -71,7 +71,7 @@ class StreamsCommandTest {
   }
 
   @Test
-  void aStreamThatEndsInAnEventIsReadUpToThere() throws IOException {
+  void truncatedStreamIsReadUpToTheLastCompleteEvent() throws IOException {
     byte[] bytes = Files.readAllBytes(recording("a.dat", 1000));
     CommandRun cut = piped(Arrays.copyOf(bytes, bytes.length - 3), "info", "-");
     assertEquals(0, cut.status(), cut.err());
@@ -80,7 +80,7 @@ class StreamsCommandTest {
   }
 
   @Test
-  void whatCannotBeReadInOnePassIsRefusedWithAdvice() throws IOException {
+  void streamsThatNeedSeveralPassesAreRejectedWithAdvice() throws IOException {
     byte[] aedat4 = Files.readAllBytes(recording("a.aedat4", 100));
     CommandRun format = piped(aedat4, "info", "-");
     assertEquals(1, format.status());
@@ -99,7 +99,7 @@ class StreamsCommandTest {
 
   @Test
   @DisabledOnOs(OS.WINDOWS)
-  void pipesAndDevicesAreRefusedByNameAndNotReplaced() throws Exception {
+  void namedPipesAndDevicesAreRejectedAndNotReplaced() throws Exception {
     Path pipe = folder.resolve("pipe.aedat");
     assertEquals(0, new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor());
     Path file = recording("a.es", 100);

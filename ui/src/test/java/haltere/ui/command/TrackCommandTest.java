@@ -56,7 +56,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void eachObjectHasARowAtEachTickOfRecordingTime() throws IOException {
+  void eachObjectHasARowAtEachTick() throws IOException {
     CommandRun run = CommandRun.of("track", in, "--out", out);
     assertEquals(0, run.status(), run.err());
     assertEquals(COLUMNS, Files.readAllLines(out).get(0));
@@ -80,7 +80,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void rowsAscendInTimeAlsoWhereAnIdentityIsDecidedLate() throws IOException {
+  void rowsAscendInTimeDespiteDeferredObjects() throws IOException {
     assertEquals(0, CommandRun.of("track", in, "--out", out).status());
     List<String[]> rows = rows(out);
     for (int i = 1; i < rows.size(); i++) {
@@ -92,7 +92,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void whereATrackIsNearADotItMovesAsTheDotDoes() throws IOException {
+  void tracksNearADotHaveItsVelocity() throws IOException {
     assertEquals(0, CommandRun.of("track", in, "--out", out).status());
     List<String[]> rows = rows(out);
     long lastUs = Long.parseLong(rows.get(rows.size() - 1)[0]);
@@ -110,7 +110,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void theRateDecidesAtWhichTimesThereAreRows() throws IOException {
+  void rateSetsTheTimesOfRows() throws IOException {
     assertEquals(0, CommandRun.of("track", in, "--out", out, "--rate", "30").status());
     for (String[] row : rows(out)) {
       long timeUs = Long.parseLong(row[0]);
@@ -120,7 +120,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void thePresetOfTheOriginalTracksByTheCentresOfItsClusters() throws IOException {
+  void originalPresetTracksClusterCentres() throws IOException {
     assertEquals(0, CommandRun.of("track", in, "--out", out).status());
     String usual = Files.readString(out);
     CommandRun run =
@@ -135,7 +135,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void withARoadThereAreMetresToo() throws IOException {
+  void roadAddsColumnsInMetres() throws IOException {
     checkRoad(OBJECT_COLUMNS + METRES + ADDED_COLUMNS, 15, "vehicles.heightShare=1");
     String[] crossing = Files.readAllLines(folder.resolve("crossings.csv")).get(1).split(",");
     assertEquals("TOWARDS", crossing[3]);
@@ -144,7 +144,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void whatIsUsualOnARoadIsASettingOfIt() throws IOException {
+  void vehiclePriorIsASettingOfTheRoad() throws IOException {
     Path road = folder.resolve("road.json");
     Files.writeString(road, "{\"vehicles\": {\"speedMS\": 0}}");
     CommandRun run = CommandRun.of("track", in, "--out", out, "--road", road);
@@ -153,7 +153,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void withKalmanTracksInTheChainThereAreMetresToo() throws IOException {
+  void roadAddsColumnsInMetresToKalmanTracks() throws IOException {
     Path chain = folder.resolve("chain.json");
     Files.writeString(
         chain,
@@ -219,7 +219,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void aChainOfOnesOwnIsUsedAndGetsObjectsIfItHasNoTracks() throws IOException {
+  void givenChainIsUsedAndCompletedByTheObjectTracker() throws IOException {
     Path chain = folder.resolve("chain.json");
     Files.writeString(
         chain,
@@ -242,8 +242,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void aChainOfAnEarlierVersionIsReadWithALineThatSaysWhatTakesThePlaceOfASetting()
-      throws IOException {
+  void chainOfAnEarlierVersionIsReadWithAHintToTheReplacedSetting() throws IOException {
     Path chain = folder.resolve("chain.json");
     Files.writeString(
         chain,
@@ -262,7 +261,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void settingsAreSetByName() throws IOException {
+  void settingsAreChangedByName() throws IOException {
     CommandRun run = CommandRun.of("track", in, "--out", out, "--set", "scalePx=40");
     assertEquals(0, run.status(), run.err());
     assertTrue(rows(out).size() > 100);
@@ -284,7 +283,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void theLocaleDoesNotMatterAndTheSameRunGivesTheSameBytes() throws IOException {
+  void tablesAreReproducibleInEveryLocale() throws IOException {
     assertEquals(0, CommandRun.of("track", in, "--out", out).status());
     Path again = folder.resolve("again.csv");
     Locale before = Locale.getDefault();
@@ -298,7 +297,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void aRecordingWithoutEventsGivesATableWithoutRows() throws IOException {
+  void recordingWithoutEventsGivesAnEmptyTable() throws IOException {
     Path empty = folder.resolve("empty.csv");
     Files.writeString(empty, "t_us,x,y,on\n");
     CommandRun run = CommandRun.of("track", empty, "--sensor", "128x128", "--out", out);
@@ -307,7 +306,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void wrongArgumentsAreSaidWithTheUsage() {
+  void wrongArgumentsAreReportedWithTheUsage() {
     assertFails(2, "--out", "track", in);
     assertFails(2, "--rate", "track", in, "--out", out, "--rate", "0");
     assertFails(2, "--rate", "track", in, "--out", out, "--rate", "NaN");
@@ -322,7 +321,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void badInputIsSaidInOneLineThatNamesTheFileAndLeavesNothing() throws IOException {
+  void invalidInputIsReportedInOneLineAndLeavesNoOutput() throws IOException {
     Path json = folder.resolve("x.json");
     for (String text :
         List.of("", "[]", "{\"filters\": 1}", "{\"filters\": [{\"filter\": \"?\"}]}")) {
@@ -367,7 +366,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void aTableThatExistsIsKeptUnlessAskedOtherwise() throws IOException {
+  void existingTableIsReplacedOnlyWithOverwrite() throws IOException {
     Files.writeString(out, "mine");
     assertFails(1, out + ": exists already", "track", in, "--out", out);
     assertEquals("mine", Files.readString(out));
@@ -376,7 +375,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void aFileThatIsCutOffIsReadUpToThereAndStrictMakesItAnError() throws IOException {
+  void truncatedFileIsReadUpToItsEndAndRejectedWithStrict() throws IOException {
     byte[] whole = Files.readAllBytes(in);
     Files.write(in, Arrays.copyOf(whole, whole.length - 3));
     CommandRun strict = CommandRun.of("track", in, "--out", out, "--strict");
@@ -388,7 +387,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void fourPointsOfAPlaneGivePositionsInMetres() throws IOException {
+  void fourPointsOfAPlaneYieldPositionsInMetres() throws IOException {
     Path plane = folder.resolve("arena.json");
     Files.writeString(
         plane,
@@ -408,7 +407,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void pointsThatMakeNoPlaneAreRefusedInOneLine() throws IOException {
+  void degeneratePointsOfAPlaneAreReportedInOneLine() throws IOException {
     for (String points : List.of("3", "[]", "[{\"xPx\": 1}]")) {
       Path plane = folder.resolve("arena.json");
       Files.writeString(plane, "{\"points\": " + points + "}");

@@ -37,7 +37,7 @@ class WingsCommandTest {
   }
 
   @Test
-  void writesTheTablesOfTheContractAndASummary() throws IOException {
+  void documentedTablesAndASummaryAreWritten() throws IOException {
     Path wings = folder.resolve("wings.csv");
     Path beats = folder.resolve("beats.csv");
     Path geometry = folder.resolve("geometry.json");
@@ -108,7 +108,7 @@ class WingsCommandTest {
   }
 
   @Test
-  void aLogHasRowsOfEventsOrBeatsAndTheLayoutOfTheOriginal() throws IOException {
+  void logHasRowsOfEventsOrBeatsAndTheOriginalLayout() throws IOException {
     Path fly = fly();
     List<String> beats = log(fly, "beat", "table");
     assertTrue(beats.get(0).startsWith("side,beat,t_us,"), beats.get(0));
@@ -166,7 +166,7 @@ class WingsCommandTest {
   }
 
   @Test
-  void withTheHeadingFlippedTheHeadIsOnTheOtherSide() throws IOException {
+  void flippedHeadingExchangesHeadAndTail() throws IOException {
     Path geometry = folder.resolve("geometry.json");
     CommandRun run =
         CommandRun.of(
@@ -185,7 +185,7 @@ class WingsCommandTest {
   }
 
   @Test
-  void aRecordingWithoutAFlyGivesAnEmptyTableAndSaysSo() throws IOException {
+  void recordingWithoutAFlyGivesAnEmptyTableAndAMessage() throws IOException {
     Path dots = folder.resolve("dots.aedat");
     assertEquals(0, CommandRun.of("simulate", "dots", dots, "--duration", "0.3").status());
     Path wings = folder.resolve("wings.csv");
@@ -196,7 +196,7 @@ class WingsCommandTest {
   }
 
   @Test
-  void wrongArgumentsAreRefusedBeforeAnythingIsWritten() {
+  void wrongArgumentsAreRejectedBeforeAnyOutput() {
     Path out = folder.resolve("wings.csv");
     Path fly = fly();
     for (List<String> wrong :
@@ -213,7 +213,7 @@ class WingsCommandTest {
   }
 
   @Test
-  void theOriginalSaysThatItIsNotInLockWhereItsFrequencyIsNotTheBeats() {
+  void originalTrackerIsOutOfLockAtAnotherFrequencyThanTheBeat() {
     Path file = folder.resolve("slow.aedat");
     CommandRun simulated =
         CommandRun.of(

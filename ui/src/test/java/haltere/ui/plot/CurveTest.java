@@ -24,7 +24,7 @@ class CurveTest {
   }
 
   @Test
-  void fewSamplesComeAsTheyAre() {
+  void fewSamplesArePaintedUnchanged() {
     Curve curve = new Curve("a", 0);
     for (int i = 0; i < 10; i++) {
       curve.add(i * 1000L, i);
@@ -37,7 +37,7 @@ class CurveTest {
   }
 
   @Test
-  void anyWindowShowsTheExtremesThatWereThere() {
+  void everyWindowShowsTheExtremesOfItsSamples() {
     SplittableRandom random = new SplittableRandom(7);
     int samples = 300_000;
     double[] values = new double[samples];
@@ -69,7 +69,7 @@ class CurveTest {
   }
 
   @Test
-  void hoursOfSamplesTakeFewMegabytesAndReachBack() {
+  void hoursOfSamplesFitIntoFourMegabytes() {
     Curve curve = new Curve("a", 0);
     int samples = 36_000_000;
     for (int i = 0; i < samples; i++) {
@@ -83,7 +83,7 @@ class CurveTest {
   }
 
   @Test
-  void silenceIsAGapAndSlownessIsNot() {
+  void silenceIsAGapAndASlowRateIsNot() {
     Curve curve = new Curve("a", 0);
     curve.add(0, 1);
     curve.add(1000, 1);
@@ -99,7 +99,7 @@ class CurveTest {
   }
 
   @Test
-  void aTimeThatGoesBackStartsTheCurveAnew() {
+  void decreasingTimeRestartsTheCurve() {
     Curve curve = new Curve("a", 0);
     curve.add(5000, 1);
     curve.add(1000, 2);
@@ -108,7 +108,7 @@ class CurveTest {
   }
 
   @Test
-  void whereTimeGoesBackWhatLiesBeforeStaysAsIfTheRestHadNeverBeen() {
+  void truncatingACurveLeavesTheStateOfItsEarlierSamples() {
     SplittableRandom random = new SplittableRandom(11);
     for (int trial = 0; trial < 20; trial++) {
       Curve curve = new Curve("a", 0);
@@ -134,7 +134,7 @@ class CurveTest {
   }
 
   @Test
-  void whatIsNoNumberIsLeftOut() {
+  void nonFiniteValuesAreSkipped() {
     Curve curve = new Curve("a", 0);
     curve.add(1000, Double.NaN);
     curve.add(2000, Double.POSITIVE_INFINITY);
@@ -143,7 +143,7 @@ class CurveTest {
   }
 
   @Test
-  void theValueUnderTheMouseIsThatOfTheNearestSample() {
+  void valueAtATimeIsThatOfTheNearestSample() {
     Curve curve = new Curve("a", 0);
     for (int i = 0; i < 100; i++) {
       curve.add(i * 1000L, i);

@@ -26,7 +26,7 @@ class LaneTest {
   private static final PlotField FIELD = new PlotField("wings", "beats", "angle_rad");
 
   @Test
-  void theRangeLeavesOutTheTransientWithWhichACurveBegins() {
+  void rangeExcludesTheInitialTransient() {
     Lane lane = new Lane(FIELD);
     for (int i = 0; i <= 100; i++) {
       lane.take(FIELD, 10_000L * i, "left", i < 5 ? 1000 : i % 10);
@@ -37,13 +37,13 @@ class LaneTest {
   }
 
   @Test
-  void aCovarianceIsCalledByItsLetter() {
+  void covarianceIsNamedP() {
     assertEquals("P xvx", new PlotField("tracks", "estimates", "p_xvx").words());
     assertEquals("phase", new PlotField("wing-tracker", "wings", "phase_rad").words());
   }
 
   @Test
-  void aRowIsReadByItsColumns() {
+  void rowValuesAreReadByColumn() {
     PlotRow fields = PlotRow.of(Beat.class).orElseThrow();
     Beat row = new Beat(1234, Side.RIGHT, 5, 0.25);
     assertEquals(List.of("beat", "angle_rad"), fields.columns());
@@ -54,13 +54,13 @@ class LaneTest {
   }
 
   @Test
-  void rowsWithoutATimeCannotBePlotted() {
+  void rowsWithoutTimeCannotBePlotted() {
     assertTrue(PlotRow.of(NoTime.class).isEmpty());
     assertTrue(PlotRow.of(String.class).isEmpty());
   }
 
   @Test
-  void whatADefaultChainPublishesCanBePlottedAndFound() {
+  void resultsOfTheDefaultChainCanBePlotted() {
     FilterChain chain = DefaultChain.create(new SensorGeometry(64, 64));
     List<PlotField> fields = PlotField.of(chain);
     PlotField x = new PlotField("object-tracker", "objects", "x_px");
@@ -73,7 +73,7 @@ class LaneTest {
   }
 
   @Test
-  void aValueHasTheUnitThatItsColumnNames() {
+  void unitOfAValueFollowsFromItsColumnName() {
     Map<String, String> expected =
         Map.of(
             "angle_rad", "rad",
@@ -105,7 +105,7 @@ class LaneTest {
   }
 
   @Test
-  void aCurveThatBeginsAnewHasItsColourAgain() {
+  void restartedCurveKeepsItsColour() {
     Lane lane = new Lane(FIELD);
     for (int run = 0; run < 3; run++) {
       lane.take(FIELD, 100, "left", 1);
@@ -116,7 +116,7 @@ class LaneTest {
   }
 
   @Test
-  void theCurveThatHasBeenSilentForLongestMakesRoom() {
+  void longestSilentCurveIsReplaced() {
     Lane lane = new Lane(FIELD);
     for (int i = 0; i < Lane.MAX_CURVES + 5; i++) {
       lane.take(FIELD, i, String.valueOf(i), 1);
@@ -128,7 +128,7 @@ class LaneTest {
   }
 
   @Test
-  void theTableHasWhatTheWindowShows() {
+  void tableContainsTheVisibleSamples() {
     Lane lane = new Lane(FIELD);
     for (int i = 0; i < 10; i++) {
       lane.take(FIELD, i * 1_000_000L, "LEFT", i);
@@ -145,7 +145,7 @@ class LaneTest {
   }
 
   @Test
-  void theWindowFollowsUntilSomeoneLooksAround() {
+  void windowFollowsUntilItIsScrolled() {
     TimeWindow window = new TimeWindow();
     window.advanceTo(10_000_000);
     assertEquals(5_000_000, window.fromUs());
@@ -164,7 +164,7 @@ class LaneTest {
   }
 
   @Test
-  void tracksOfALaterTimeMakeRoomWherePlaybackGoesBack() {
+  void curvesOfLaterTimesAreRemovedWhenPlaybackGoesBack() {
     Lane lane = new Lane(PlotField.EVENT_RATE);
     for (int track = 0; track < Lane.MAX_CURVES; track++) {
       lane.take(PlotField.EVENT_RATE, 1000 * track, "old " + track, 1);

@@ -20,7 +20,7 @@ class PlotSetTest {
   }
 
   @Test
-  void eachSetIsOfColumnsThatItsFilterPublishes() {
+  void plotSetsContainPublishedColumns() {
     assertEquals(List.of(), titles("background-activity"));
     assertEquals(
         List.of(

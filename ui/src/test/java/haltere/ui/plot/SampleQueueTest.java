@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 /** From the processing thread to the window, without waiting. */
 class SampleQueueTest {
   @Test
-  void whatDoesNotFitIsCounted() {
+  void samplesBeyondTheCapacityAreCounted() {
     SampleQueue queue = new SampleQueue(8);
     for (int i = 0; i < 20; i++) {
       queue.put(i, "a", i);
@@ -21,7 +21,7 @@ class SampleQueueTest {
   }
 
   @Test
-  void nothingIsAllocatedForASample() {
+  void addingASampleAllocatesNoMemory() {
     SampleQueue queue = new SampleQueue(100);
     SampleQueue.SampleConsumer nobody = (timeUs, key, value) -> {};
     Runnable run =
@@ -36,7 +36,7 @@ class SampleQueueTest {
   }
 
   @Test
-  void nothingChangesItsOrderOrGetsLostUncountedBetweenTwoThreads() throws InterruptedException {
+  void orderAndCountsArePreservedBetweenTwoThreads() throws InterruptedException {
     SampleQueue queue = new SampleQueue(64);
     int samples = 200_000;
     Thread writer =

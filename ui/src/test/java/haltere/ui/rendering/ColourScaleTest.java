@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 /** What the ends of a gradient stand for, on pictures. */
 class ColourScaleTest {
   @Test
-  void agesEndNowAndCountsBeginAtNothing() {
+  void agesEndAtNowAndCountsStartAtZero() {
     assertEquals(
         Optional.of(new ColourScale(Gradient.GREY, "20 ms ago", "now")),
         ColourScale.of(DisplayMode.TIME_SURFACE, Gradient.GREY, "20 ms ago"));
@@ -22,7 +22,7 @@ class ColourScaleTest {
   }
 
   @Test
-  void theStripRunsFromTheFirstColourToTheLastInTheCorner() {
+  void scaleShowsAllColoursInTheCorner() {
     BufferedImage image = new BufferedImage(400, 300, BufferedImage.TYPE_INT_RGB);
     new PictureStamp(image, true).colours(new ColourScale(Gradient.GREY, "0", "9"));
     int row = 300 - 6 - 6 - 7;
@@ -43,7 +43,7 @@ class ColourScaleTest {
   }
 
   @Test
-  void aPictureWithoutRoomIsLeftAsItIs() {
+  void pictureWithoutSpaceForTheScaleIsUnchanged() {
     BufferedImage image = new BufferedImage(60, 60, BufferedImage.TYPE_INT_RGB);
     new PictureStamp(image, true).colours(new ColourScale(Gradient.GREY, "0", "9"));
     for (int y = 0; y < 60; y++) {

@@ -67,7 +67,7 @@ class ContactSheetTest {
   }
 
   @Test
-  void anObjectThatIsReportedLaterIsInThePictureOfItsMoment() throws IOException {
+  void objectReportedLateIsDrawnAtItsMoment() throws IOException {
     assertFalse(hasObject(sheet(2_000_000, false)), "not known yet");
     assertTrue(hasObject(sheet(1_000_000, true)), "known at the end");
   }
@@ -75,7 +75,7 @@ class ContactSheetTest {
   @ParameterizedTest
   @ValueSource(
       longs = {47_000, 81_000, 96_000, 131_000, 170_000, 350_000, 730_000, 1_100_000, 2_900_000})
-  void theMomentsAreAtEqualDistances(long lengthUs) {
+  void momentsAreEquidistant(long lengthUs) {
     SensorGeometry sensor = new SensorGeometry(210, 105);
     ContactSheet sheet = new ContactSheet(new FilterChain(sensor));
     EventPacket packet = new EventPacket(1);

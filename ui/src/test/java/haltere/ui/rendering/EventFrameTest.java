@@ -20,7 +20,7 @@ class EventFrameTest {
   private final EventFrame frame = new EventFrame(geometry);
 
   @Test
-  void keepsTimeAndPolarityOfThePixelsLastEvent() {
+  void frameStoresTimeAndPolarityOfTheLastEvent() {
     EventPacket packet = new EventPacket(3);
     packet.append(-5, 1, 2, true);
     packet.append(10, 1, 2, false);
@@ -43,7 +43,7 @@ class EventFrameTest {
   }
 
   @Test
-  void ignoresEventsOutsideOfTheSensor() {
+  void eventsOutsideTheSensorAreIgnored() {
     EventPacket packet = new EventPacket(2);
     packet.append(1, EventAddress.pack(4, 0, true));
     packet.append(2, EventAddress.pack(0, 3, true));
@@ -57,7 +57,7 @@ class EventFrameTest {
 
   @ParameterizedTest
   @EnumSource(Reset.Cause.class)
-  void forgetsAtEveryReset(Reset.Cause cause) {
+  void everyResetClearsTheFrame(Reset.Cause cause) {
     frame.packet(one(1000, 1, 1, true));
     frame.notified(new Reset(cause));
     assertEquals(StreamNotification.NO_TIME_US, frame.lastUs(1, 1));
@@ -67,7 +67,7 @@ class EventFrameTest {
   }
 
   @Test
-  void forgetsWhenAnotherStreamStartsAndKeepsWhenDataIsLost() {
+  void streamStartClearsTheFrameAndDataLossDoesNot() {
     frame.packet(one(1000, 1, 1, true));
     frame.notified(new DataLost(1, 1, 1000, 2000, "test"));
     assertEquals(1000, frame.lastUs(1, 1));
@@ -76,7 +76,7 @@ class EventFrameTest {
   }
 
   @Test
-  void timeGoesOnWithoutEventsButNotBack() {
+  void timeAdvancesWithoutEventsAndNeverDecreases() {
     frame.packet(one(1000, 1, 1, true));
     frame.advanceTo(3000);
     frame.advanceTo(2000);
@@ -84,7 +84,7 @@ class EventFrameTest {
   }
 
   @Test
-  void remembersTheLastMinutesForHours() {
+  void lastMinutesAreStoredEvenAfterHours() {
     long hourUs = 3_600_000_000L;
     for (long timeUs = -hourUs; timeUs <= hourUs; timeUs += 50_000_000) {
       frame.packet(one(timeUs, 1, 1, true));

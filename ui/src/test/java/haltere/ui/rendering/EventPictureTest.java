@@ -40,7 +40,7 @@ class EventPictureTest {
   }
 
   @Test
-  void onePolarityAloneLeavesTheOtherDark() {
+  void singlePolarityModesHideTheOtherPolarity() {
     EventPicture picture = picture(DisplayMode.ON_ONLY, false);
     event(picture, 100, 3, 2, true);
     event(picture, 100, 4, 2, false);
@@ -52,7 +52,7 @@ class EventPictureTest {
   }
 
   @Test
-  void theTimeSurfaceShowsAgesWhateverThePolarity() {
+  void timeSurfaceShowsAgesOfBothPolarities() {
     EventPicture picture = picture(DisplayMode.TIME_SURFACE, false);
     event(picture, 0, 1, 1, true);
     event(picture, 3000, 2, 1, false);
@@ -66,7 +66,7 @@ class EventPictureTest {
   }
 
   @Test
-  void aPixelThatFlickersHasTheColourOfItsFrequency() {
+  void flickeringPixelHasTheColourOfItsFrequency() {
     EventPicture picture = picture(DisplayMode.FREQUENCY, true);
     for (int k = 0; k < 5; k++) {
       picture.beginExposure();
@@ -86,7 +86,7 @@ class EventPictureTest {
   }
 
   @Test
-  void theIntensityIsTheFadingSumOfAllEvents() {
+  void intensityIsTheFadingSumOfEvents() {
     SplittableRandom random = new SplittableRandom(4);
     EventPicture picture = picture(DisplayMode.INTENSITY, false);
     double[] times = new double[400];
@@ -110,7 +110,7 @@ class EventPictureTest {
   }
 
   @Test
-  void theHeatMapCountsAndAHotPixelDoesNotDarkenTheOthers() {
+  void heatMapScaleIsRobustToAHotPixel() {
     EventPicture picture = picture(DisplayMode.COUNTS, true);
     for (int x = 0; x < 16; x++) {
       for (int y = 0; y < 8; y++) {
@@ -130,7 +130,7 @@ class EventPictureTest {
   }
 
   @Test
-  void aSharpExposureShowsItsOwnEventsFully() {
+  void exposureShowsItsEventsWithoutFading() {
     EventPicture picture = picture(DisplayMode.POLARITY, true);
     event(picture, 0, 1, 1, true);
     event(picture, 900, 2, 1, true);
@@ -140,7 +140,7 @@ class EventPictureTest {
   }
 
   @Test
-  void aJumpForgetsAndAnotherFadingGoesOn() {
+  void seekClearsThePictureAndAChangeOfFadingDoesNot() {
     EventPicture picture = picture(DisplayMode.INTENSITY, false);
     for (int i = 0; i < 4; i++) {
       event(picture, 100, 7, 7, true);
@@ -154,7 +154,7 @@ class EventPictureTest {
   }
 
   @Test
-  void gradientsRiseInLightness() {
+  void gradientsAreMonotonicInLightness() {
     for (Gradient gradient : Gradient.all()) {
       double before = lightness(gradient.colour(0));
       double way = Math.signum(lightness(gradient.colour(1)) - before);

@@ -16,7 +16,7 @@ class FontLettersTest {
   }
 
   @Test
-  void allThatOverlaysWriteHasItsShape() {
+  void allCharactersOfOverlaysHaveGlyphs() {
     List<String> unknown = drawn(FontLetters.OF_PICTURES, "\uffff");
     for (String letter : "20m:\u2191\u2193,54\u00b1km/hHz\u00b0\u00b5".split("")) {
       assertNotEquals(unknown, drawn(FontLetters.OF_PICTURES, letter), letter);
@@ -24,7 +24,7 @@ class FontLettersTest {
   }
 
   @Test
-  void lettersStandOnTheBaseLineWithinTheirRoom() {
+  void lettersLieBetweenAscentAndBaseline() {
     Letters letters = FontLetters.ofView(2);
     assertTrue(letters.width("wider") > letters.width("wide"));
     for (String dot : drawn(letters, "x")) {
@@ -34,7 +34,7 @@ class FontLettersTest {
   }
 
   @Test
-  void withoutAFontWordsAreLeftOut() {
+  void textIsOmittedWithoutAFont() {
     Letters letters =
         new FontLetters(
             12,

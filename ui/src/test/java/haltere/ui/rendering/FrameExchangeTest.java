@@ -14,7 +14,7 @@ class FrameExchangeTest {
   private final FrameExchange<long[]> exchange = new FrameExchange<>(() -> new long[2]);
 
   @Test
-  void handsEachPictureOverOnce() {
+  void eachPictureIsFetchedOnce() {
     assertNull(exchange.fetch());
     assertFalse(exchange.isPending());
     long[] painted = exchange.back();
@@ -25,7 +25,7 @@ class FrameExchangeTest {
   }
 
   @Test
-  void theNewestReplacesWhatNobodyFetchedAndIsCounted() {
+  void newerPictureReplacesAnUnfetchedOneAndIsCounted() {
     long[] first = exchange.back();
     exchange.publish();
     long[] second = exchange.back();
@@ -36,7 +36,7 @@ class FrameExchangeTest {
   }
 
   @Test
-  void aShownPictureIsNeverPaintedInto() throws InterruptedException {
+  void displayedPictureIsNeverModified() throws InterruptedException {
     AtomicBoolean stop = new AtomicBoolean();
     Thread painter =
         new Thread(

@@ -18,7 +18,7 @@ class FramePainterTest {
   private final int[] argb = new int[6];
 
   @Test
-  void freshEventsHaveTheFullColourAndTheTopRowComesFirst() {
+  void newEventsHaveFullColourAndRowsStartAtTheTop() {
     frame.packet(EventFrameTest.one(500, 0, 1, true));
     frame.packet(EventFrameTest.one(500, 2, 0, false));
     new FramePainter(MAP, 1000).paint(frame, argb);
@@ -28,7 +28,7 @@ class FramePainterTest {
 
   @ParameterizedTest
   @ValueSource(longs = {1, 10, 999, 20_000, 3_000_000, 20_000_000})
-  void fadesExponentially(long timeConstantUs) {
+  void coloursFadeExponentially(long timeConstantUs) {
     frame.packet(EventFrameTest.one(77, 1, 0, true));
     FramePainter painter = new FramePainter(MAP, timeConstantUs);
     for (int step = 0; step <= 5; step++) {
@@ -45,7 +45,7 @@ class FramePainterTest {
   }
 
   @Test
-  void nothingIsLeftAfterARewind() {
+  void rewindClearsThePicture() {
     FramePainter painter = new FramePainter(MAP, 1000);
     frame.packet(EventFrameTest.one(1_000_000, 1, 0, true));
     frame.notified(new Reset(Reset.Cause.REWIND));
@@ -58,7 +58,7 @@ class FramePainterTest {
   }
 
   @Test
-  void colourMapsAreOpaqueAndTellOnFromOff() {
+  void colourMapsAreOpaqueAndDistinguishPolarities() {
     for (ColourMap map : ColourMap.all()) {
       for (int colour : new int[] {map.background(), map.on(), map.off(), map.colour(true, 0.5)}) {
         assertEquals(0xFF, colour >>> 24, map.name());
@@ -70,7 +70,7 @@ class FramePainterTest {
 
   @ParameterizedTest
   @ValueSource(longs = {0, -1, FramePainter.LONGEST_TIME_CONSTANT_US + 1})
-  void refusesATimeConstantOutOfRange(long timeConstantUs) {
+  void timeConstantOutOfRangeIsRejected(long timeConstantUs) {
     assertThrows(IllegalArgumentException.class, () -> new FramePainter(MAP, timeConstantUs));
   }
 

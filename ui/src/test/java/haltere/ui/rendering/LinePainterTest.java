@@ -21,7 +21,7 @@ class LinePainterTest {
   }
 
   @Test
-  void onTransparentPixelsItIsAsOpaqueAsItCoversThem() {
+  void lineOnTransparentPixelsIsAsOpaqueAsItsCoverage() {
     draw();
     // premultiplied: a quarter, and three quarters, of 0xFF, 0xFF, 0x80, 0x40
     assertEquals(0x3F3F2010, row(0));

@@ -17,7 +17,7 @@ class PictureScalerTest {
   private final PictureScaler scaler = new PictureScaler();
 
   @Test
-  void wholeNumbersMakeBlocks() {
+  void integerScalesGiveBlocksOfPixels() {
     int[] target = new int[6 * 4];
     scaler.configure(3, 2, 0, 0, 2, 6, 4);
     scaler.scale(new int[] {1, 2, 3, 4, 5, 6}, target);
@@ -26,7 +26,7 @@ class PictureScalerTest {
   }
 
   @Test
-  void aPartIsShown() {
+  void partOfAPictureIsScaled() {
     int[] target = new int[4];
     scaler.configure(3, 2, 1, 1, 2, 2, 2);
     scaler.scale(new int[] {1, 2, 3, 4, 5, 6}, target);
@@ -35,7 +35,7 @@ class PictureScalerTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {1, 1.3, 2.5, 4.75, 10, 63.9})
-  void enlargedEachPixelIsTheOneItLiesIn(double scale) {
+  void enlargedPictureUsesTheNearestPixels(double scale) {
     SplittableRandom random = new SplittableRandom(3);
     int width = 17;
     int height = 11;
@@ -55,7 +55,7 @@ class PictureScalerTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {0.9, 0.675, 0.5, 0.31, 0.1})
-  void reducedNoEventDisappears(double scale) {
+  void reducedPictureShowsEveryEvent(double scale) {
     int width = 64;
     int height = 48;
     int targetWidth = (int) Math.ceil(width * scale);
@@ -73,7 +73,7 @@ class PictureScalerTest {
   }
 
   @Test
-  void reducedTheColourStaysThatDiffersMostFromTheBackground() {
+  void reducedPictureKeepsTheColourFarthestFromTheBackground() {
     int faded = Ranks.ranked(0x402010, BACKGROUND);
     int fresh = Ranks.ranked(0x4F8FE6, BACKGROUND);
     int nothing = Ranks.ranked(BACKGROUND, BACKGROUND);

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 
 class PictureStampTest {
   @Test
-  void theScaleBarIsARoundNumberOfPixelsOfTheSensorLong() {
+  void scaleBarHasARoundLengthInSensorPixels() {
     BufferedImage picture = new BufferedImage(768, 768, BufferedImage.TYPE_INT_RGB);
     new PictureStamp(picture, true).scaleBar(6);
     int row = 768 - 6 - 7;
@@ -22,7 +22,7 @@ class PictureStampTest {
   }
 
   @Test
-  void theTimeStandsInTheUpperLeftCorner() {
+  void timeIsInTheUpperLeftCorner() {
     BufferedImage picture = new BufferedImage(768, 768, BufferedImage.TYPE_INT_RGB);
     new PictureStamp(picture, true).words("1");
     long inked =

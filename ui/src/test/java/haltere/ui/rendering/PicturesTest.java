@@ -25,7 +25,7 @@ class PicturesTest {
   private final FramePainter painter = new FramePainter(ColourMap.DARK, 1000);
 
   @Test
-  void aSmallSensorIsScaledUpByAWholeNumber() {
+  void smallSensorIsEnlargedByAnInteger() {
     assertEquals(6, Pictures.usualScale(geometry));
     assertEquals(1, Pictures.usualScale(new SensorGeometry(1280, 720)));
     frame.packet(EventFrameTest.one(5, 127, 0, true));
@@ -44,7 +44,7 @@ class PicturesTest {
   }
 
   @Test
-  void marksLieOverTheirPixels() {
+  void marksAreDrawnOverTheirPixels() {
     BufferedImage image =
         Pictures.draw(
             frame,
@@ -73,7 +73,7 @@ class PicturesTest {
   }
 
   @Test
-  void wordsAreDrawnInSight() {
+  void labelsAreDrawnWithinThePicture() {
     MarkStyle label = MarkStyle.of(Role.LABEL, 1);
     BufferedImage image =
         Pictures.draw(frame, painter, 6, canvas -> canvas.text(20, 20, "#12: 3.5 µs ♞", label));
@@ -87,7 +87,7 @@ class PicturesTest {
   }
 
   @Test
-  void fileAppearsWholeAndAlone(@TempDir Path folder) throws IOException {
+  void pictureFileAppearsCompleteWithoutOtherFiles(@TempDir Path folder) throws IOException {
     frame.packet(EventFrameTest.one(5, 3, 4, false));
     BufferedImage image = Pictures.draw(frame, painter, 2, canvas -> {});
     Path file = folder.resolve("picture.png");

@@ -61,7 +61,7 @@ class PixelOverlayCanvasTest {
 
   @ParameterizedTest
   @CsvSource({"20,20,120,20", "20,20,20,110", "30,20,130,110", "150,30,40,60.7", "10.3,9.8,60,100"})
-  void aLineCoversItsLengthTimesItsThickness(double x1, double y1, double x2, double y2) {
+  void lineCoversLengthTimesThickness(double x1, double y1, double x2, double y2) {
     painter.line(x1, y1, x2, y2, 2, WHITE, false);
     double expected = 2 * Math.hypot(x2 - x1, y2 - y1);
     assertEquals(expected, covered(), 0.02 * expected);
@@ -69,7 +69,7 @@ class PixelOverlayCanvasTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {3, 10.4, 47, 70})
-  void aRingCoversItsLengthTimesItsThickness(double radius) {
+  void ringCoversCircumferenceTimesThickness(double radius) {
     painter.ring(99.6, 75.2, radius, 2, WHITE);
     double expected = 2 * Math.PI * radius * 2;
     assertEquals(expected, covered(), 0.03 * expected);
@@ -77,7 +77,7 @@ class PixelOverlayCanvasTest {
   }
 
   @Test
-  void whereColoursShineThroughNothingIsDrawnTwice() {
+  void translucentShapesDoNotOverlapThemselves() {
     painter.ring(100, 75, 40, 3, 0x80FFFFFF);
     assertTrue(Arrays.stream(pixels).allMatch(argb -> (argb & 0xFF) <= 0x81));
     makeBlack();
@@ -86,7 +86,7 @@ class PixelOverlayCanvasTest {
   }
 
   @Test
-  void coloursAreMixedChannelByChannel() {
+  void coloursAreBlendedPerChannel() {
     Arrays.fill(pixels, 0xFF204060);
     painter.dot(3, 4, 0xFFE08010, 0.5);
     int mixed = pixels[4 * WIDTH + 3];
@@ -97,7 +97,7 @@ class PixelOverlayCanvasTest {
   }
 
   @Test
-  void whatLiesOutsideIsLeftOut() {
+  void shapesOutsideThePictureAreClipped() {
     PixelOverlayCanvas canvas = new PixelOverlayCanvas(new Blocks());
     canvas.setTarget(pixels, WIDTH, HEIGHT);
     canvas.setView(2, -30, 190, 1.5);
@@ -125,7 +125,7 @@ class PixelOverlayCanvasTest {
 
   @ParameterizedTest
   @CsvSource({"0,0", "99,74", "-50,40", "200,-20", "50,300"})
-  void wordsStayWholeAtTheEdges(double x, double y) {
+  void textIsNotClippedAtTheEdges(double x, double y) {
     PixelOverlayCanvas canvas = new PixelOverlayCanvas(new Blocks());
     canvas.setTarget(pixels, WIDTH, HEIGHT);
     canvas.setView(2, 0, HEIGHT, 1);

@@ -49,7 +49,7 @@ class SpaceTimePainterTest {
   }
 
   @Test
-  void alongTimeThePictureIsTheSensor() {
+  void viewAlongTheTimeAxisShowsTheSensor() {
     event(1000, 75, 75, true);
     paint(view(0, 0, 1));
     double[] position = middle(ColourMap.DARK.on());
@@ -58,7 +58,7 @@ class SpaceTimePainterTest {
   }
 
   @Test
-  void fromTheSideTimeGoesAcross() {
+  void sideViewShowsTimeHorizontally() {
     event(0, 50, 50, false);
     event(100_000, 50, 50, true);
     paint(view(90, 0, 1));
@@ -69,7 +69,7 @@ class SpaceTimePainterTest {
   }
 
   @Test
-  void ofTwoEventsTheNearerOneIsSeen() {
+  void nearerEventHidesTheFartherOne() {
     event(0, 50, 50, false);
     event(100_000, 50, 50, true);
     paint(view(0, 0, 1));
@@ -78,7 +78,7 @@ class SpaceTimePainterTest {
   }
 
   @Test
-  void whatIsOutsideOfTheSliceFades() {
+  void eventsOutsideTheSliceFade() {
     event(0, 20, 50, true);
     event(100_000, 80, 50, true);
     paint(view(0, 0.5, 1));
@@ -87,7 +87,7 @@ class SpaceTimePainterTest {
   }
 
   @Test
-  void onlyTheNewestEventsAreKeptAndAJumpForgetsThem() {
+  void newestEventsAreStoredUntilASeek() {
     for (int i = 0; i < 5000; i++) {
       event(i, i % 100, 0, true);
     }

@@ -29,7 +29,7 @@ class TextPositionsTest {
   }
 
   @Test
-  void whatComesFirstHasItsPlaceAndWhatComesLaterGoesBesideIt() {
+  void laterLabelMovesAsideOfAnEarlierOne() {
     assertTrue(find(200, 150, LABEL));
     assertEquals(List.of(200.0, 150.0), List.of(positions.left(), positions.base()));
     assertTrue(find(210, 150, LABEL));
@@ -41,7 +41,7 @@ class TextPositionsTest {
   }
 
   @Test
-  void whereThereIsNoRoomALabelIsLeftOutAndOtherWordsAreDrawnWhereTheyWantToBe() {
+  void labelWithoutSpaceIsOmittedAndOtherTextIsDrawnInPlace() {
     int found = 0;
     while (find(200, 150, LABEL)) {
       found++;
@@ -55,7 +55,7 @@ class TextPositionsTest {
   }
 
   @Test
-  void labelsNeverLieOverOneAnotherAndStayWholeAtTheEdges() {
+  void labelsNeverOverlapAndAreNotClippedAtTheEdges() {
     SplittableRandom random = new SplittableRandom(5);
     List<Rectangle2D> drawn = new ArrayList<>();
     Rectangle2D picture = new Rectangle2D.Double(0, 0, 400, 300);

@@ -99,7 +99,7 @@ class BodyFlightDrawingTest {
   }
 
   @Test
-  void theFloorIsAGridOfSquaresAndTheBarAsLongAsItSays() throws IOException {
+  void floorIsAGridOfSquaresWithACorrectScaleBar() throws IOException {
     BodyFlightDrawing drawing = new BodyFlightDrawing(flight());
     SpaceView view = new SpaceView();
     view.fit(drawing.points(), 800, 600);
@@ -119,7 +119,7 @@ class BodyFlightDrawingTest {
   }
 
   @Test
-  void acceptedLinesAreSolidAndGatedOnesBrokenAlongWhatTheCameraSaw() throws IOException {
+  void acceptedLinesAreSolidAndRejectedLinesDashed() throws IOException {
     int accepted = 0;
     int gated = 0;
     for (BodyFlight.Moment moment : flight().moments()) {
@@ -158,7 +158,7 @@ class BodyFlightDrawingTest {
   }
 
   @Test
-  void aDetectionWithoutALineHasItsNameAndNoLine() throws IOException {
+  void detectionWithoutALineIsDrawnAsItsNameOnly() throws IOException {
     CameraLine some = flight().moments().get(50).lines().get(0);
     LineObservation blob = new LineObservation(0, 10, 20, Double.NaN, Double.NaN, Double.NaN);
     Marks marks =
@@ -172,7 +172,7 @@ class BodyFlightDrawingTest {
   }
 
   @Test
-  void everythingIsInSightFromAllSides() throws IOException {
+  void allPointsAreVisibleFromAllDirections() throws IOException {
     BodyFlightDrawing drawing = new BodyFlightDrawing(flight());
     SpaceView view = new SpaceView();
     view.fit(drawing.points(), 800, 600);
@@ -189,7 +189,7 @@ class BodyFlightDrawingTest {
   }
 
   @Test
-  void whereNothingWasFoundTheCamerasAreDrawnAlone() throws IOException {
+  void emptyFlightIsDrawnAsItsCamerasOnly() throws IOException {
     BodyFlight empty = new BodyFlight(flight().cameras(), List.of());
     BodyFlightDrawing drawing = new BodyFlightDrawing(empty);
     SpaceView view = new SpaceView();

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 /** Where settings are kept. */
 class ConfigFolderTest {
   @Test
-  void eachPlatformHasItsPlace() {
+  void configurationFolderDependsOnThePlatform() {
     Path home = Path.of("home");
     assertEquals(
         home.resolve(".config").resolve("haltere"), ConfigFolder.of("Linux", "home", Map.of()));

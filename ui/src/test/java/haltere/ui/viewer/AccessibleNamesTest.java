@@ -37,7 +37,7 @@ class AccessibleNamesTest {
   }
 
   @Test
-  void allPanelsOfARecording() {
+  void panelsOfARecordingHaveAccessibleNames() {
     List<String> filters =
         List.of("background-activity", "hot-pixels", "object-tracker", "cluster-tracker");
     viewer = ViewerHarness.withBlobAnd(filters.toArray(String[]::new));
@@ -52,7 +52,7 @@ class AccessibleNamesTest {
   }
 
   @Test
-  void thePanelsOfWingsAndOfACamera() {
+  void panelsOfWingsAndCamerasHaveAccessibleNames() {
     viewer = ViewerHarness.withBlob();
     run("open-scene");
     viewer.waitUntilOpen("Fly scene");
@@ -66,7 +66,7 @@ class AccessibleNamesTest {
   }
 
   @Test
-  void menusAndDialogs() {
+  void menusAndDialogsHaveAccessibleNames() {
     viewer = ViewerHarness.withBlob();
     run("palette");
     viewer.waitFor("the palette", () -> viewer.isThere("palette-list"));

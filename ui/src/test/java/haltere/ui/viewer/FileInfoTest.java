@@ -59,7 +59,7 @@ class FileInfoTest {
   }
 
   @Test
-  void thePanelHasFormatSensorCountsTimesAndRates() throws IOException {
+  void panelShowsFormatSensorCountsTimesAndRates() throws IOException {
     Path file = folder.resolve("blob.aedat");
     ViewerHarness.writeRecording(file, 1_000_000);
     viewer.openRecording(file);
@@ -76,7 +76,7 @@ class FileInfoTest {
   }
 
   @Test
-  void aCutFileHasABannerThatIsOpenedAndDismissed() throws IOException {
+  void truncatedFileHasABannerThatIsOpenedAndDismissed() throws IOException {
     Path whole = folder.resolve("whole.aedat4");
     ViewerHarness.writeRecording(whole, 1_000_000);
     byte[] bytes = Files.readAllBytes(whole);
@@ -98,7 +98,7 @@ class FileInfoTest {
   }
 
   @Test
-  void anUnknownCameraIsAskedWithTheGuessFirstAndRemembered() throws IOException {
+  void unknownCameraIsRequestedWithTheGuessFirstAndStored() throws IOException {
     Path file = withoutSensor();
     viewer.openRecording(file);
     viewer.waitFor(
@@ -122,7 +122,7 @@ class FileInfoTest {
   }
 
   @Test
-  void whoNamesTheSensorIsNotAsked() throws IOException {
+  void statedSensorSizeSuppressesTheCameraQuestion() throws IOException {
     Path file = withoutSensor();
     SensorGeometry said = new SensorGeometry(346, 260);
     try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withSensor(said))) {

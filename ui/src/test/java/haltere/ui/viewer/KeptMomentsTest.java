@@ -61,7 +61,7 @@ class KeptMomentsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"a scene", CAMERA})
-  void theLastMomentsAreSteppedThroughAndLoopedAsInARecording(String what) {
+  void storedMomentsAreSteppedAndLoopedLikeARecording(String what) {
     open(what);
     viewer.waitFor("some time", () -> elapsedUs() > 800_000);
     viewer.pause();
@@ -90,7 +90,7 @@ class KeptMomentsTest {
   }
 
   @Test
-  void aPartOfASceneIsExportedAsFilmAndAsRecording() throws IOException {
+  void partOfASceneIsExportedAsFilmAndRecording() throws IOException {
     open("a scene");
     viewer.waitFor("some time", () -> elapsedUs() > 600_000);
     viewer.pause();
@@ -108,7 +108,7 @@ class KeptMomentsTest {
   }
 
   @Test
-  void allThatIsKeptOfACameraIsExportedWhereNothingIsMarked() throws IOException {
+  void exportWithoutAMarkedPartContainsAllStoredMomentsOfACamera() throws IOException {
     open(CAMERA);
     viewer.waitFor("some events", () -> viewer.status().eventsIn() > 20_000);
     viewer.pause();

@@ -65,7 +65,7 @@ class KeyboardTest {
   }
 
   @Test
-  void tabComesToEveryControlOfAllPanelsAndNothingKeepsIt() {
+  void tabReachesEveryControlWithoutATrap() {
     viewer = ViewerHarness.withBlob();
     openPanels("show-plots", "show-space-time", "show-live-flight", "compare", "show-camera");
     openPanels("show-wings");
@@ -97,7 +97,7 @@ class KeyboardTest {
   }
 
   @Test
-  void theFocusIsSeen() {
+  void focusIsVisible() {
     viewer = ViewerHarness.withBlob();
     for (String id :
         List.of("play", "expand-object-tracker", "power-object-tracker", "more-object-tracker")) {
@@ -126,7 +126,7 @@ class KeyboardTest {
   }
 
   @Test
-  void aFilterIsSearchedAddedMovedSwitchedOffAndRemoved() {
+  void filterIsSearchedAddedMovedDisabledAndRemovedByKeys() {
     viewer = ViewerHarness.withBlob();
     List<String> before = names();
     double speed = viewer.onFx(() -> viewer.window.context().playback().speedProperty().get());
@@ -164,7 +164,7 @@ class KeyboardTest {
 
   /** A machine that is busy lays a window out later than a key is pressed. */
   @Test
-  void enterOpensMenusAndListsThatHaveNotBeenLaidOutYet() {
+  void enterOpensMenusAndListsBeforeTheirFirstLayout() {
     viewer = ViewerHarness.withBlob();
     MenuItem item = new MenuItem("Something");
     item.setId("item-of-a-menu");
@@ -188,7 +188,7 @@ class KeyboardTest {
   }
 
   @Test
-  void theTapeTheRegionAndTheReadOutAreWorkedByArrowsAndEnter() {
+  void toolsAreOperatedByArrowsAndEnter() {
     viewer = ViewerHarness.withBlob();
     SeeingFeature seeing = viewer.window.feature(SeeingFeature.class);
     goTo("event-view");
@@ -233,7 +233,7 @@ class KeyboardTest {
   }
 
   @Test
-  void aLaneIsReadScrolledFollowedAndTakesPlaybackToATime() throws IOException {
+  void laneIsReadScrolledAndUsedToSeekByKeys() throws IOException {
     viewer = ViewerHarness.withRecording(folder, 3_000_000);
     openPanels("show-plots");
     viewer.run(() -> viewer.window.context().panels().plots().addLane(PlotField.EVENT_RATE));
@@ -256,7 +256,7 @@ class KeyboardTest {
   }
 
   @Test
-  void panelsAreGoneThroughByF6AndMadeLarger() {
+  void f6MovesBetweenPanelsAndKeysResizeThem() {
     viewer = ViewerHarness.withBlob();
     openPanels("show-plots");
     goTo("event-view");
@@ -274,7 +274,7 @@ class KeyboardTest {
   }
 
   @Test
-  void menusAreGoneThroughByF10AndArrows() {
+  void f10AndArrowsMoveThroughMenus() {
     viewer = ViewerHarness.withBlob();
     viewer.pause();
     goTo("event-view");

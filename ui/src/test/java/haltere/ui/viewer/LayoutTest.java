@@ -39,7 +39,7 @@ class LayoutTest {
   }
 
   @Test
-  void aLayoutIsKeptChosenAndRemovedAndThereAfterAStart() throws Exception {
+  void layoutIsStoredSelectedRemovedAndRestoredAfterARestart() throws Exception {
     UserSettings settings = UserSettings.load(folder);
     viewer = new ViewerHarness(settings);
     run("show-plots");
@@ -63,7 +63,7 @@ class LayoutTest {
   }
 
   @Test
-  void aLayoutHasTheSizesOfItsPanels() {
+  void layoutStoresTheSizesOfItsPanels() {
     viewer = new ViewerHarness();
     run("show-plots");
     viewer.waitFor("plots", () -> isInWindow("plots"));
@@ -77,7 +77,7 @@ class LayoutTest {
   }
 
   @Test
-  void theSideKeepsItsWidthWhereTheWindowIsMadeWider() throws Exception {
+  void sidePanelKeepsItsWidthInAWiderWindow() throws Exception {
     UserSettings settings = UserSettings.load(folder);
     viewer = new ViewerHarness(settings);
     run("side-wider");
@@ -105,7 +105,7 @@ class LayoutTest {
   }
 
   @Test
-  void aSmallWindowShowsAllOfItsPanelsWithASidePanel() throws Exception {
+  void smallWindowShowsAllPanels() throws Exception {
     viewer = ViewerHarness.withRecording(folder, 2_000_000);
     viewer.run(
         () -> {
@@ -137,7 +137,7 @@ class LayoutTest {
   }
 
   @Test
-  void plotsGoToAWindowOfTheirOwnAndBack() {
+  void plotsMoveToASeparateWindowAndBack() {
     viewer = ViewerHarness.withBlob();
     run("plots-apart");
     viewer.waitFor("plots elsewhere", () -> viewer.isThere("plots") && !isInWindow("plots"));
@@ -148,7 +148,7 @@ class LayoutTest {
   }
 
   @Test
-  void theCaptionOfTheFlyCoversNothingOfItAndNamesOfButtonsAreWholeOrAbsent() {
+  void captionDoesNotCoverTheFlyAndButtonNamesAreNotTruncated() {
     viewer = new ViewerHarness();
     run("open-scene");
     viewer.waitUntilOpen("Fly scene");

@@ -42,7 +42,7 @@ class MannersTest {
   }
 
   @Test
-  void theWindowIsAsItWasLeft() throws IOException {
+  void windowIsRestored() throws IOException {
     Path recording = folder.resolve("blob.aedat");
     ViewerHarness.writeRecording(recording, 500_000);
     UserSettings settings = UserSettings.load(folder);
@@ -82,7 +82,7 @@ class MannersTest {
   }
 
   @Test
-  void settingsThatAreOfNoUseAreLeftOut() throws IOException {
+  void unusableSettingsAreIgnored() throws IOException {
     Files.writeString(
         folder.resolve("viewer.json"),
         "{\"theme\": 7, \"showAs\": \"Nonsense\", \"window\": [], \"later\": \"kept\"}");
@@ -101,7 +101,7 @@ class MannersTest {
   }
 
   @Test
-  void changesOfSettingsAndOfTheChainAreTakenBack() {
+  void changesOfSettingsAndChainAreUndone() {
     viewer = ViewerHarness.withBlobAndNoiseFilters();
     viewer.click("expand-" + NOISE);
     enter("entry-" + NOISE + "-neighbours", "3");
@@ -121,7 +121,7 @@ class MannersTest {
   }
 
   @Test
-  void settingsAreSearchedAndThoseChangedAreShownAlone() {
+  void settingsAreSearchedAndFilteredByChanges() {
     viewer = ViewerHarness.withBlobAndNoiseFilters();
     enter("settings-search", "same polarity");
     viewer.waitFor("it is found", () -> isSeen("check-" + NOISE + "-samePolarity"));
@@ -142,7 +142,7 @@ class MannersTest {
   }
 
   @Test
-  void aFilterIsSearchedByItsSentenceAndAddedByEnter() {
+  void filterIsSearchedByDescriptionAndAddedByEnter() {
     viewer = ViewerHarness.withBlob();
     viewer.click("add-filter");
     viewer.waitFor("the search", () -> viewer.isThere("add-filter-search"));
@@ -153,7 +153,7 @@ class MannersTest {
   }
 
   @Test
-  void aProblemIsALineWithItsDetailsAClickAway() {
+  void problemIsOneLineWithDetailsOnAClick() {
     viewer = ViewerHarness.withBlob();
     viewer.run(
         () ->
@@ -171,7 +171,7 @@ class MannersTest {
   }
 
   @Test
-  void aBadRecordingIsToldOfByTheWindowThatWasOpenedForIt() throws IOException {
+  void unreadableRecordingIsReportedInItsWindow() throws IOException {
     Path empty = Files.createFile(folder.resolve("empty.aedat"));
     FutureTask<ViewerSession> first =
         new FutureTask<>(

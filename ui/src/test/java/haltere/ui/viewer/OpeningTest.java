@@ -42,7 +42,7 @@ class OpeningTest {
   }
 
   @Test
-  void theFiltersComeOneAfterTheOtherAndAllOfThemBeforeItPlays() throws IOException {
+  void filtersAppearOneByOneBeforePlaybackStarts() throws IOException {
     viewer = ViewerHarness.withBlob();
     Path next = ViewerHarness.recording(folder, "next.aedat");
     viewer.openRecording(next);
@@ -62,7 +62,7 @@ class OpeningTest {
   }
 
   @Test
-  void ofTwoOpenedAtOnceTheLastOneIsShownWithItsOwnFilters() throws IOException {
+  void lastOfTwoOpenedSourcesIsShownWithItsFilters() throws IOException {
     viewer = ViewerHarness.withBlob();
     Path first = ViewerHarness.recording(folder, "first.aedat");
     Path last = ViewerHarness.recording(folder, "last.aedat");
@@ -74,7 +74,7 @@ class OpeningTest {
   }
 
   @Test
-  void aPauseFromBeforeItBeginsIsKept() throws IOException {
+  void pauseBeforeTheStartRemains() throws IOException {
     viewer = ViewerHarness.withBlob();
     onNextSession(viewer.window.context().playback()::togglePause);
     Path file = ViewerHarness.recording(folder, "next.aedat");
@@ -89,7 +89,7 @@ class OpeningTest {
   }
 
   @Test
-  void aWindowThatIsMinimizedPlaysWhatIsOpened() throws IOException {
+  void minimizedWindowPlaysAnOpenedSource() throws IOException {
     viewer = ViewerHarness.withBlob();
     viewer.run(() -> viewer.stage.setIconified(true));
     viewer.waitFor("minimized", viewer.stage::isIconified);

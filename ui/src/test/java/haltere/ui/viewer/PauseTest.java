@@ -49,7 +49,7 @@ class PauseTest {
   }
 
   @Test
-  void aChangeOfTheFlysChainMakesTheMomentAnewOnce() {
+  void changeOfTheChainRecomputesThePausedMomentOnce() {
     playTheFlyBeyond(100_000);
     viewer.run(() -> JavaFxHarness.join(viewer.session().player().seek(100_000)));
     Runs runs = new Runs();
@@ -68,7 +68,7 @@ class PauseTest {
   }
 
   @Test
-  void plotsAreFilledWithWhatLeadsToAPlaceThatWasSought() {
+  void plotsShowTheRunUpAfterASeek() {
     playTheFlyBeyond(150_000);
     viewer.run(() -> JavaFxHarness.join(viewer.session().player().seek(0)));
     viewer.waitFor("no curves", () -> newestUs() < 20_000);

@@ -42,7 +42,7 @@ class PlaybackTest {
   }
 
   @Test
-  void spaceAndTheButtonPauseAndPlay() {
+  void spaceAndButtonTogglePlayback() {
     viewer = ViewerHarness.withBlob();
     viewer.waitFor("playing", () -> viewer.status().state() == State.PLAYING);
     viewer.press(KeyCode.SPACE);
@@ -60,7 +60,7 @@ class PlaybackTest {
   }
 
   @Test
-  void stepsGoOneSliceOnAndBack() throws IOException {
+  void stepsMoveByOneSlice() throws IOException {
     viewer = ViewerHarness.withRecording(folder, LENGTH_US);
     viewer.pause();
     ViewerHarness.join(viewer.session().player().seek(1_000_000));
@@ -79,7 +79,7 @@ class PlaybackTest {
   }
 
   @Test
-  void aClickOnTheSeekBarGoesThere() throws IOException {
+  void clickOnTheSeekBarSeeks() throws IOException {
     viewer = ViewerHarness.withRecording(folder, LENGTH_US);
     viewer.pause();
     viewer.click("seek-bar", 0.75, 0.5);
@@ -91,7 +91,7 @@ class PlaybackTest {
   }
 
   @Test
-  void arrowsHomeAndEndJump() throws IOException {
+  void arrowsHomeAndEndSeek() throws IOException {
     viewer = ViewerHarness.withRecording(folder, LENGTH_US);
     viewer.pause();
     viewer.press(KeyCode.HOME);
@@ -108,7 +108,7 @@ class PlaybackTest {
   }
 
   @Test
-  void rewindGoesToTheStartAndTellsEveryone() {
+  void rewindSeeksToTheStartAndNotifiesSinks() {
     viewer = ViewerHarness.withBlob();
     List<StreamNotification> seen = new CopyOnWriteArrayList<>();
     viewer
@@ -139,7 +139,7 @@ class PlaybackTest {
   }
 
   @Test
-  void fAndSTakeTheNextSpeed() {
+  void keysFAndSSelectTheNextSpeed() {
     viewer = ViewerHarness.withBlob();
     viewer.press(KeyCode.F);
     viewer.waitFor("twice as fast", () -> viewer.status().speed() == 2);
@@ -156,7 +156,7 @@ class PlaybackTest {
   }
 
   @Test
-  void playbackGoesBackwardsUntilItIsStopped() throws IOException {
+  void backwardPlaybackContinuesUntilStopped() throws IOException {
     viewer = ViewerHarness.withRecording(folder, LENGTH_US);
     viewer.pause();
     ViewerHarness.join(viewer.session().player().seek(2_000_000));
@@ -168,7 +168,7 @@ class PlaybackTest {
   }
 
   @Test
-  void theEndsOfTheMarkedPartDoNotPassOneAnother() throws IOException {
+  void endsOfTheMarkedPartStayInOrder() throws IOException {
     viewer = ViewerHarness.withRecording(folder, LENGTH_US);
     viewer.pause();
     PlaybackController playback = viewer.window.context().playback();
@@ -183,7 +183,7 @@ class PlaybackTest {
   }
 
   @Test
-  void anEndOfTheMarkedPartIsDraggedInTheTimeBar() throws IOException {
+  void endOfTheMarkedPartIsDraggedInTheTimeBar() throws IOException {
     viewer = ViewerHarness.withRecording(folder, LENGTH_US);
     viewer.pause();
     ViewerHarness.join(viewer.session().player().seek(3_000_000));
@@ -202,7 +202,7 @@ class PlaybackTest {
   }
 
   @Test
-  void buttonsThatCannotWorkSayWhy() {
+  void disabledButtonsStateTheReason() {
     viewer = new ViewerHarness();
     Node loop = viewer.node("loop", Node.class);
     assertTrue(loop.isDisabled());
@@ -213,7 +213,7 @@ class PlaybackTest {
   }
 
   @Test
-  void loopPointsAndMarksAreSetWherePlaybackIs() throws IOException {
+  void loopPointsAndMarksAreSetAtThePlaybackPosition() throws IOException {
     viewer = ViewerHarness.withRecording(folder, LENGTH_US);
     viewer.pause();
     ViewerHarness.join(viewer.session().player().seek(1_000_000));
@@ -239,7 +239,7 @@ class PlaybackTest {
   }
 
   @Test
-  void slicesByTimeAndCount() {
+  void slicesHaveTheSelectedTimeOrCount() {
     viewer = ViewerHarness.withBlob();
     ChoiceBox<?> mode = viewer.node("slicing", ChoiceBox.class);
     viewer.run(() -> mode.getSelectionModel().select(1));

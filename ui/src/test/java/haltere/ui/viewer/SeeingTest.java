@@ -46,7 +46,7 @@ class SeeingTest {
   }
 
   @Test
-  void allWaysToShowEventsDifferFromEachOther() {
+  void allDisplayModesDiffer() {
     viewer.waitFor("some events", () -> viewer.status().elapsedUs() > 200_000);
     viewer.pause();
     Set<Integer> pictures = new HashSet<>();
@@ -75,7 +75,7 @@ class SeeingTest {
   }
 
   @Test
-  void thePixelUnderTheMouseTellsItsLastEventAndTheRateAroundIt() {
+  void readOutShowsLastEventAndRateAtTheMouse() {
     EventView view = viewer.window.context().panels().view();
     double shareX = viewer.onFx(() -> view.viewpoint().viewX(64) / view.getWidth());
     double shareY = viewer.onFx(() -> view.viewpoint().viewY(BlobSource.Y) / view.getHeight());
@@ -86,7 +86,7 @@ class SeeingTest {
   }
 
   @Test
-  void aRegionShowsItsRateAndFrequency() {
+  void regionShowsItsRateAndFrequency() {
     viewer.run(() -> seeing().setRegion(Optional.of(PixelRegion.between(0, 0, 127, 127))));
     viewer.waitFor(
         "a rate in words", () -> regionWords().contains("ev/s") && !regionWords().equals("0 ev/s"));
@@ -101,7 +101,7 @@ class SeeingTest {
   }
 
   @Test
-  void theTapeMeasuresAndToolsTakeTurns() {
+  void tapeMeasuresAndToolsReplaceEachOther() {
     viewer.press(KeyCode.T);
     EventView view = viewer.window.context().panels().view();
     viewer.waitFor("the tape is in the hand", () -> view.tool().isPresent());
@@ -121,7 +121,7 @@ class SeeingTest {
   }
 
   @Test
-  void keysZoomAndMove() {
+  void keysZoomAndPan() {
     EventView view = viewer.window.context().panels().view();
     double before = viewer.onFx(view.viewpoint()::scale);
     viewer.run(() -> viewer.window.context().actions().run("zoom-in"));
@@ -134,7 +134,7 @@ class SeeingTest {
   }
 
   @Test
-  void spaceAndTimeAreTurnedBySliders() {
+  void slidersRotateTheSpaceTimeView() {
     viewer.run(() -> viewer.window.context().actions().run("show-space-time"));
     viewer.waitFor("the panel", () -> viewer.isThere("space-time"));
     Node panel = viewer.node("space-time", Node.class);
@@ -164,7 +164,7 @@ class SeeingTest {
   }
 
   @Test
-  void slicesOfOneBeatFollowTheWingTracker() {
+  void beatSlicesFollowTheWingTracker() {
     viewer.run(() -> viewer.window.context().actions().run("open-scene"));
     viewer.waitUntilOpen("Fly scene");
     viewer.run(() -> viewer.window.context().actions().run("slices-beat"));

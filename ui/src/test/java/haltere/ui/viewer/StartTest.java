@@ -49,7 +49,7 @@ class StartTest {
   }
 
   @Test
-  void theStartPageOffersScenesAndRecentRecordings() throws IOException {
+  void startPageOffersScenesAndRecentRecordings() throws IOException {
     showStartPage();
     for (String scene : List.of("fly", "road", "dots", "flight", "rendered-fly")) {
       assertTrue(viewer.isThere("start-scene-" + scene), scene);
@@ -72,7 +72,7 @@ class StartTest {
   }
 
   @Test
-  void aClickDuringTheSearchForCamerasIsNotLost() throws IOException {
+  void clickDuringTheCameraSearchIsProcessed() throws IOException {
     Path file = folder.resolve("blob.aedat");
     ViewerHarness.writeRecording(file, 500_000);
     viewer.openRecording(file);
@@ -85,7 +85,7 @@ class StartTest {
   }
 
   @Test
-  void aFileThatCannotBeOpenedAtTheStartLeavesTheStartPageWithTheWholeReason() throws IOException {
+  void unreadableFileAtTheStartShowsTheStartPageWithTheFullReason() throws IOException {
     Path empty = Files.createFile(folder.resolve("empty.aedat"));
     FutureTask<ViewerSession> first =
         new FutureTask<>(
@@ -103,7 +103,7 @@ class StartTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {0.5, 1})
-  void aSpeedThatIsChosenDuringTheSearchForTheFlyStays(double chosen) {
+  void speedSelectedDuringTheFlySearchRemains(double chosen) {
     viewer.run(() -> viewer.window.context().actions().run("open-scene"));
     viewer.waitUntilOpen("Fly scene");
     viewer.run(() -> viewer.window.context().playback().setSpeed(chosen));
@@ -113,7 +113,7 @@ class StartTest {
   }
 
   @Test
-  void theFlyBeginsInSlowMotionWithACaptionThatGoesByAClick() throws IOException {
+  void flySceneStartsInSlowMotionWithACaptionDismissedByAClick() throws IOException {
     viewer.run(() -> viewer.window.context().actions().run("open-scene"));
     viewer.waitUntilOpen("Fly scene");
     viewer.waitFor(
@@ -136,7 +136,7 @@ class StartTest {
   }
 
   @Test
-  void theManualAndTheFactsOfTheProgramAreShown() {
+  void manualAndAboutPageAreShown() {
     viewer.run(() -> viewer.window.context().actions().run("manual"));
     viewer.waitFor("the manual", () -> viewer.isThere("manual"));
     viewer.run(() -> viewer.node("manual", Node.class).getScene().getWindow().hide());
@@ -148,7 +148,7 @@ class StartTest {
   }
 
   @Test
-  void theManualIsReadWithoutItsMarkup() {
+  void manualIsShownWithoutMarkup() {
     assertEquals(
         "Open a file by Ctrl+O, see formats.",
         Manual.plain("**Open** a file\nby `Ctrl+O`, see [formats](formats.md).\n![x](y.png)"));

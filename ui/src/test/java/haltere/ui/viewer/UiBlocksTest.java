@@ -21,7 +21,7 @@ class UiBlocksTest {
   @TempDir Path folder;
 
   @Test
-  void aFileOfAGigabyteKeepsTheWindowForNoMoreThanFiftyMilliseconds() throws IOException {
+  void gigabyteFileBlocksTheWindowForLessThan50Ms() throws IOException {
     assumeTrue(
         Files.getFileStore(folder).getUsableSpace() > 4L << 30,
         "the disk has no 4 GB free for a file of 1 GB and its copies");

@@ -39,7 +39,7 @@ class UsualFiltersTest {
   }
 
   @Test
-  void aRecordingOpensWithoutAFilterAndShowsAllEvents() throws IOException {
+  void recordingOpensWithoutFiltersAndShowsAllEvents() throws IOException {
     viewer = ViewerHarness.withRecording(folder, 2_000_000);
     assertEquals(List.of(), kinds());
     assertEquals(viewer.status().eventsIn(), viewer.status().eventsOut());
@@ -48,7 +48,7 @@ class UsualFiltersTest {
   }
 
   @Test
-  void eachButtonSwitchesItsFiltersAndUndoTakesThemAway() throws IOException {
+  void buttonsToggleTheirFiltersAndUndoRemovesThem() throws IOException {
     viewer = ViewerHarness.withRecording(folder, 2_000_000);
     viewer.click("usual-objects");
     viewer.waitFor("the object tracker", () -> isOn("usual-objects"));
@@ -65,7 +65,7 @@ class UsualFiltersTest {
   }
 
   @Test
-  void theSwitchOfACardMovesTheButton() throws IOException {
+  void switchOfACardUpdatesTheButton() throws IOException {
     viewer = ViewerHarness.withRecording(folder, 2_000_000);
     viewer.click("usual-objects");
     viewer.waitFor("the card", () -> viewer.isThere("power-object-tracker"));
@@ -75,7 +75,7 @@ class UsualFiltersTest {
   }
 
   @Test
-  void theShareOfHiddenEventsIsSaidAndTheyCanBeShown() throws IOException {
+  void shareOfHiddenEventsIsStatedAndTheyCanBeShown() throws IOException {
     viewer = ViewerHarness.withRecording(folder, 4_000_000);
     FilterChain refractory = new FilterChain(BlobSource.GEOMETRY);
     refractory.add(Filters.named("refractory"));
@@ -91,7 +91,7 @@ class UsualFiltersTest {
   }
 
   @Test
-  void theShareOfHiddenEventsIsSaidInAPauseToo() throws IOException {
+  void shareOfHiddenEventsIsStatedDuringAPause() throws IOException {
     viewer = ViewerHarness.withRecording(folder, 4_000_000);
     viewer.waitFor("some events", () -> viewer.status().elapsedUs() > 500_000);
     viewer.pause();
@@ -103,7 +103,7 @@ class UsualFiltersTest {
   }
 
   @Test
-  void aPauseBeforeTheFirstObjectIsConfirmedSaysWhenThatIs() throws IOException {
+  void pauseBeforeTheFirstConfirmedObjectStatesTheConfirmationTime() throws IOException {
     viewer = ViewerHarness.withRecording(folder, 4_000_000);
     viewer.pause();
     viewer.run(() -> ViewerHarness.join(viewer.session().player().seek(100_000)));
@@ -122,7 +122,7 @@ class UsualFiltersTest {
   }
 
   @Test
-  void eachRecordingHasItsOwnChainAlsoInTheNextWindow() throws IOException {
+  void eachRecordingKeepsItsOwnChainAcrossWindows() throws IOException {
     Path first = ViewerHarness.recording(folder, "first.aedat");
     Path second = ViewerHarness.recording(folder, "second.aedat");
     UserSettings settings = UserSettings.load(folder);
@@ -142,7 +142,7 @@ class UsualFiltersTest {
   }
 
   @Test
-  void theFlySceneAlwaysHasItsWingTrackerAndUsualChainBringsItBack() throws IOException {
+  void flySceneHasItsWingTrackerAndUsualChainRestoresIt() throws IOException {
     viewer = new ViewerHarness();
     viewer.run(() -> viewer.window.context().actions().run("open-scene"));
     viewer.waitUntilOpen("Fly scene");

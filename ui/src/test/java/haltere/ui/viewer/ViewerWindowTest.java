@@ -42,7 +42,7 @@ class ViewerWindowTest {
   }
 
   @Test
-  void theSceneIsSeenSoon() {
+  void sceneIsDisplayedSoonAfterTheStart() {
     // the best of three, because the machine may be busy with other things
     double bestSeconds = Double.MAX_VALUE;
     for (int i = 0; i < 3 && bestSeconds > 2.5; i++) {
@@ -60,7 +60,7 @@ class ViewerWindowTest {
   }
 
   @Test
-  void theFlySceneBeginsWithItsWingsTrackedAndPlotted() throws IOException {
+  void flySceneStartsWithWingTrackerAndPlots() throws IOException {
     viewer = new ViewerHarness();
     viewer.run(() -> viewer.window.context().actions().run("open-scene"));
     viewer.waitUntilOpen("Fly scene");
@@ -88,7 +88,7 @@ class ViewerWindowTest {
   }
 
   @Test
-  void aRecordingIsOpenedAndItsRateIsDrawn() throws IOException {
+  void openedRecordingShowsItsRate() throws IOException {
     viewer = ViewerHarness.withRecording(folder, 1_000_000);
     assertEquals("blob.aedat \u2013 Haltere", viewer.onFx(viewer.stage::getTitle));
     assertEquals(1_000_000, viewer.status().durationUs(), 100);
@@ -109,7 +109,7 @@ class ViewerWindowTest {
   }
 
   @Test
-  void filesAreDroppedOnTheWindow() throws IOException {
+  void filesDroppedOnTheWindowAreOpened() throws IOException {
     Path file = folder.resolve("dropped.aedat");
     ViewerHarness.writeRecording(file, 500_000);
     viewer = ViewerHarness.withBlob();
@@ -119,7 +119,7 @@ class ViewerWindowTest {
   }
 
   @Test
-  void aBadFileIsOneLineAndNothingElseChanges() throws IOException {
+  void unreadableFileIsReportedInOneLineWithoutOtherChanges() throws IOException {
     Path file = folder.resolve("bad.aedat");
     Files.write(file, new byte[] {1, 2, 3});
     viewer = ViewerHarness.withBlob();
@@ -139,7 +139,7 @@ class ViewerWindowTest {
   }
 
   @Test
-  void eventsAreDrawnWhereTheyAre() {
+  void eventsAreDrawnAtTheirPixels() {
     viewer = ViewerHarness.withBlob();
     viewer.waitFor("some events", () -> viewer.status().elapsedUs() > 200_000);
     viewer.pause();
@@ -157,7 +157,7 @@ class ViewerWindowTest {
   }
 
   @Test
-  void theClusterIsMarkedWhereTheBlobIs() {
+  void clusterMarkLiesOnTheBlob() {
     viewer = ViewerHarness.withBlob();
     viewer.waitFor("time for the tracker", () -> viewer.status().elapsedUs() > 500_000);
     viewer.pause();
@@ -198,7 +198,7 @@ class ViewerWindowTest {
   }
 
   @Test
-  void otherColoursAreShownWhilePaused() {
+  void colourChangesAreShownDuringAPause() {
     viewer = ViewerHarness.withBlob();
     viewer.pause();
     assertEquals(
@@ -215,7 +215,7 @@ class ViewerWindowTest {
   }
 
   @Test
-  void theWheelZoomsAndTheReadOutNamesThePixel() {
+  void wheelZoomsAndTheReadOutShowsThePixel() {
     viewer = ViewerHarness.withBlob();
     EventView view = viewer.window.context().panels().view();
     double before = viewer.onFx(view.viewpoint()::scale);
@@ -231,7 +231,7 @@ class ViewerWindowTest {
   }
 
   @Test
-  void aPictureIsSaved() throws IOException {
+  void pictureIsSaved() throws IOException {
     viewer = ViewerHarness.withBlob();
     Path file = folder.resolve("picture.png");
     viewer.run(() -> viewer.window.feature(SavingFeature.class).savePicture(file));

@@ -27,8 +27,7 @@ class WingLogTest {
 
   @ParameterizedTest
   @CsvSource({"TICK,TABLE", "BEAT,TABLE", "EVENT,TABLE", "TICK,ORIGINAL", "EVENT,ORIGINAL"})
-  void settingsThatAreChangedWhileItIsWrittenStandBetweenTheRows(Rows rows, Layout layout)
-      throws IOException {
+  void changedSettingsAreLoggedBetweenRows(Rows rows, Layout layout) throws IOException {
     FlyScene scene =
         new FlyScene(
             FlySceneSettings.defaults().with("run.durationS=0.1", "fly.wing.visibleShare=0.15"));
@@ -53,7 +52,7 @@ class WingLogTest {
 
   @ParameterizedTest
   @CsvSource({"TICK,TABLE", "EVENT,ORIGINAL"})
-  void whatAPersonDoesToAFilterStandsBetweenTheRows(Rows rows, Layout layout) throws IOException {
+  void manualFilterEditsAreLoggedBetweenRows(Rows rows, Layout layout) throws IOException {
     FlyScene scene = new FlyScene(FlySceneSettings.defaults().with("run.durationS=0.1"));
     EventPacket fly = SceneEvents.of(scene);
     WingTrackerFilter filter =

@@ -120,7 +120,7 @@ public record RecordingSummary(
     private long peakEvents;
     private long peak;
     private boolean monotonic = true;
-    private boolean lossTold;
+    private boolean lossReported;
     private final List<StreamHandler> also;
     private SampleCounts handed = SampleCounts.NONE;
 
@@ -150,10 +150,10 @@ public record RecordingSummary(
       }
       for (int i = 0; i < size; i++) {
         long timeUs = packet.timeUs(i);
-        if (timeUs - lastUs >= SILENCE_US && !lossTold) {
+        if (timeUs - lastUs >= SILENCE_US && !lossReported) {
           addGap(new Gap(lastUs, timeUs, false));
         }
-        lossTold = false;
+        lossReported = false;
         lastUs = timeUs;
         if (timeUs - peakStartUs >= PEAK_US) {
           long elapsedUs = timeUs - peakStartUs;
@@ -194,7 +194,7 @@ public record RecordingSummary(
       also.forEach(handler -> handler.notified(notification));
       if (notification instanceof DataLost lost) {
         addGap(new Gap(lost.fromUs(), lost.toUs(), true));
-        lossTold = true;
+        lossReported = true;
       } else if (notification instanceof Reset) {
         monotonic = false;
         endSegment();

@@ -52,7 +52,7 @@ public final class Provenance implements TableMetadata {
    * Adds an entry.
    *
    * @param name its name
-   * @param value asked for when a table is finished
+   * @param value computed when a table is finished
    * @return this
    */
   public Provenance with(String name, Supplier<String> value) {

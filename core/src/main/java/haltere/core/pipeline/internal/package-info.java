@@ -1,2 +1,2 @@
-/** Where results come from: the program, its chain, and checksums of files. */
+/** Provenance of results: the program, its chain, and checksums of files. */
 package haltere.core.pipeline.internal;

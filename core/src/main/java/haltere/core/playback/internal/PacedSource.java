@@ -49,13 +49,14 @@ public final class PacedSource implements EventSource {
   @Override
   public boolean next(StreamHandler handler) throws IOException {
     if (index == pending.size()) {
-      return source.next(new Forwarder(handler)) && (index == pending.size() || giveDue(handler));
+      return source.next(new Forwarder(handler))
+          && (index == pending.size() || deliverDue(handler));
     }
-    return giveDue(handler);
+    return deliverDue(handler);
   }
 
   /** Waits for the next events and passes them on. */
-  private boolean giveDue(StreamHandler handler) throws InterruptedIOException {
+  private boolean deliverDue(StreamHandler handler) throws InterruptedIOException {
     int end = Math.max(index + 1, pending.indexAtOrAfter(pending.timeUs(index) + PIECE_US, index));
     await(pending.timeUs(end - 1));
     piece.clear();

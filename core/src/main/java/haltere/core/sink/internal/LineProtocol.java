@@ -14,7 +14,7 @@ interface LineProtocol {
   byte[] frame(byte[] topic, byte[] line);
 
   /** A newly connected client. */
-  Peer meet(Socket socket) throws IOException;
+  Peer peerOf(Socket socket) throws IOException;
 
   /** Message to a refused client before the connection is closed. */
   byte[] refusal(String why);
@@ -36,7 +36,7 @@ interface LineProtocol {
      *
      * @return the same at all times
      */
-    default boolean speaks() {
+    default boolean sendsData() {
       return false;
     }
 

@@ -14,7 +14,7 @@ final class PlainProtocol implements LineProtocol {
   }
 
   @Override
-  public Peer meet(Socket socket) {
+  public Peer peerOf(Socket socket) {
     return RECEIVER;
   }
 

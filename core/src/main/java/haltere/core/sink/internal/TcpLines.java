@@ -22,7 +22,7 @@ final class TcpLines implements LineOutput {
   /** Each receiver has a thread and a queue of about 2 MB. */
   static final int MAX_RECEIVERS = 64;
 
-  private static final long PATIENCE_MS = 1000;
+  private static final long TIMEOUT_MS = 1000;
   private static final long REST_NANOS = 10_000_000;
 
   private final LineAddress address;
@@ -30,7 +30,7 @@ final class TcpLines implements LineOutput {
   private final int roomLines;
   private final ServerSocket server;
   private final List<TcpReceiver> receivers = new CopyOnWriteArrayList<>();
-  private final AtomicLong lostByThoseWhoLeft = new AtomicLong();
+  private final AtomicLong lostByDisconnected = new AtomicLong();
   private final AtomicLong refused = new AtomicLong();
   private volatile boolean closed;
 
@@ -73,9 +73,9 @@ final class TcpLines implements LineOutput {
       TcpReceiver receiver = new TcpReceiver(socket, protocol, roomLines, this::left);
       receivers.add(receiver);
       receiver.start();
-    } catch (IOException gone) {
+    } catch (IOException disconnected) {
       socket.close();
-      throw gone;
+      throw disconnected;
     }
   }
 
@@ -94,7 +94,7 @@ final class TcpLines implements LineOutput {
 
   private void left(TcpReceiver receiver) {
     if (receivers.remove(receiver)) {
-      lostByThoseWhoLeft.addAndGet(receiver.lost());
+      lostByDisconnected.addAndGet(receiver.lost());
     }
   }
 
@@ -123,7 +123,7 @@ final class TcpLines implements LineOutput {
 
   @Override
   public long lost() {
-    long lost = lostByThoseWhoLeft.get();
+    long lost = lostByDisconnected.get();
     for (TcpReceiver receiver : receivers) {
       lost += receiver.lost();
     }
@@ -154,7 +154,7 @@ final class TcpLines implements LineOutput {
     do {
       before = now;
       now = 0;
-      long endNanos = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(PATIENCE_MS);
+      long endNanos = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(TIMEOUT_MS);
       for (TcpReceiver receiver : receivers) {
         long leftMs = TimeUnit.NANOSECONDS.toMillis(endNanos - System.nanoTime());
         now += receiver.await(Math.max(1, leftMs));

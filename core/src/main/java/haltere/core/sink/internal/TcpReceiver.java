@@ -47,7 +47,7 @@ final class TcpReceiver {
     this.socket = socket;
     this.protocol = protocol;
     this.left = left;
-    peer = protocol.meet(socket);
+    peer = protocol.peerOf(socket);
     waiting = new ArrayBlockingQueue<>(roomLines);
     socket.setTcpNoDelay(true);
     thread = Daemon.thread(this::work, "haltere-publish-" + socket.getRemoteSocketAddress());
@@ -105,7 +105,7 @@ final class TcpReceiver {
   private void work() {
     try (socket) {
       peer.greet();
-      if (peer.speaks()) {
+      if (peer.sendsData()) {
         Daemon.thread(this::listen, thread.getName() + "-in").start();
       }
       write(socket.getOutputStream());
@@ -119,7 +119,7 @@ final class TcpReceiver {
   private void write(OutputStream out) throws IOException, InterruptedException {
     ByteArrayOutputStream batch = new ByteArrayOutputStream(2 * BATCH_BYTES);
     while (true) {
-      // asked for before the queue: what was put there before the end began is still written
+      // read before the queue, so that lines queued before the end are still written
       boolean nothingFollows = ending;
       OutgoingLine line = batch.size() < BATCH_BYTES ? waiting.poll() : null;
       if (line == null && batch.size() == 0) {
@@ -152,7 +152,7 @@ final class TcpReceiver {
     try {
       socket.close();
     } catch (IOException ignored) {
-      // it has gone
+      // the receiver has disconnected
     }
     thread.interrupt();
   }
@@ -166,8 +166,8 @@ final class TcpReceiver {
   /**
    * Waits for the end, for so long at the most, and says how many lines are still to be written.
    */
-  int await(long patienceMs) throws InterruptedException {
-    thread.join(patienceMs);
+  int await(long timeoutMs) throws InterruptedException {
+    thread.join(timeoutMs);
     return thread.isAlive() ? waiting.size() + 1 : 0;
   }
 

@@ -17,11 +17,11 @@ public record Ticks(double step, List<Double> values) {
   }
 
   /** Ticks of a range, at most a number; none if the range is empty or not finite. */
-  public static Ticks of(double from, double to, int most) {
+  public static Ticks of(double from, double to, int max) {
     if (!(to > from) || Double.isInfinite(to - from)) {
       return new Ticks(1, List.of());
     }
-    double rough = (to - from) / Math.max(1, most);
+    double rough = (to - from) / Math.max(1, max);
     double power = Math.pow(10, Math.floor(Math.log10(rough)));
     double step = 10 * power;
     for (double factor : new double[] {1, 2, 5}) {
@@ -33,7 +33,7 @@ public record Ticks(double step, List<Double> values) {
     List<Double> values = new ArrayList<>();
     long first = (long) Math.ceil(from / step - 1e-9);
     long last = (long) Math.floor(to / step + 1e-9);
-    for (long i = first; i <= last && values.size() < most; i++) {
+    for (long i = first; i <= last && values.size() < max; i++) {
       values.add(i * step);
     }
     return new Ticks(step, values);
@@ -43,9 +43,9 @@ public record Ticks(double step, List<Double> values) {
    * Ticks of a range: at most a number if these are two or more; otherwise the coarsest with two or
    * more, which are at most five; none if the range is empty or not finite.
    */
-  public static Ticks atLeastTwo(double from, double to, int most) {
-    Ticks ticks = of(from, to, Math.max(2, most));
-    for (int more = Math.max(2, most) + 1; ticks.values().size() < 2 && more <= 5; more++) {
+  public static Ticks atLeastTwo(double from, double to, int max) {
+    Ticks ticks = of(from, to, Math.max(2, max));
+    for (int more = Math.max(2, max) + 1; ticks.values().size() < 2 && more <= 5; more++) {
       ticks = of(from, to, more);
     }
     return ticks;

@@ -27,7 +27,7 @@ final class ZmtpInput {
    * @param command the name of the command; empty for part of a message
    * @param data the bytes of the message, or those after the command's name
    */
-  record Frame(String command, byte[] data) {}
+  record ZmtpFrame(String command, byte[] data) {}
 
   private final Socket socket;
   private final InputStream in;
@@ -47,7 +47,7 @@ final class ZmtpInput {
     socket.setSoTimeout(0);
   }
 
-  Frame readFrame() throws IOException {
+  ZmtpFrame readFrame() throws IOException {
     int flags = read();
     long bytes =
         (flags & ZmtpProtocol.LONG) == 0 ? read() : ByteBuffer.wrap(read(Long.BYTES)).getLong();
@@ -61,7 +61,7 @@ final class ZmtpInput {
     }
     byte[] data = new byte[body.remaining()];
     body.get(data);
-    return new Frame(command, data);
+    return new ZmtpFrame(command, data);
   }
 
   /** Reads a text of a number of bytes. */

@@ -56,8 +56,8 @@ final class ZmtpPeer implements LineProtocol.Peer {
     }
     byte[] ready = ZmtpProtocol.command("READY", property("Socket-Type", "PUB"));
     socket.getOutputStream().write(ready);
-    ZmtpInput.Frame theirs = in.readFrame();
-    if (!theirs.command().equals("READY") || !subscribes(ByteBuffer.wrap(theirs.data()))) {
+    ZmtpInput.ZmtpFrame reply = in.readFrame();
+    if (!reply.command().equals("READY") || !subscribes(ByteBuffer.wrap(reply.data()))) {
       throw new ProtocolException("it is not a subscriber");
     }
     in.removeTimeLimit();
@@ -90,14 +90,14 @@ final class ZmtpPeer implements LineProtocol.Peer {
   }
 
   @Override
-  public boolean speaks() {
+  public boolean sendsData() {
     return true;
   }
 
   @Override
   public void listen(Consumer<byte[]> answers) throws IOException {
     while (true) {
-      ZmtpInput.Frame frame = in.readFrame();
+      ZmtpInput.ZmtpFrame frame = in.readFrame();
       byte[] data = frame.data();
       switch (frame.command()) {
         case "SUBSCRIBE" -> subscribe(data);

@@ -61,7 +61,7 @@ final class ZmtpProtocol implements LineProtocol {
   }
 
   @Override
-  public Peer meet(Socket socket) throws IOException {
+  public Peer peerOf(Socket socket) throws IOException {
     return new ZmtpPeer(socket, greetingMs);
   }
 

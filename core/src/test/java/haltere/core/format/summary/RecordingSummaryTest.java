@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What a recording holds, in numbers. */
+/** Summary of a recording: counts, times and rates. */
 class RecordingSummaryTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(240, 180);
 
@@ -64,7 +64,7 @@ class RecordingSummaryTest {
 
   @ParameterizedTest
   @MethodSource("recordings")
-  void aRecordingIsSummedUpAsOtherProgramsCountIt(RecordedPackets facts) throws IOException {
+  void summaryMatchesCountsOfOtherPrograms(RecordedPackets facts) throws IOException {
     try (RecordingReader reader = facts.open()) {
       RecordingSummary summary = RecordingSummary.scan(reader, ProgressListener.NONE);
       assertEquals(facts.format(), summary.format());
@@ -104,7 +104,7 @@ class RecordingSummaryTest {
   }
 
   @Test
-  void thePeakIsTheFullestTenMilliseconds() throws IOException {
+  void peakRateIsThatOfTheBusiestTenMilliseconds() throws IOException {
     RecordingSummary summary =
         summary(at(1000, 2000, 10_999, 11_000, 31_000, 31_001, 36_000, 40_999));
     assertEquals(400, summary.peakRateEps());
@@ -132,7 +132,7 @@ class RecordingSummaryTest {
   }
 
   @Test
-  void silencesOfASecondAreGaps() throws IOException {
+  void silencesOfOneSecondAreGaps() throws IOException {
     RecordingSummary summary = summary(at(0, 999_999, 2_000_000, 3_000_000, 3_000_001));
     assertEquals(
         List.of(new Gap(999_999, 2_000_000, false), new Gap(2_000_000, 3_000_000, false)),
@@ -140,7 +140,7 @@ class RecordingSummaryTest {
   }
 
   @Test
-  void restartsOfTheClockMakeSegmentsWhoseLengthsAddUp() throws IOException {
+  void clockRestartsGiveSegmentsWhoseLengthsAddUp() throws IOException {
     RecordingSummary summary = summary(at(10_000, 20_000), at(100, 5100), at(200));
     assertFalse(summary.timestampsMonotonic());
     assertEquals(0.015, summary.durationS(), 1e-12);
@@ -154,7 +154,7 @@ class RecordingSummaryTest {
   }
 
   @Test
-  void progressAscendsToTheWholeFile() throws IOException {
+  void progressAscendsToTheSizeOfTheFile() throws IOException {
     Path file = write(EventPackets.uniform(SENSOR, 1, 200_000, 0, 10));
     List<Long> done = new ArrayList<>();
     try (RecordingReader reader = Recordings.open(file)) {
@@ -171,7 +171,7 @@ class RecordingSummaryTest {
   }
 
   @Test
-  void anInterruptCancelsAndTheReaderStaysUsable() throws IOException {
+  void interruptCancelsAndTheReaderStaysUsable() throws IOException {
     Path file = write(EventPackets.uniform(SENSOR, 1, 200_000, 0, 10));
     try (RecordingReader reader = Recordings.open(file)) {
       assertThrows(
@@ -187,7 +187,7 @@ class RecordingSummaryTest {
   }
 
   @Test
-  void aRateProfileHoldsEveryEventOnce() throws IOException {
+  void rateProfileCountsEveryEventOnce() throws IOException {
     EventPacket first = EventPackets.uniform(SENSOR, 2, 30_000, 5_000_000, 10);
     EventPacket second = EventPackets.uniform(SENSOR, 3, 10_000, 1_000_000, 30);
     Path file = write(first, second);
@@ -213,7 +213,7 @@ class RecordingSummaryTest {
   }
 
   @Test
-  void aRateProfileOfNothingIsZero() throws IOException {
+  void rateProfileOfAnEmptyRecordingIsZero() throws IOException {
     try (RecordingReader reader = Recordings.open(write())) {
       RateProfile profile = RateProfile.scan(reader, 3);
       assertEquals(0, profile.durationUs());

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 class JsonTest {
   @Test
-  void everyKindOfValueSurvivesTheWayThroughText() throws IOException {
+  void valuesOfEveryKindAreReadBack() throws IOException {
     Map<String, Object> object = new LinkedHashMap<>();
     object.put("z", Long.MAX_VALUE);
     object.put("a", 0.1);
@@ -31,12 +31,12 @@ class JsonTest {
   }
 
   @Test
-  void numbersThatAreNotFiniteAreWrittenAsNull() {
+  void nonFiniteNumbersAreWrittenAsNull() {
     assertEquals("[\n  null,\n  null\n]", Json.write(List.of(Double.NaN, Float.NEGATIVE_INFINITY)));
   }
 
   @Test
-  void aMistakeIsReportedWithItsLineAndColumn() {
+  void syntaxErrorIsReportedWithLineAndColumn() {
     assertProblem("x.json, line 2, column ", "{\n\"a\" 5}");
     assertProblem("x.json, line 1, column ", "{\"a\": 1, \"a\": 2}");
     assertProblem("x.json, line 1, column ", "[99999999999999999999]");
@@ -54,7 +54,7 @@ class JsonTest {
   }
 
   @Test
-  void aFileMayBeginWithAByteOrderMark(@TempDir Path folder) throws IOException {
+  void fileMayStartWithAByteOrderMark(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("x.json");
     Files.writeString(file, "\ufeff[1]");
     assertEquals(List.of(1L), Json.read(file));

@@ -64,7 +64,7 @@ class PacedSourceTest {
   }
 
   @Test
-  void eachEventComesWhenItsTimeHasComeAndNoneIsLost() throws IOException {
+  void eventsAreDeliveredAtTheirTimesWithoutLoss() throws IOException {
     Witness plain = new Witness(0);
     scene().drainTo(plain);
     for (double speed : new double[] {1, 0.1, 3}) {
@@ -78,7 +78,7 @@ class PacedSourceTest {
   }
 
   @Test
-  void aJumpOfTheSourcesClockTakesNoTime() throws IOException {
+  void clockJumpsOfTheSourceTakeNoTime() throws IOException {
     EventPacket before = new EventPacket(1);
     before.append(1_000_000_000_000L, 1, 1, true);
     EventPacket after = new EventPacket(1);

@@ -44,7 +44,7 @@ class LineOutputsTest {
   }
 
   @Test
-  void servicesAndClassesAgree() {
+  void serviceFileNamesEveryProvider() {
     assertTrue(
         ServiceFiles.registered(LineOutputProvider.class)
             .containsAll(
@@ -54,7 +54,7 @@ class LineOutputsTest {
   }
 
   @Test
-  void anAddressIsTransportHostAndPort() {
+  void addressConsistsOfTransportHostAndPort() {
     assertEquals(new LineAddress("tcp", "::1", 80), LineAddress.parse("tcp://[::1]:80"));
     assertEquals("udp://[::1]:80", LineAddress.parse("udp://[::1]:80").toString());
     assertEquals(new LineAddress("zmq", "*", 5), LineAddress.parse("zmq://*:5/"));
@@ -69,7 +69,7 @@ class LineOutputsTest {
   }
 
   @Test
-  void everyoneWhoConnectsGetsEveryLine() throws IOException {
+  void connectedReceiversGetEveryLine() throws IOException {
     LineOutput output = LineOutputs.open("tcp://127.0.0.1:0");
     try (Socket first = connect(output);
         Socket second = new Socket("127.0.0.1", first.getPort())) {
@@ -141,7 +141,7 @@ class LineOutputsTest {
   }
 
   @Test
-  void closingDoesNotWaitForOneWhoTakesNothing() throws IOException {
+  void closingDoesNotWaitForAStalledReceiver() throws IOException {
     TcpLines output = new TcpLines(LineAddress.parse("tcp://127.0.0.1:0"), new PlainProtocol(), 16);
     try (Socket socket = connect(output)) {
       while (output.lost() == 0) {

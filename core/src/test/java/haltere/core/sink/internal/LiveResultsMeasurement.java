@@ -28,7 +28,7 @@ final class LiveResultsMeasurement {
   private static final CountDownLatch AT_ONCE = new CountDownLatch(0);
   private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(20);
 
-  /** As wide as the row of a track. */
+  /** A row as wide as that of a track. */
   record Row(
       long published_ns,
       long id,
@@ -130,7 +130,7 @@ final class LiveResultsMeasurement {
     }
   }
 
-  /** As fast as nothing is lost. */
+  /** Measures the highest rate without loss. */
   private void throughput(String scheme, int duration) throws IOException {
     try (Bench bench = new Bench(scheme, 0)) {
       int inFlight = scheme.equals("udp") ? DATAGRAMS_IN_FLIGHT : IN_FLIGHT;

@@ -7,20 +7,20 @@ import org.junit.jupiter.api.Test;
 
 class SvgPlotTest {
   @Test
-  void aLonePointOfALineIsADot() {
+  void singlePointOfALineIsDrawnAsADot() {
     assertEquals(1, marks("<circle", 3));
     assertEquals(0, marks("<polyline", 3));
   }
 
   @Test
-  void pointsThatAreNoNumbersAreLeftOut() {
+  void nonFinitePointsAreSkipped() {
     assertEquals(1, marks("<circle", 3, Double.NaN));
     assertEquals(1, marks("<polyline", 3, Double.NaN, 4));
     assertEquals(0, marks("<circle", Double.NaN));
   }
 
   @Test
-  void timesOfAnEpochCountFromARoundTimeThatTheLabelSays() {
+  void epochTimesAreRelativeToARoundTimeInTheLabel() {
     String svg = plot(1_605_116_853.9, 1_605_116_855.4);
     assertTrue(svg.contains(">4.0<"), svg);
     assertTrue(svg.contains(">5.4<"), svg);
@@ -28,7 +28,7 @@ class SvgPlotTest {
   }
 
   @Test
-  void shortNumbersAreAsTheyAre() {
+  void shortNumbersAreUnchanged() {
     String svg = plot(100, 101.5);
     assertTrue(svg.contains(">100.2<"), svg);
     assertTrue(svg.contains(">time (s)<"), svg);

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Round numbers on axes. */
+/** Ticks at round numbers. */
 class TicksTest {
   @Test
   void ticksAreRound() {
@@ -27,7 +27,7 @@ class TicksTest {
   }
 
   @Test
-  void thereAreNeverMoreThanThereIsRoomFor() {
+  void tickCountIsLimited() {
     SplittableRandom random = new SplittableRandom(3);
     for (int i = 0; i < 2000; i++) {
       double from = (random.nextDouble() - 0.5) * Math.pow(10, random.nextInt(-9, 9));
@@ -41,7 +41,7 @@ class TicksTest {
   }
 
   @Test
-  void aLowAxisStillHasTwoTicksAndNoMoreThanItMust() {
+  void shortAxisHasTwoTicks() {
     SplittableRandom random = new SplittableRandom(4);
     for (int i = 0; i < 2000; i++) {
       double from = (random.nextDouble() - 0.5) * 1000;
@@ -54,7 +54,7 @@ class TicksTest {
   }
 
   @Test
-  void anEmptyOrEndlessRangeHasNone() {
+  void emptyAndInfiniteRangesHaveNoTicks() {
     assertTrue(Ticks.of(1, 1, 5).values().isEmpty());
     assertTrue(Ticks.of(0, Double.POSITIVE_INFINITY, 5).values().isEmpty());
     assertTrue(Ticks.of(Double.NaN, 1, 5).values().isEmpty());

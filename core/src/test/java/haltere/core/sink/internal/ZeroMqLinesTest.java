@@ -89,7 +89,7 @@ class ZeroMqLinesTest {
   }
 
   @Test
-  void nobodyNeedBeThere() throws IOException {
+  void linesAreAcceptedWithoutSubscribers() throws IOException {
     try (LineOutput output = LineOutputs.open("zmq://127.0.0.1:0")) {
       for (int i = 0; i < 20_000; i++) {
         output.send("a/b", LINE);
@@ -114,7 +114,7 @@ class ZeroMqLinesTest {
   }
 
   @Test
-  void lossesOfASlowSubscriberAreCountedReportedAndItsOwn() throws IOException {
+  void lossesOfASlowSubscriberAreReportedToItAlone() throws IOException {
     try (TcpLines output =
             new TcpLines(LineAddress.parse("zmq://127.0.0.1:0"), new ZmtpProtocol(), 16);
         ZmtpSubscriber fast = subscriber(output, "a/");
@@ -148,7 +148,7 @@ class ZeroMqLinesTest {
     }
   }
 
-  /** What peers say that ends in a frame of 2 GB, or is too long in another way. */
+  /** Bytes of peers that end in a frame of 2 GB, or are too long in another way. */
   @ParameterizedTest
   @ValueSource(
       strings = {
@@ -172,7 +172,7 @@ class ZeroMqLinesTest {
             + "7fffffff535542",
         ZmtpSubscriber.GREETING + "0400",
       })
-  void peersThatAreNoSubscribersAreDisconnectedAlone(String says) throws IOException {
+  void onlyPeersOtherThanSubscribersAreDisconnected(String says) throws IOException {
     try (LineOutput output = LineOutputs.open("zmq://127.0.0.1:0")) {
       Socket hostile = new Socket("127.0.0.1", port(output));
       hostile
@@ -201,7 +201,7 @@ class ZeroMqLinesTest {
   }
 
   @Test
-  void aPeerWithEndlessSubscriptionsIsDisconnected() throws IOException {
+  void peerWithTooManySubscriptionsIsDisconnected() throws IOException {
     try (LineOutput output = LineOutputs.open("zmq://127.0.0.1:0")) {
       ByteArrayOutputStream subscriptions = new ByteArrayOutputStream();
       for (int i = 0; i <= ZmtpPeer.MAX_SUBSCRIPTIONS; i++) {
@@ -239,7 +239,7 @@ class ZeroMqLinesTest {
   }
 
   @Test
-  void moreSubscribersThanThereMayBeAreTurnedAwayAndCounted() throws IOException {
+  void excessSubscribersAreRejectedAndCounted() throws IOException {
     List<ZmtpSubscriber> subscribers = new ArrayList<>();
     try (LineOutput output = LineOutputs.open("zmq://127.0.0.1:0")) {
       for (int i = 0; i < TcpLines.MAX_RECEIVERS; i++) {

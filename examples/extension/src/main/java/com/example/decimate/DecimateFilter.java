@@ -5,7 +5,7 @@ import haltere.core.chain.NamedProvider;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 
-/** Keeps one of so many events, whatever they are. */
+/** Passes every n-th event of the sensor. */
 public final class DecimateFilter implements ConfigurableFilter<DecimateSettings> {
   private DecimateSettings settings;
   private int dropped;
@@ -13,8 +13,8 @@ public final class DecimateFilter implements ConfigurableFilter<DecimateSettings
   /**
    * A filter in its initial state.
    *
-   * @param geometry the sensor, which does not matter here
-   * @param settings what to do
+   * @param geometry the sensor, unused
+   * @param settings the settings
    */
   public DecimateFilter(SensorGeometry geometry, DecimateSettings settings) {
     this.settings = settings;
@@ -22,14 +22,14 @@ public final class DecimateFilter implements ConfigurableFilter<DecimateSettings
 
   @Override
   public void process(EventPacket packet) {
-    int kept = 0;
+    int passed = 0;
     for (int i = 0; i < packet.size(); i++) {
       if (++dropped >= settings.keepEvery()) {
         dropped = 0;
-        packet.move(i, kept++);
+        packet.move(i, passed++);
       }
     }
-    packet.truncate(kept);
+    packet.truncate(passed);
   }
 
   @Override
@@ -47,12 +47,12 @@ public final class DecimateFilter implements ConfigurableFilter<DecimateSettings
     settings = newSettings;
   }
 
-  /** Makes the filter where its name is found in a chain. */
+  /** Creates the filter by its name in a chain. */
   public static final class Provider extends NamedProvider<DecimateSettings> {
-    /** Found by its name in the list of services. */
+    /** For the service loader. */
     public Provider() {
       super(
-          "decimate", "Keeps one of so many events.", DecimateSettings.class, DecimateFilter::new);
+          "decimate", "Passes every n-th event.", DecimateSettings.class, DecimateFilter::new);
     }
   }
 }

@@ -9,7 +9,7 @@ import haltere.core.settings.Unit;
  * Settings of {@link DecimateFilter}.
  */
 public record DecimateSettings(
-    @Range(min = 1, max = 1000) @Unit("events") @Help("One of so many events is kept; 1 keeps all.")
+    @Range(min = 1, max = 1000) @Unit("events") @Help("Interval of passed events; 1 passes all.")
         int keepEvery) {
   /** Checks the values. */
   public DecimateSettings {
@@ -17,9 +17,9 @@ public record DecimateSettings(
   }
 
   /**
-   * What the filter starts with.
+   * The default settings.
    *
-   * @return every second event
+   * @return settings that pass every second event
    */
   public static DecimateSettings defaults() {
     return new DecimateSettings(2);

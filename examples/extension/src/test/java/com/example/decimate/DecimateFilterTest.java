@@ -15,7 +15,7 @@ class DecimateFilterTest extends EventFilterContract {
   }
 
   @Test
-  void everySecondEventIsKept() {
+  void everySecondEventPasses() {
     EventPacket packet = new EventPacket(5);
     for (int i = 0; i < 5; i++) {
       packet.append(i, i, 0, true);

@@ -29,7 +29,7 @@ public final class ImportRecording implements PlugIn {
     }
   }
 
-  /** The options that a macro would have; empty if there is nothing to do. */
+  /** Asks for the options, in the form of a macro; empty if the dialog was cancelled. */
   private static String ask() {
     GenericDialog dialog = new GenericDialog(TITLE);
     dialog.addFileField("Recording", "", 40);
@@ -51,7 +51,7 @@ public final class ImportRecording implements PlugIn {
       ImagePlus image =
           new ImagePlus(reader.path().getFileName().toString(), stack) {
             @Override
-            public void flush() { // as it is closed
+            public void flush() { // called when the image is closed
               super.flush();
               stack.close();
             }

@@ -19,9 +19,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A recording whose slices are read when they are shown: memory does not grow with its length. */
+/** Virtual stack of a recording: slices are read when they are shown, so that memory is bounded. */
 final class RecordingStack extends VirtualStack {
-  /** What a slice shows: ON minus OFF events, events of one polarity, or a frame's grey values. */
+  /** Content of a slice: ON minus OFF events, events of one polarity, or grey values of a frame. */
   enum Show {
     SIGNED,
     ON,
@@ -29,10 +29,10 @@ final class RecordingStack extends VirtualStack {
     FRAMES
   }
 
-  /** Start of a slice, in a segment: a stretch in which the recording's clock never goes back. */
+  /** Start of a slice; within a segment, the clock of the recording never goes back. */
   private record Start(int segment, long timeUs) {}
 
-  /** Limit of the slices, whose list takes 30 MB then. */
+  /** Maximum number of slices, whose list takes 30 MB. */
   private static final int MAX_SLICES = 1_000_000;
 
   final RecordingReader reader;
@@ -87,7 +87,7 @@ final class RecordingStack extends VirtualStack {
     return starts.get(slice - 1).timeUs;
   }
 
-  /** Start of the slice that follows, or the end of all times if none does in this segment. */
+  /** Start of the next slice of the segment; {@link Long#MAX_VALUE} for the last one. */
   long endUs(int slice) {
     boolean isLast =
         slice == getSize() || starts.get(slice).segment != starts.get(slice - 1).segment;
@@ -105,7 +105,7 @@ final class RecordingStack extends VirtualStack {
     try {
       reader.seek(starts.get(slice - 1).segment, startUs(slice));
       while (!painter.isDone && reader.next(painter)) {
-        // until all of the slice is there
+        // until the slice is complete
       }
     } catch (IOException problem) {
       IJ.log("Slice " + slice + ": " + problem.getMessage());
@@ -121,7 +121,7 @@ final class RecordingStack extends VirtualStack {
     }
   }
 
-  /** Makes the picture of a slice. */
+  /** Draws the picture of a slice. */
   private final class Painter implements StreamHandler {
     private final FloatProcessor picture = new FloatProcessor(getWidth(), getHeight());
     private final long startUs;

@@ -10,9 +10,9 @@ import ij.gui.Roi;
 import ij.gui.TextRoi;
 import java.awt.Color;
 
-/** Draws in a slice. A pixel's centre is at a half in ImageJ, and rows count from the top. */
+/** Marks in a slice: pixel centres at half coordinates and rows from the top, as in ImageJ. */
 record RoiCanvas(Overlay overlay, int height, int slice) implements OverlayCanvas {
-  /** Limit of the overlay, which takes some 100 MB then. */
+  /** Maximum number of marks, which take some 100 MB. */
   private static final int MAX_MARKS = 300_000;
 
   private void add(Roi roi, MarkStyle style) {

@@ -29,9 +29,9 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
 
-/** Plugins &gt; Haltere &gt; Track wings, Track objects: tracks the recording that is shown. */
+/** Plugins &gt; Haltere &gt; Track wings, Track objects: tracks the recording of the image. */
 public final class TrackRecording implements PlugIn {
-  /** Limit of the results table, which takes some 200 MB then. */
+  /** Maximum number of rows of the results table, which takes some 200 MB. */
   private static final int MAX_ROWS = 1_000_000;
 
   @Override

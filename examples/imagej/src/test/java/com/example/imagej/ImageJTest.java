@@ -94,7 +94,7 @@ class ImageJTest {
   }
 
   @Test
-  void aRecordingIsAStackOfAllItsEvents() {
+  void recordingOpensAsAStackOfAllItsEvents() {
     ImagePlus signed = open(BOX, "slice=10 show=Signed");
     assertEquals(128, signed.getWidth());
     assertEquals(128, signed.getHeight());
@@ -107,7 +107,7 @@ class ImageJTest {
   }
 
   @Test
-  void slicesMayBeShownInAnyOrderAndRowsCountFromTheTop() {
+  void slicesAreReadInAnyOrderWithRowsFromTheTop() {
     ImagePlus image = open(BOX, "slice=10 show=ON");
     float[] last = (float[]) image.getStack().getPixels(image.getStackSize());
     ImageProcessor first = image.getStack().getProcessor(1);
@@ -117,7 +117,7 @@ class ImageJTest {
   }
 
   @Test
-  void framesAreSlices() {
+  void framesOpenAsSlices() {
     ImagePlus image = open(SIMULATED.resolve("frames.aedat4"), "show=Frames");
     assertEquals(5, image.getStackSize());
     for (int slice = 5; slice >= 1; slice--) {
@@ -128,7 +128,7 @@ class ImageJTest {
   }
 
   @Test
-  void objectsAreTrackedIntoTheResultsTableAndTheOverlay() throws IOException {
+  void trackedObjectsFillResultsTableAndOverlay() throws IOException {
     Path recording = Files.copy(BOX, folder.resolve("box.aedat"));
     String macro = Files.readString(Path.of("track.ijm"));
     IJ.runMacro(macro, recording.toString());
@@ -156,7 +156,7 @@ class ImageJTest {
   }
 
   @Test
-  void wingsOfASimulatedFlyAreTracked() {
+  void trackedWingsFillResultsTableAndOverlay() {
     ImagePlus image = open(SIMULATED.resolve("fly.aedat"), "slice=5");
     IJ.run(image, "Track wings...", "rate=500");
     ResultsTable table = ResultsTable.getResultsTable();
@@ -170,7 +170,7 @@ class ImageJTest {
   }
 
   @Test
-  void whatCannotBeDoneIsSaid() {
+  void errorsAreReported() {
     assertTrue(printed(() -> open(folder.resolve("none.aedat"), "")).contains("none.aedat"));
     assertTrue(printed(() -> open(BOX, "slice=0")).contains("0.001 ms"));
     assertTrue(printed(() -> open(BOX, "show=Frames")).contains("nothing of that"));

@@ -10,7 +10,7 @@ import org.apache.spark.sql.Dataset;
 import org.apache.spark.sql.Row;
 import org.apache.spark.sql.SparkSession;
 
-/** Prints how many objects each recording has, and how fast they are on average. */
+/** Prints the number of objects of each recording and their mean horizontal speed. */
 public final class ObjectCounts {
   private static final String CHAIN =
       """
@@ -19,14 +19,14 @@ public final class ObjectCounts {
 
   private ObjectCounts() {}
 
-  /** Runs the chain over recordings that are named by their URIs. */
+  /** Runs the chain over recordings given by URIs. */
   public static void main(String[] recordings) throws IOException {
     try (SparkSession spark = SparkSession.builder().appName("objects").getOrCreate()) {
       count(spark, List.of(recordings)).show(Integer.MAX_VALUE, false);
     }
   }
 
-  /** A row for each recording that has objects: recording, objects, mean horizontal speed in px/s. */
+  /** A row for each recording with objects: recording, objects, mean horizontal speed in px/s. */
   static Dataset<Row> count(SparkSession spark, List<String> recordings) throws IOException {
     Dataset<Row> tracks = HaltereSpark.run(spark, recordings, CHAIN, "object-tracker.objects");
     return tracks

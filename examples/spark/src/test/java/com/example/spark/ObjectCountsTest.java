@@ -25,7 +25,7 @@ class ObjectCountsTest {
   @TempDir Path folder;
 
   @Test
-  void eachRecordingHasARowWithItsObjects() throws IOException {
+  void countHasOneRowPerRecordingWithObjects() throws IOException {
     String right = writeMovingSpot("right.aedat", SPEED_PX_S).toUri().toString();
     String left = writeMovingSpot("left.es", -SPEED_PX_S).toUri().toString();
     String broken = Files.writeString(folder.resolve("broken.raw"), "none").toUri().toString();

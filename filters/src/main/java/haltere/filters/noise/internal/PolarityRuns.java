@@ -10,7 +10,7 @@ import java.util.Arrays;
  */
 public final class PolarityRuns {
   /** Longest run of one polarity at a pixel. */
-  public static final int LONGEST_RUN_US = 2500;
+  public static final int MAX_RUN_US = 2500;
 
   /**
    * Silence after an ON event that ends a passage: less than half of the shortest wing beat, 1.25
@@ -99,7 +99,7 @@ public final class PolarityRuns {
     long since = Long.rotateRight(now - before, 1);
     lastOfPixel[pixel] = now;
     hasPassed = false;
-    if (since + Long.MIN_VALUE < LONGEST_RUN_US + Long.MIN_VALUE) {
+    if (since + Long.MIN_VALUE < MAX_RUN_US + Long.MIN_VALUE) {
       return false;
     }
     if ((address & LEFT_OUT) == 0) {

@@ -60,7 +60,7 @@ public record BodyLineSettings(
         forgetUs);
   }
 
-  /** {@return the settings to start from: an insect of 4 to 120 pixels} */
+  /** {@return the default settings: an insect of 4 to 120 pixels} */
   public static BodyLineSettings defaults() {
     return new BodyLineSettings(200, 1, 1.6, 8, 1, 60, 200_000);
   }

@@ -260,20 +260,20 @@ public final class BodyLineTracker {
 
   /** Starts a body where the most events are, if there are enough; older ones count less. */
   private void search() {
-    double most = 0;
+    double max = 0;
     int best = 0;
     for (int i = 0; i < cells.length; i++) {
-      double sum = cells[i] * 9 > most ? around(i, 1, 0, 0) : 0;
-      if (sum > most) {
-        most = sum;
+      double sum = cells[i] * 9 > max ? around(i, 1, 0, 0) : 0;
+      if (sum > max) {
+        max = sum;
         best = i;
       }
     }
-    if (most >= START_EVENTS) {
+    if (max >= START_EVENTS) {
       double size = 1 << CELL_SHIFT;
       start(
-          size * (around(best, 0, 1, 0) / most + 0.5) - 0.5,
-          size * (around(best, 0, 0, 1) / most + 0.5) - 0.5);
+          size * (around(best, 0, 1, 0) / max + 0.5) - 0.5,
+          size * (around(best, 0, 0, 1) / max + 0.5) - 0.5);
     }
     for (int i = 0; i < cells.length; i++) {
       cells[i] = cells[i] < 0.01f ? 0 : (float) (cells[i] * CELL_DECAY);

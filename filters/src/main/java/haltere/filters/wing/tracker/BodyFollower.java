@@ -71,22 +71,22 @@ final class BodyFollower {
 
   private boolean follow() {
     RunningAverageSettings average = settings.average();
-    WingPositionSettings said = settings.position();
+    WingPositionSettings position = settings.position();
     ended = 0;
     double share = average.mixingFactor();
     double acrossX = meanX[0] - meanX[1];
     double acrossY = meanY[0] - meanY[1];
     if (average.bodyUpdate()) {
-      double middleX = (meanX[0] + meanX[1]) / 2 + said.bodyOffsetXPx();
-      double middleY = (meanY[0] + meanY[1]) / 2 + said.bodyOffsetYPx();
+      double middleX = (meanX[0] + meanX[1]) / 2 + position.bodyOffsetXPx();
+      double middleY = (meanY[0] + meanY[1]) / 2 + position.bodyOffsetYPx();
       place.shift(share * (middleX - place.axisX), share * (middleY - place.axisY));
       if (TrackerParts.isOriginal(settings)) {
         double distancePx = Math.hypot(acrossX, acrossY);
-        place.resize(place.sizePx + share * (distancePx - place.sizePx), said);
+        place.resize(place.sizePx + share * (distancePx - place.sizePx), position);
       }
     }
     if (average.headingUpdate()) {
-      double heading = Math.atan2(acrossY, acrossX) - Math.PI / 2 + said.headingOffsetRad();
+      double heading = Math.atan2(acrossY, acrossX) - Math.PI / 2 + position.headingOffsetRad();
       place.turn(share * Angles.wrapPi(heading - place.frames[0].headingRad()));
     }
     place.settle();

@@ -88,12 +88,12 @@ final class FlyPlace {
   }
 
   /** Sets the region of interest by a size of the fly. */
-  void resize(double size, WingPositionSettings said) {
+  void resize(double size, WingPositionSettings position) {
     sizePx = size;
-    regionPx = Math.max(MIN_REGION_PX, size + said.regionOffsetPx());
+    regionPx = Math.max(MIN_REGION_PX, size + position.regionOffsetPx());
     for (StrokeFrame frame : frames) {
       frame.place(
-          frame.hingeX(), frame.hingeY(), frame.headingRad(), said.innerRadiusPx(), regionPx);
+          frame.hingeX(), frame.hingeY(), frame.headingRad(), position.innerRadiusPx(), regionPx);
     }
   }
 

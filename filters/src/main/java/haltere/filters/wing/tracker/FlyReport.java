@@ -144,7 +144,7 @@ final class FlyReport {
   }
 
   /** Reports a beat that has ended; the first one has no start and is omitted. */
-  void beat(WingPart side, double timeUs, double periodUs, double leastRad, double mostRad) {
+  void beat(WingPart side, double timeUs, double periodUs, double minRad, double maxRad) {
     int own = side.sideNumber();
     if (!(periodUs > 0) || !wings.locked) {
       return;
@@ -160,9 +160,9 @@ final class FlyReport {
             Math.round(timeUs),
             periodUs,
             1e6 / periodUs,
-            (mostRad - leastRad) / 2,
-            leastRad,
-            mostRad,
+            (maxRad - minRad) / 2,
+            minRad,
+            maxRad,
             lag));
   }
 

@@ -35,7 +35,7 @@ final class TrackedFly {
   private final StrokeFrame[] frames = place.frames;
   private final SensorGeometry sensor;
 
-  /** What estimates the strokes. */
+  /** Estimators of the strokes. */
   final WingEstimators wings;
 
   /** Whether a Kalman filter and whether a running average are used. */
@@ -86,21 +86,21 @@ final class TrackedFly {
   void begin(FoundFly found, long timeUs) {
     fly = found;
     foundAtUs = timeUs;
-    WingPositionSettings said = settings.position();
-    place.begin(found, said, timeUs);
+    WingPositionSettings position = settings.position();
+    place.begin(found, position, timeUs);
     if (averagePlace != place) {
-      averagePlace.begin(found, said, timeUs);
+      averagePlace.begin(found, position, timeUs);
     }
     wings.report.begin();
     for (int side = 0; side < 2; side++) {
-      StrokeSeed seed = found.seeds()[said.flipHeading() ? 1 - side : side];
+      StrokeSeed seed = found.seeds()[position.flipHeading() ? 1 - side : side];
       wings.tracked[side] = seed != null;
       if (seed != null) {
-        StrokeSeed turned = said.flipHeading() ? seed.mirrored() : seed;
+        StrokeSeed turned = position.flipHeading() ? seed.mirrored() : seed;
         wings.launch(
             side,
             timeUs,
-            turned.withCentre(turned.centre() - frames[side].turn() * said.headingOffsetRad()));
+            turned.withCentre(turned.centre() - frames[side].turn() * position.headingOffsetRad()));
       }
     }
     launched();

@@ -54,16 +54,16 @@ final class WingEstimators {
   }
 
   private void build(int side) {
-    boolean tells = settings.filter().method() == WingMethod.WRA;
+    boolean isMain = settings.filter().method() == WingMethod.WRA;
     BeatListener beats =
-        (s, endUs, periodUs, least, most) -> {
+        (s, endUs, periodUs, min, max) -> {
           follower.beat(side);
-          if (tells) {
-            report.beat(s, endUs, periodUs, least, most);
+          if (isMain) {
+            report.beat(s, endUs, periodUs, min, max);
           }
         };
     beside[side] = new EdgesEstimator(frames[side], settings, beats, Optional.empty());
-    main[side] = tells ? beside[side] : TrackerParts.filter(frames[side], settings, report::beat);
+    main[side] = isMain ? beside[side] : TrackerParts.filter(frames[side], settings, report::beat);
   }
 
   private void takeEdges() {

@@ -61,20 +61,20 @@ final class WingOverlay implements Overlay<WingSnapshot> {
           y + away * Math.sin(beside),
           side == 0 ? "L" : "R",
           MarkStyle.of(role));
-      double least = Double.POSITIVE_INFINITY;
-      double most = Double.NEGATIVE_INFINITY;
+      double min = Double.POSITIVE_INFINITY;
+      double max = Double.NEGATIVE_INFINITY;
       for (int edge = 0; edge < 2; edge++) {
         double angle = snapshot.edgeRad(2 * side + edge, aheadS);
         if (!Double.isNaN(angle)) {
           ray(canvas, x, y, heading + turn * angle, fly.sizePx(), MarkStyle.of(role, edge));
-          least = Math.min(least, angle);
-          most = Math.max(most, angle);
+          min = Math.min(min, angle);
+          max = Math.max(max, angle);
         }
       }
       double sd = snapshot.sdRad().get(side);
-      if (least <= most && !Double.isNaN(sd)) {
-        double half = UNCERTAINTY_SD * sd + (most - least) / 2;
-        arc(canvas, x, y, heading + turn * (least + most) / 2, half, 0.9 * fly.sizePx());
+      if (min <= max && !Double.isNaN(sd)) {
+        double half = UNCERTAINTY_SD * sd + (max - min) / 2;
+        arc(canvas, x, y, heading + turn * (min + max) / 2, half, 0.9 * fly.sizePx());
       }
     }
     canvas.text(

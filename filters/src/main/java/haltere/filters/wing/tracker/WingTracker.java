@@ -36,7 +36,7 @@ public final class WingTracker {
   private static final int CHECK_US = 10_000;
 
   /** Interval at which both wings are synchronised, independent of the rate of the estimates. */
-  private static final int MEET_US = 1000;
+  private static final int SYNC_US = 1000;
 
   /** Outcomes of a search; the other phases are its steps. */
   private static final Set<Phase> CONDITIONS =
@@ -75,7 +75,7 @@ public final class WingTracker {
     this.settings = settings;
     this.listener = listener;
     sensor = geometry;
-    search = TrackerParts.search(settings, geometry, recent, this::say);
+    search = TrackerParts.search(settings, geometry, recent, this::publish);
     fly = new TrackedFly(geometry, settings, listener);
     runs = new PolarityRuns(geometry);
     ticks.setRate(settings.output().rateHz());
@@ -109,7 +109,7 @@ public final class WingTracker {
    */
   public void apply(WingTrackerSettings changed) {
     if (TrackerParts.isOriginal(changed) != TrackerParts.isOriginal(settings)) {
-      search = TrackerParts.search(changed, sensor, recent, this::say);
+      search = TrackerParts.search(changed, sensor, recent, this::publish);
       search.startAt(publishedUs);
     }
     settings = changed;
@@ -280,7 +280,7 @@ public final class WingTracker {
   /** Does the work due at a time; false if its event is not tracked. */
   private boolean work(long timeUs) {
     if (!fly.wings.isTracked()) {
-      lookForFly(timeUs);
+      searchFly(timeUs);
       return false;
     }
     passTicks(timeUs);
@@ -290,11 +290,11 @@ public final class WingTracker {
     return fly.wings.isTracked();
   }
 
-  private void lookForFly(long timeUs) {
+  private void searchFly(long timeUs) {
     if (!begun) {
       begun = true;
       search.begin(timeUs, settings.search());
-      say(timeUs, Phase.COLLECTING, 0);
+      publish(timeUs, Phase.COLLECTING, 0);
     }
     FoundFly found = search.look(timeUs, settings.search());
     if (found != null) {
@@ -310,7 +310,7 @@ public final class WingTracker {
     fly.begin(found, timeUs);
     // a search without the beat leaves it to the filters
     fly.wings.locked = !TrackerParts.isOriginal(settings);
-    nextCheckUs = -Math.floorDiv(-(timeUs + CHECK_US), MEET_US) * MEET_US;
+    nextCheckUs = -Math.floorDiv(-(timeUs + CHECK_US), SYNC_US) * SYNC_US;
     dueUs = dueAfter(timeUs);
     watch.launch();
     setPhase(timeUs);
@@ -326,7 +326,7 @@ public final class WingTracker {
                 : fly.wings.count() == 2 ? Phase.TRACKING : Phase.ONE_WING;
     if (now != phase) {
       phase = now;
-      say(timeUs, now, recent.size());
+      publish(timeUs, now, recent.size());
       if (now == Phase.LOST) {
         fly.publishSnapshot(timeUs, now);
       }
@@ -334,13 +334,13 @@ public final class WingTracker {
     }
   }
 
-  private void say(long timeUs, Phase now, int events) {
+  private void publish(long timeUs, Phase now, int events) {
     FlyGeometry g = fly.wings.isTracked() ? fly.place.geometry() : null;
     double confidence = g == null ? Double.NaN : g.headTailConfidence();
-    say(WingTrackerState.of(timeUs, now, events, fly.wings.frequencyHz(), g, confidence));
+    publish(WingTrackerState.of(timeUs, now, events, fly.wings.frequencyHz(), g, confidence));
   }
 
-  private void say(WingTrackerState state) {
+  private void publish(WingTrackerState state) {
     if (state.phase() == Phase.TWO_MEANS) {
       steps.keySet().retainAll(CONDITIONS);
     } else if (CONDITIONS.contains(state.phase())) {
@@ -372,7 +372,7 @@ public final class WingTracker {
   }
 
   private long dueAfter(long timeUs) {
-    return Math.min(ticks.nextUs(), (Math.floorDiv(timeUs, MEET_US) + 1) * MEET_US);
+    return Math.min(ticks.nextUs(), (Math.floorDiv(timeUs, SYNC_US) + 1) * SYNC_US);
   }
 
   /** Periodic work: heading, detection of a lost wing, and its search. */
@@ -399,7 +399,7 @@ public final class WingTracker {
     }
     setPhase(timeUs);
     if (wings.count() == 1) {
-      FoundFly found = search.lookForBoth(timeUs, settings.search());
+      FoundFly found = search.findBoth(timeUs, settings.search());
       if (found != null) {
         begin(found, timeUs);
       }

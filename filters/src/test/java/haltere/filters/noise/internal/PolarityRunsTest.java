@@ -27,7 +27,7 @@ class PolarityRunsTest {
   }
 
   @Test
-  void theFirstEventOfARunBeginsIt() {
+  void firstEventOfARunStartsIt() {
     assertTrue(runs.begins(1000, OFF));
     assertFalse(runs.begins(1010, OFF));
     assertTrue(runs.begins(1100, ON));
@@ -36,7 +36,7 @@ class PolarityRunsTest {
   }
 
   @Test
-  void aUniformShadowResolvesNothing() {
+  void uniformShadowResolvesNoVein() {
     off(1000, 1010, 1020);
     on(1200, 1210, 1220);
     assertFalse(runs.hasPassed());
@@ -57,7 +57,7 @@ class PolarityRunsTest {
   }
 
   @Test
-  void aSecondVeinBelongsToTheSamePassage() {
+  void secondVeinBelongsToTheSamePassage() {
     off(1000, 1010);
     on(1040);
     off(1100, 1110);
@@ -92,7 +92,7 @@ class PolarityRunsTest {
   }
 
   @Test
-  void pixelsInTheLastRowAndColumnHavePassagesOfTheirOwn() {
+  void pixelsInTheLastRowAndColumnHaveSeparatePassages() {
     PolarityRuns odd = new PolarityRuns(new SensorGeometry(17, 13));
     for (int i = 0; i < 3; i++) {
       int on = 1200 + 10 * i;

@@ -28,7 +28,7 @@ class CameraModelTest {
   }
 
   @Test
-  void theAngleOfALineIsThatOfItsProjection() {
+  void angleOfALineMatchesItsProjection() {
     SplittableRandom random = new SplittableRandom(1);
     for (int i = 0; i < 200; i++) {
       CameraModel camera =
@@ -44,7 +44,7 @@ class CameraModelTest {
   }
 
   @Test
-  void aPointAndALineComeBackThroughTheLens() {
+  void distortionIsInvertedForPointsAndLines() {
     SplittableRandom random = new SplittableRandom(2);
     for (int i = 0; i < 200; i++) {
       CameraModel camera = RandomCameras.random(random, DISTORTION);
@@ -67,7 +67,7 @@ class CameraModelTest {
   }
 
   @Test
-  void whereAStrongLensFoldsThePictureThereIsNoPoint() {
+  void foldedRegionOfAStrongLensHasNoPoint() {
     CameraModel camera = RandomCameras.random(new SplittableRandom(3), -0.5, 0, 0, 0, 0);
     double[] line = {310 + 3000, 250, 0.3};
     assertFalse(camera.straighten(line));
@@ -75,7 +75,7 @@ class CameraModelTest {
   }
 
   @Test
-  void itsCentreIsSeenNowhereAndHasNoLine() {
+  void cameraCentreHasNeitherPixelNorLine() {
     CameraModel camera = RandomCameras.random(new SplittableRandom(4));
     double[] n = new double[6];
     assertFalse(camera.project(camera.centre(), new double[2]));

@@ -42,7 +42,7 @@ class BodyLineFilterTest extends EventFilterContract {
   }
 
   @Test
-  void theLineOfABodyIsFoundInItsEvents() {
+  void lineOfABodyIsEstimatedFromItsEvents() {
     List<Double> angles = new ArrayList<>();
     List<Double> positions = new ArrayList<>();
     List<Double> ratios = new ArrayList<>();
@@ -78,7 +78,7 @@ class BodyLineFilterTest extends EventFilterContract {
   }
 
   @Test
-  void twoEventCamerasGiveTheOrientationOfTheBodyThatBothSee() {
+  void twoEventCamerasYieldTheOrientationOfABody() {
     List<Double> errors = new ArrayList<>();
     for (long seed = 11; seed <= 13; seed++) {
       errors.addAll(EventFlights.errorsDeg(2, seed, 2));
@@ -91,7 +91,7 @@ class BodyLineFilterTest extends EventFilterContract {
   }
 
   @Test
-  void theEllipseOfAMovingEllipseIsItsOwnWhicheverWayItMoves() {
+  void ellipseIsEstimatedForAnyDirectionOfMotion() {
     SensorGeometry sensor = new SensorGeometry(200, 200);
     for (int degrees = 0; degrees < 180; degrees += 30) {
       List<BodyLine> lines = new ArrayList<>();

@@ -31,7 +31,7 @@ class TrailOverlayTest {
   }
 
   @Test
-  void anObjectIsItsPathItsEllipseItsVelocityAndItsLabel() {
+  void objectIsDrawnAsPathEllipseVelocityAndLabel() {
     assertEquals(
         List.of(
             "PATH 7: [10.0, 11.0] [20.0, 21.0]",
@@ -42,14 +42,14 @@ class TrailOverlayTest {
   }
 
   @Test
-  void aBoxIsDrawnAsItsFourSides() {
+  void boxIsDrawnAsItsFourSides() {
     assertEquals(
         "OBJECT 7: [20.0, 2.0, 2.0, 20.0, 20.0] [25.0, 25.0, 17.0, 17.0, 25.0]",
         drawn(mark(0, true)).get(1));
   }
 
   @Test
-  void anObjectMovesOnWithItsVelocityAndItsPathStays() {
+  void objectIsExtrapolatedAndItsPathStays() {
     Trails trails = new Trails();
     trails.add(NOW, mark(0, false), 1);
     OverlayNotes notes = new OverlayNotes();
@@ -59,7 +59,7 @@ class TrailOverlayTest {
   }
 
   @Test
-  void aPathHasTheLatestRowsAndEndsWithTheObject() {
+  void pathHasTheLatestRowsAndEndsAtTheObject() {
     Trails trails = new Trails();
     trails.add(BEFORE, mark(0, false), 1);
     trails.add(NOW, mark(0, false), 1);
@@ -72,7 +72,7 @@ class TrailOverlayTest {
   }
 
   @Test
-  void nothingIsDrawnOfNoObject() {
+  void emptySnapshotDrawsNothing() {
     OverlayNotes notes = new OverlayNotes();
     new TrailOverlay().draw(new TrailSnapshot(0, List.of()), notes);
     assertEquals(List.of(), notes.marks());
@@ -81,7 +81,7 @@ class TrailOverlayTest {
   }
 
   @Test
-  void theEllipseOfACovarianceLiesAlongTheLargerUncertainty() {
+  void ellipseOfACovarianceLiesAlongTheLargerUncertainty() {
     Ellipse diagonal = Ellipse.of(1, -1, 1).times(2);
     assertEquals(2 * Math.sqrt(2), diagonal.majorPx(), 1e-12);
     assertEquals(0, diagonal.minorPx(), 1e-6);

@@ -23,7 +23,7 @@ class PixelAnglesTest {
   }
 
   @Test
-  void eachPixelHasTheSideAndTheAngleThatItsWingsFrameGives() {
+  void pixelsHaveSideAndAngleOfTheirWingFrame() {
     FlyPlace place = place();
     PixelAngles angles = new PixelAngles(128, 128, place);
     int inside = 0;

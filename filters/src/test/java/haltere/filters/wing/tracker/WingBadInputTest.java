@@ -23,15 +23,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What is no fly, or no whole one, ends in a stated condition, and wings are found again. */
+/** Inputs without a complete fly lead to a stated phase, and wings are found again. */
 class WingBadInputTest {
   private static final String STEADY = "disturbances.manoeuvres.everyS=0";
 
   @Test
-  void anEmptyArenaIsWaitedIn() {
-    Said said = Said.with(new EventPacket(0));
-    assertTrue(said.states.isEmpty());
-    Said few = Said.with(noise(400, 2_000_000, 5));
+  void emptyArenaKeepsTheTrackerWaiting() {
+    TrackerOutput output = TrackerOutput.with(new EventPacket(0));
+    assertTrue(output.states.isEmpty());
+    TrackerOutput few = TrackerOutput.with(noise(400, 2_000_000, 5));
     assertEquals(Set.of(Phase.COLLECTING), few.phases());
     assertTrue(few.estimates.isEmpty());
   }
@@ -47,13 +47,13 @@ class WingBadInputTest {
   }
 
   @Test
-  void noiseAloneIsNoFly() {
-    Said said = Said.with(noise(60_000, 400_000, 7));
-    assertTrue(said.estimates.isEmpty(), "tracked " + said.phases());
+  void noiseIsNoFly() {
+    TrackerOutput output = TrackerOutput.with(noise(60_000, 400_000, 7));
+    assertTrue(output.estimates.isEmpty(), "tracked " + output.phases());
   }
 
   @Test
-  void aCarIsNoFly() {
+  void carIsNoFly() {
     SplittableRandom random = new SplittableRandom(8);
     EventPacket packet = new EventPacket(0);
     for (int i = 0; i < 60_000; i++) {
@@ -61,12 +61,12 @@ class WingBadInputTest {
       int x = (int) (timeUs / 5000) + random.nextInt(12);
       packet.append(timeUs, Math.min(127, x), 50 + random.nextInt(25), random.nextBoolean());
     }
-    Said said = Said.with(packet);
-    assertTrue(said.estimates.isEmpty(), "tracked " + said.phases());
+    TrackerOutput output = TrackerOutput.with(packet);
+    assertTrue(output.estimates.isEmpty(), "tracked " + output.phases());
   }
 
   @Test
-  void aMillionEventsAtOneTimeAreNoFlyAndDoNotHarmOne() {
+  void simultaneousEventsAreNoFlyAndDoNotDisturbTracking() {
     EventPacket fly = Flies.events(0.2, STEADY);
     EventPacket packet = new EventPacket(0);
     packet.append(fly, 0, fly.size() / 2);
@@ -76,8 +76,8 @@ class WingBadInputTest {
       packet.append(timeUs, random.nextInt(128), random.nextInt(128), random.nextBoolean());
     }
     packet.append(fly, fly.size() / 2, fly.size());
-    Said said = Said.with(packet);
-    WingEstimate last = said.last(WingPart.LEFT);
+    TrackerOutput output = TrackerOutput.with(packet);
+    WingEstimate last = output.last(WingPart.LEFT);
     FlyTruth truth = Flies.scene(STEADY).truthAt(last.timeUs());
     assertEquals(truth.leftFrequencyHz(), last.frequencyHz(), 3);
   }
@@ -93,8 +93,8 @@ class WingBadInputTest {
         packet.append(fly.timeUs(i), 64, 64, i % 40 == 0);
       }
     }
-    Said said = Said.with(packet);
-    WingEstimate last = said.last(WingPart.RIGHT);
+    TrackerOutput output = TrackerOutput.with(packet);
+    WingEstimate last = output.last(WingPart.RIGHT);
     FlyTruth truth = Flies.scene(STEADY, "fly.body.hingeOffsetPx=0").truthAt(last.timeUs());
     assertEquals(truth.rightFrequencyHz(), last.frequencyHz(), 3);
   }
@@ -111,9 +111,9 @@ class WingBadInputTest {
     for (int i = 0; i < fly.size(); i++) {
       packet.append(600_000 + fly.timeUs(i), fly.address(i));
     }
-    Said said = Said.with(packet);
+    TrackerOutput output = TrackerOutput.with(packet);
     List<Phase> phases =
-        said.states.stream()
+        output.states.stream()
             .map(WingTrackerState::phase)
             .filter(phase -> phase == Phase.TRACKING || phase == Phase.LOST)
             .toList();
@@ -121,25 +121,26 @@ class WingBadInputTest {
     assertTrue(phases.contains(Phase.LOST), "lost while it stood");
     assertEquals(Phase.TRACKING, phases.get(phases.size() - 1));
     assertTrue(
-        said.estimates.stream().noneMatch(e -> e.timeUs() > 220_000 && e.timeUs() < 600_000),
+        output.estimates.stream().noneMatch(e -> e.timeUs() > 220_000 && e.timeUs() < 600_000),
         "says nothing while there are no wings");
   }
 
   @Test
-  void aResetInFlightFindsTheFlyAgain() {
+  void flyIsFoundAgainAfterAReset() {
     EventPacket fly = Flies.events(0.15, STEADY);
-    Said said = new Said();
-    WingTracker tracker = new WingTracker(Said.SENSOR, WingTrackerSettings.defaults(), said);
+    TrackerOutput output = new TrackerOutput();
+    WingTracker tracker =
+        new WingTracker(TrackerOutput.SENSOR, WingTrackerSettings.defaults(), output);
     tracker.track(fly);
     tracker.reset();
-    int before = said.estimates.size();
+    int before = output.estimates.size();
     tracker.track(fly);
-    assertEquals(2 * before, said.estimates.size());
-    assertEquals(said.estimates.get(before - 1), said.estimates.get(2 * before - 1));
+    assertEquals(2 * before, output.estimates.size());
+    assertEquals(output.estimates.get(before - 1), output.estimates.get(2 * before - 1));
   }
 
   @Test
-  void withOneWingHiddenTheOtherIsTracked() {
+  void otherWingIsTrackedIfOneIsHidden() {
     EventPacket fly = Flies.events(0.2, STEADY);
     FlyTruth truth = Flies.scene(STEADY).truthAt(0);
     EventPacket half = new EventPacket(0);
@@ -149,15 +150,15 @@ class WingBadInputTest {
         half.append(fly.timeUs(i), fly.address(i));
       }
     }
-    Said said = Said.with(half);
-    assertTrue(said.phases().contains(Phase.ONE_WING), "tracked " + said.phases());
-    WingEstimate last = said.estimates.get(said.estimates.size() - 1);
+    TrackerOutput output = TrackerOutput.with(half);
+    assertTrue(output.phases().contains(Phase.ONE_WING), "tracked " + output.phases());
+    WingEstimate last = output.estimates.get(output.estimates.size() - 1);
     assertEquals(
         Flies.scene(STEADY).truthAt(last.timeUs()).leftFrequencyHz(), last.frequencyHz(), 3);
   }
 
   @Test
-  void vanishedWingsAreLostAndTheOtherIsKept() {
+  void vanishedWingIsLostAndTheOtherStaysTracked() {
     EventPacket fly = Flies.events(0.4, STEADY);
     EventPacket packet = new EventPacket(0);
     for (int i = 0; i < fly.size(); i++) {
@@ -166,18 +167,18 @@ class WingBadInputTest {
         packet.append(fly.timeUs(i), fly.address(i));
       }
     }
-    Said said = Said.with(packet);
-    assertTrue(said.phases().contains(Phase.ONE_WING), "tracked " + said.phases());
+    TrackerOutput output = TrackerOutput.with(packet);
+    assertTrue(output.phases().contains(Phase.ONE_WING), "tracked " + output.phases());
     assertTrue(
-        said.estimates.stream()
+        output.estimates.stream()
             .anyMatch(
                 e -> e.edge() == WingPart.LEFT && e.timeUs() > 180_000 && e.timeUs() < 240_000));
-    WingTrackerState last = said.states.get(said.states.size() - 1);
+    WingTrackerState last = output.states.get(output.states.size() - 1);
     assertEquals(Phase.TRACKING, last.phase(), "both again");
   }
 
   @Test
-  void settingsAtTheirLimitsEndInNumbers() {
+  void settingsAtTheirLimitsGiveFiniteResults() {
     EventPacket fly = Flies.events(0.06, STEADY, "fly.wing.visibleShare=0.15");
     for (Parameter parameter : SettingsSchema.of(WingTrackerSettings.class).parameters()) {
       List<?> limits =
@@ -189,11 +190,11 @@ class WingBadInputTest {
                       ? List.of((int) parameter.min(), (int) parameter.max())
                       : List.of(parameter.min(), parameter.max());
       for (Object limit : limits) {
-        Said said = Said.with(fly, parameter.name() + "=" + limit);
+        TrackerOutput output = TrackerOutput.with(fly, parameter.name() + "=" + limit);
         assertTrue(
             EnumSet.of(Phase.COLLECTING, Phase.TRACKING, Phase.UNLOCKED, Phase.ONE_WING, Phase.LOST)
-                .contains(said.tracker.phase()),
-            parameter.name() + "=" + limit + " ends as " + said.tracker.phase());
+                .contains(output.tracker.phase()),
+            parameter.name() + "=" + limit + " ends as " + output.tracker.phase());
       }
     }
   }
@@ -202,7 +203,8 @@ class WingBadInputTest {
   void clockRestartsAreDetectedAndTheFlyIsFoundAgain() {
     EventPacket fly = Flies.events(0.1, STEADY, "run.startUs=9000000000");
     EventPacket again = Flies.events(0.1, STEADY, "run.startUs=0");
-    WingTrackerFilter filter = new WingTrackerFilter(Said.SENSOR, WingTrackerSettings.defaults());
+    WingTrackerFilter filter =
+        new WingTrackerFilter(TrackerOutput.SENSOR, WingTrackerSettings.defaults());
     List<WingEstimate> rows = new ArrayList<>();
     filter.outlets().stream()
         .filter(outlet -> outlet.name().equals("wings"))
@@ -229,13 +231,13 @@ class WingBadInputTest {
 
   private static List<WingEstimate> withEventsOnTheHinge(
       EventPacket fly, String method, boolean with) {
-    Said said = new Said();
+    TrackerOutput output = new TrackerOutput();
     WingTracker tracker =
         new WingTracker(
-            Said.SENSOR,
+            TrackerOutput.SENSOR,
             WingTrackerSettings.defaults()
                 .with(method, "position.innerRadiusPx=0", "position.followsHinges=false"),
-            said);
+            output);
     int half = fly.size() / 2;
     tracker.track(part(fly, 0, half));
     // a click puts the body on whole pixels
@@ -253,7 +255,7 @@ class WingBadInputTest {
       }
     }
     tracker.track(packet);
-    return said.estimates;
+    return output.estimates;
   }
 
   private static EventPacket part(EventPacket events, int from, int to) {

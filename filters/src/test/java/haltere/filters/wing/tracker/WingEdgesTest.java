@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What is said of each edge, and of a wing of which one edge alone is taken. */
+/** Results of each edge, and of a wing with only one edge enabled. */
 class WingEdgesTest {
   private static final String[] FLY = {
     "disturbances.manoeuvres.everyS=0", "fly.wing.visibleShare=0.15", "stroke.beat.frequencyHz=232"
@@ -41,13 +41,13 @@ class WingEdgesTest {
     return start.with(all.toArray(String[]::new));
   }
 
-  private static List<WingEstimate> late(Said said, WingPart part) {
-    return said.of(part).stream().filter(e -> e.timeUs() > 250_000).toList();
+  private static List<WingEstimate> late(TrackerOutput output, WingPart part) {
+    return output.of(part).stream().filter(e -> e.timeUs() > 250_000).toList();
   }
 
-  private static double angleDeg(Said said, FlyScene truth) {
+  private static double angleDeg(TrackerOutput output, FlyScene truth) {
     double squares = 0;
-    List<WingEstimate> late = late(said, WingPart.LEFT);
+    List<WingEstimate> late = late(output, WingPart.LEFT);
     for (WingEstimate e : late) {
       squares +=
           Math.pow(Angles.wrapPi(e.angleRad() - truth.truthAt(e.timeUs()).leftAngleRad()), 2);
@@ -56,8 +56,8 @@ class WingEdgesTest {
     return Math.toDegrees(Math.sqrt(squares / late.size()));
   }
 
-  private static long beats(Said said) {
-    return said.beats.stream()
+  private static long beats(TrackerOutput output) {
+    return output.beats.stream()
         .filter(b -> b.side() == WingPart.LEFT && b.timeUs() > 250_000)
         .count();
   }
@@ -75,12 +75,12 @@ class WingEdgesTest {
   void disabledEdgesAreIgnoredAndTheOtherTracksTheWing(String method) {
     EventPacket fly = Flies.events(0.6, FLY);
     FlyScene truth = Flies.scene(FLY);
-    Said both = Said.of(fly, settings(method));
+    TrackerOutput both = TrackerOutput.of(fly, settings(method));
     double usual = angleDeg(both, truth);
     for (WingPart off : new WingPart[] {WingPart.LEFT_LEADING, WingPart.LEFT_TRAILING}) {
       boolean leading = off == WingPart.LEFT_LEADING;
       String switched = "output.left" + (leading ? "Leading" : "Trailing") + "=false";
-      Said one = Said.of(fly, settings(method, switched));
+      TrackerOutput one = TrackerOutput.of(fly, settings(method, switched));
       WingPart on = leading ? WingPart.LEFT_TRAILING : WingPart.LEFT_LEADING;
       assertTrue(one.of(off).isEmpty());
       assertEquals(one.last(on).events(), one.last(WingPart.LEFT).events());
@@ -96,28 +96,28 @@ class WingEdgesTest {
   void edgesWithoutEventsCountAsDisabled(int polarity) {
     EventPacket fly = Flies.events(0.6, FLY);
     FlyScene truth = Flies.scene(FLY);
-    double usual = angleDeg(Said.of(fly, settings("filter.model=EDGES")), truth);
+    double usual = angleDeg(TrackerOutput.of(fly, settings("filter.model=EDGES")), truth);
     EventPacket part = new EventPacket(0);
     for (int i = 0; i < fly.size(); i++) {
       if (fly.timeUs(i) < 100_000 || (fly.isOn(i) ? 1 : 0) == polarity) {
         part.append(fly.timeUs(i), fly.address(i));
       }
     }
-    Said said = Said.of(part, settings("filter.model=EDGES"));
-    assertTrue(angleDeg(said, truth) <= 1.5 * usual);
-    assertTrue(beats(said) > 75, beats(said) + " beats");
+    TrackerOutput output = TrackerOutput.of(part, settings("filter.model=EDGES"));
+    assertTrue(angleDeg(output, truth) <= 1.5 * usual);
+    assertTrue(beats(output) > 75, beats(output) + " beats");
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"filter.model=EDGES", "original"})
-  void eachEdgesNumbersAreThoseOfItsOwnFilter(String method) {
-    Said said = Said.of(Flies.events(0.3, FLY), settings(method));
-    WingTracker tracker = said.tracker;
+  void resultsOfAnEdgeAreThoseOfItsFilter(String method) {
+    TrackerOutput output = TrackerOutput.of(Flies.events(0.3, FLY), settings(method));
+    WingTracker tracker = output.tracker;
     // a tick at the very end, so that the filters are as they were told
-    long atUs = said.last(WingPart.LEFT).timeUs() + 1000;
+    long atUs = output.last(WingPart.LEFT).timeUs() + 1000;
     tracker.track(EventPacket.of(new long[] {atUs}, new int[] {0}));
     for (WingFilterState filter : tracker.filters()) {
-      WingEstimate edge = said.last(filter.part());
+      WingEstimate edge = output.last(filter.part());
       assertEquals(atUs, edge.timeUs());
       assertEquals(filter.x().get(0), edge.centreRad());
       assertEquals(filter.x().get(1), edge.amplitudeRad());
@@ -125,11 +125,11 @@ class WingEdgesTest {
       assertEquals(Math.sqrt(filter.p().get(15)) / (2 * Math.PI), edge.sdFrequencyHz());
       assertEquals(filter.events(), edge.events());
     }
-    assertEdgesDiffer(said);
+    assertEdgesDiffer(output);
     for (WingPart wing : new WingPart[] {WingPart.LEFT, WingPart.RIGHT}) {
-      WingEstimate leading = said.last(WingPart.edge(wing.sideNumber(), 0));
-      WingEstimate trailing = said.last(WingPart.edge(wing.sideNumber(), 1));
-      WingEstimate mean = said.last(wing);
+      WingEstimate leading = output.last(WingPart.edge(wing.sideNumber(), 0));
+      WingEstimate trailing = output.last(WingPart.edge(wing.sideNumber(), 1));
+      WingEstimate mean = output.last(wing);
       assertEquals((leading.centreRad() + trailing.centreRad()) / 2, mean.centreRad(), 1e-9);
       assertEquals(
           (leading.amplitudeRad() + trailing.amplitudeRad()) / 2, mean.amplitudeRad(), 1e-9);
@@ -139,9 +139,9 @@ class WingEdgesTest {
     }
   }
 
-  private static void assertEdgesDiffer(Said said) {
-    List<WingEstimate> leading = late(said, WingPart.LEFT_LEADING);
-    List<WingEstimate> trailing = late(said, WingPart.LEFT_TRAILING);
+  private static void assertEdgesDiffer(TrackerOutput output) {
+    List<WingEstimate> leading = late(output, WingPart.LEFT_LEADING);
+    List<WingEstimate> trailing = late(output, WingPart.LEFT_TRAILING);
     assertEquals(leading.size(), trailing.size());
     for (int i = 0; i < leading.size(); i++) {
       WingEstimate a = leading.get(i);
@@ -155,16 +155,16 @@ class WingEdgesTest {
   }
 
   @Test
-  void theRunningAverageHasNumbersOfEachEdge() {
-    assertEdgesDiffer(Said.of(Flies.events(0.3, FLY), settings("filter.method=WRA")));
+  void runningAverageHasResultsForEachEdge() {
+    assertEdgesDiffer(TrackerOutput.of(Flies.events(0.3, FLY), settings("filter.method=WRA")));
   }
 
   @Test
-  void edgesOfOneFilterOverTheWingAreHalfAWidthApartFromIt() {
-    Said said = Said.of(Flies.events(0.3, FLY), settings("filter.model=WINGS"));
-    WingEstimate wing = said.last(WingPart.LEFT);
-    WingEstimate leading = said.last(WingPart.LEFT_LEADING);
-    WingEstimate trailing = said.last(WingPart.LEFT_TRAILING);
+  void edgesOfAWingFilterLieHalfAWidthFromIt() {
+    TrackerOutput output = TrackerOutput.of(Flies.events(0.3, FLY), settings("filter.model=WINGS"));
+    WingEstimate wing = output.last(WingPart.LEFT);
+    WingEstimate leading = output.last(WingPart.LEFT_LEADING);
+    WingEstimate trailing = output.last(WingPart.LEFT_TRAILING);
     double width = leading.amplitudeRad() - wing.amplitudeRad();
     assertEquals(0.03, width, 0.012);
     assertEquals(wing.amplitudeRad() - width, trailing.amplitudeRad(), 1e-9);
@@ -196,7 +196,8 @@ class WingEdgesTest {
             }
           }
         };
-    WingTracker tracker = new WingTracker(Said.SENSOR, settings("filter.model=EDGES"), listener);
+    WingTracker tracker =
+        new WingTracker(TrackerOutput.SENSOR, settings("filter.model=EDGES"), listener);
     tracker.track(fly);
     for (WingFilterState filter : tracker.filters()) {
       WingMeasurement last =
@@ -210,9 +211,9 @@ class WingEdgesTest {
   void combinedMethodsYieldTheResultsOfEachAlone() {
     EventPacket fly = Flies.events(0.35, FLY);
     String[] follow = {"average.bodyUpdate=true", "average.headingUpdate=true"};
-    Said average = Said.of(fly, settings("filter.method=WRA", follow));
-    Said filter = Said.of(fly, settings("filter.method=EKF"));
-    Said both = Said.of(fly, settings("filter.method=BOTH", follow));
+    TrackerOutput average = TrackerOutput.of(fly, settings("filter.method=WRA", follow));
+    TrackerOutput filter = TrackerOutput.of(fly, settings("filter.method=EKF"));
+    TrackerOutput both = TrackerOutput.of(fly, settings("filter.method=BOTH", follow));
     List<WingEstimate> wings =
         average.estimates.stream()
             .filter(e -> e.edge() == WingPart.LEFT || e.edge() == WingPart.RIGHT)
@@ -221,18 +222,18 @@ class WingEdgesTest {
     assertEquals(wings, both.averages);
     assertEquals(filter.estimates, both.estimates);
     assertEquals(filter.beats, both.beats);
-    Said still = Said.of(fly, settings("filter.method=BOTH"));
+    TrackerOutput still = TrackerOutput.of(fly, settings("filter.method=BOTH"));
     assertNotEquals(still.averages, both.averages, "the body moves with the beats");
     WingBeat last = average.beats.get(average.beats.size() - 1);
     assertEquals(232, last.frequencyHz(), 20);
   }
 
   @Test
-  void besideFiltersOfTheEdgesTheBeatsMoveTheBodyOfBoth() {
+  void beatsMoveTheBodyOfBothMethodsWithEdgeFilters() {
     EventPacket fly = Flies.events(0.35, FLY);
     String[] follow = {"average.bodyUpdate=true", "filter.model=EDGES"};
     for (String method : new String[] {"filter.method=BOTH", "filter.method=EKF"}) {
-      Said moved = Said.of(fly, settings(method, follow));
+      TrackerOutput moved = TrackerOutput.of(fly, settings(method, follow));
       double x = moved.tracker.geometry().orElseThrow().centreX();
       double y = moved.tracker.geometry().orElseThrow().centreY();
       double away = Math.hypot(x - moved.geometry.centreX(), y - moved.geometry.centreY());

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the settings of the methods do. */
+/** Effects of the settings of the methods. */
 class WingMethodsTest {
   private static final String STEADY = "disturbances.manoeuvres.everyS=0";
   private static final String EVEN = "stroke.beat.frequencySdHz=0";
@@ -42,7 +42,7 @@ class WingMethodsTest {
   }
 
   @Test
-  void moreHarmonicsFollowAStrokeThatIsNoSinusoid() {
+  void harmonicsFollowANonSinusoidalStroke() {
     WingScores[] by =
         scores(
             Flies.scene(STEADY, SPARSE, "stroke.beat.waveform=CHEN_SUN"),
@@ -58,7 +58,7 @@ class WingMethodsTest {
   }
 
   @Test
-  void theSameSettingsFollowAManoeuvreAndSteadyFlight() {
+  void sameSettingsFollowManoeuvresAndSteadyFlight() {
     String[] both = {"filter.harmonics=3", "noise.manoeuvre=0"};
     String often = "disturbances.manoeuvres.everyS=1.3";
     String few = "fly.wing.visibleShare=0.04";
@@ -78,7 +78,7 @@ class WingMethodsTest {
 
   @ParameterizedTest
   @ValueSource(ints = {1, 10})
-  void aFilterForEachEdgeKeepsTheFlyThroughAManoeuvreAsAPlainSinusoidCan(int averaged) {
+  void edgeFiltersKeepTheFlyThroughAManoeuvre(int averaged) {
     WingScores scores =
         scores(
             Flies.scene(SPARSE, "disturbances.manoeuvres.everyS=1.3", "run.seed=5"),
@@ -90,18 +90,18 @@ class WingMethodsTest {
   }
 
   @Test
-  void theHalfWidthOfTheWingIsFound() {
-    Said said = Said.with(Flies.events(0.3, STEADY, SPARSE));
-    for (WingFilterState filter : said.tracker.filters()) {
+  void halfWidthOfTheWingIsEstimated() {
+    TrackerOutput output = TrackerOutput.with(Flies.events(0.3, STEADY, SPARSE));
+    for (WingFilterState filter : output.tracker.filters()) {
       assertEquals(0.03, filter.x().get(filter.names().indexOf("half width")), 0.012);
     }
   }
 
   @Test
-  void latencyThatIsKnownShiftsThePhaseByItsShareOfABeat() {
+  void knownLatencyShiftsThePhase() {
     EventPacket fly = Flies.events(0.15, STEADY, SPARSE);
-    WingEstimate none = Said.with(fly, "filter.latencyUs=0").last(WingPart.LEFT);
-    WingEstimate known = Said.with(fly, "filter.latencyUs=200").last(WingPart.LEFT);
+    WingEstimate none = TrackerOutput.with(fly, "filter.latencyUs=0").last(WingPart.LEFT);
+    WingEstimate known = TrackerOutput.with(fly, "filter.latencyUs=200").last(WingPart.LEFT);
     assertEquals(
         2 * Math.PI * none.frequencyHz() * 200e-6,
         Angles.wrapPi(known.phaseRad() - none.phaseRad()),
@@ -110,17 +110,17 @@ class WingMethodsTest {
   }
 
   @Test
-  void eventsAreAveragedBeforeAnUpdateOfAnEdge() {
+  void eventsAreAveragedBeforeAnEdgeUpdate() {
     EventPacket fly = Flies.events(0.12, STEADY, SPARSE);
     int most = fly.size() - 400;
     for (int averaged : new int[] {1, 100}) {
-      Said said = new Said();
+      TrackerOutput output = new TrackerOutput();
       WingTracker tracker =
           new WingTracker(
-              Said.SENSOR,
+              TrackerOutput.SENSOR,
               WingTrackerSettings.defaults()
                   .with("filter.model=EDGES", "filter.averagedEvents=" + averaged),
-              said);
+              output);
       EventPacket part = new EventPacket(0);
       part.append(fly, 0, most);
       tracker.track(part);
@@ -142,21 +142,22 @@ class WingMethodsTest {
   }
 
   @Test
-  void eventsOfAShortTimeInOneUpdateSayTheSameAsEachOfThem() {
+  void averagedUpdatesEqualSingleUpdates() {
     EventPacket fly = Flies.events(0.3, STEADY, SPARSE);
-    WingEstimate each = Said.with(fly, "filter.averagingUs=0").last(WingPart.RIGHT);
-    WingEstimate together = Said.with(fly, "filter.averagingUs=50").last(WingPart.RIGHT);
+    WingEstimate each = TrackerOutput.with(fly, "filter.averagingUs=0").last(WingPart.RIGHT);
+    WingEstimate together = TrackerOutput.with(fly, "filter.averagingUs=50").last(WingPart.RIGHT);
     assertEquals(each.frequencyHz(), together.frequencyHz(), 0.15);
     assertEquals(each.angleRad(), together.angleRad(), 0.01);
   }
 
   @Test
-  void bothWingsTogetherAreTheDifferenceAndTheSumOfEach() {
+  void pairResultsAreDifferenceAndSumOfBothWings() {
     double lag = 0.2;
-    Said said = Said.with(Flies.events(0.2, STEADY, "stroke.right.phaseLagRad=" + lag));
-    WingPair pair = said.pairs.get(said.pairs.size() - 1);
-    WingEstimate left = said.last(WingPart.LEFT);
-    WingEstimate right = said.last(WingPart.RIGHT);
+    TrackerOutput output =
+        TrackerOutput.with(Flies.events(0.2, STEADY, "stroke.right.phaseLagRad=" + lag));
+    WingPair pair = output.pairs.get(output.pairs.size() - 1);
+    WingEstimate left = output.last(WingPart.LEFT);
+    WingEstimate right = output.last(WingPart.RIGHT);
     assertEquals(left.angleRad() - right.angleRad(), pair.leftMinusRightRad(), 1e-9);
     assertEquals(left.angleRad() + right.angleRad(), pair.leftPlusRightRad(), 1e-9);
     assertEquals(
@@ -164,19 +165,19 @@ class WingMethodsTest {
     assertEquals(
         left.amplitudeRad() + right.amplitudeRad(), pair.amplitudeLeftPlusRightRad(), 1e-9);
     assertEquals(-lag, pair.phaseLagRad(), 0.04);
-    WingBeat beat = said.beats.get(said.beats.size() - 1);
+    WingBeat beat = output.beats.get(output.beats.size() - 1);
     assertEquals(beat.side() == WingPart.RIGHT ? lag : -lag, beat.phaseLagRad(), 0.04);
   }
 
   @Test
-  void theRunningAverageCountsTheBeatsOfWideAndOfNarrowStrokes() {
+  void runningAverageCountsBeatsOfWideAndNarrowStrokes() {
     for (double amplitude : new double[] {0.55, 1.3}) {
       String set = "stroke.%s.amplitudeRad=" + amplitude;
       EventPacket fly =
           Flies.events(0.4, STEADY, EVEN, String.format(set, "left"), String.format(set, "right"));
-      Said said = Said.with(fly, "filter.method=WRA");
+      TrackerOutput output = TrackerOutput.with(fly, "filter.method=WRA");
       List<WingBeat> late =
-          said.beats.stream()
+          output.beats.stream()
               .filter(b -> b.timeUs() > 100_000 && b.side() == WingPart.LEFT)
               .toList();
       assertEquals(60, late.size(), 1, "beats with an amplitude of " + amplitude);
@@ -192,16 +193,16 @@ class WingMethodsTest {
   void averageByTimeDoesNotDependOnTheEventRate() {
     String[] byTime = {"filter.method=WRA", "average.timeConstantUs=300"};
     double few =
-        Said.with(Flies.events(0.3, STEADY, EVEN, SPARSE), byTime)
+        TrackerOutput.with(Flies.events(0.3, STEADY, EVEN, SPARSE), byTime)
             .last(WingPart.LEFT)
             .amplitudeRad();
     double many =
-        Said.with(Flies.events(0.3, STEADY, EVEN, "fly.wing.visibleShare=0.6"), byTime)
+        TrackerOutput.with(Flies.events(0.3, STEADY, EVEN, "fly.wing.visibleShare=0.6"), byTime)
             .last(WingPart.LEFT)
             .amplitudeRad();
     assertEquals(many, few, 0.06);
     double slow =
-        Said.with(
+        TrackerOutput.with(
                 Flies.events(0.3, STEADY, EVEN, SPARSE),
                 "filter.method=WRA",
                 "average.timeConstantUs=1500")
@@ -211,30 +212,30 @@ class WingMethodsTest {
   }
 
   @Test
-  void whereAPersonPutTheBodyIsKeptWhileBodyAndHeadingFollowTheBeats() {
+  void manualBodyOffsetIsKeptWhileBodyAndHeadingFollowBeats() {
     EventPacket fly = Flies.events(0.4, STEADY, SPARSE);
     String[] follow = {
       "filter.method=WRA", "average.bodyUpdate=true", "average.headingUpdate=true"
     };
-    FlyGeometry plain = Said.with(fly, follow).tracker.geometry().orElseThrow();
-    WingTrackerSettings said =
+    FlyGeometry plain = TrackerOutput.with(fly, follow).tracker.geometry().orElseThrow();
+    WingTrackerSettings output =
         WingTrackerSettings.defaults().with(follow).with("position.bodyOffsetXPx=3");
-    FlyGeometry put = Said.of(fly, said).tracker.geometry().orElseThrow();
+    FlyGeometry put = TrackerOutput.of(fly, output).tracker.geometry().orElseThrow();
     assertEquals(plain.centreX() + 3, put.centreX(), 0.3);
     assertEquals(plain.centreY(), put.centreY(), 0.3);
-    FlyGeometry still = Said.with(fly, "filter.method=WRA").geometry;
+    FlyGeometry still = TrackerOutput.with(fly, "filter.method=WRA").geometry;
     assertTrue(
         Math.hypot(still.centreX() - plain.centreX(), still.centreY() - plain.centreY()) > 0.5,
         "the body has moved between the mean places of the wings' events");
   }
 
   @Test
-  void theHeadingFollowsTheBeatsWhileTheBodyStays() {
+  void headingFollowsBeatsWhileTheBodyStays() {
     // wings that stroke about unlike centres are not across from each other
     EventPacket fly = Flies.events(0.4, STEADY, SPARSE, "stroke.left.centreRad=1.3");
-    Said still = Said.with(fly, "filter.method=WRA");
+    TrackerOutput still = TrackerOutput.with(fly, "filter.method=WRA");
     FlyGeometry follows =
-        Said.with(fly, "filter.method=WRA", "average.headingUpdate=true")
+        TrackerOutput.with(fly, "filter.method=WRA", "average.headingUpdate=true")
             .tracker
             .geometry()
             .orElseThrow();
@@ -248,15 +249,15 @@ class WingMethodsTest {
   }
 
   @Test
-  void theOriginalsMethodHasItsSettingsAndKeepsAFlyNearItsStart() {
+  void originalPresetKeepsAFlyNearItsStart() {
     WingTrackerSettings original = WingTrackerSettings.original();
     assertEquals(WingModel.ORIGINAL, original.filter().model());
     assertEquals(2000, original.search().leastEvents());
     assertEquals(240, original.search().startFrequencyHz());
     EventPacket fly = Flies.events(0.5, STEADY, EVEN, "stroke.beat.frequencyHz=235");
-    Said said = Said.of(fly, original);
-    assertEquals(Phase.TRACKING, said.lastPhase());
-    List<WingFilterState> filters = said.tracker.filters();
+    TrackerOutput output = TrackerOutput.of(fly, original);
+    assertEquals(Phase.TRACKING, output.lastPhase());
+    List<WingFilterState> filters = output.tracker.filters();
     assertEquals(
         List.of(
             WingPart.LEFT_LEADING,
@@ -273,7 +274,7 @@ class WingMethodsTest {
     FlyScene truth = Flies.scene(STEADY, EVEN, "stroke.beat.frequencyHz=235");
     double squares = 0;
     List<WingEstimate> late =
-        said.of(WingPart.LEFT).stream().filter(e -> e.timeUs() > 335_000).toList();
+        output.of(WingPart.LEFT).stream().filter(e -> e.timeUs() > 335_000).toList();
     for (WingEstimate e : late) {
       FlyTruth now = truth.truthAt(e.timeUs());
       squares += Math.pow(Angles.wrapPi(e.angleRad() - now.leftAngleRad()), 2);

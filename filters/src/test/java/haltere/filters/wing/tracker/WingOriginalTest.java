@@ -30,21 +30,21 @@ class WingOriginalTest {
     return Flies.events(seconds, STEADY, SPARSE, "stroke.beat.frequencyHz=" + hz);
   }
 
-  private static WingTrackerState step(Said said, Phase phase) {
-    return said.states.stream().filter(s -> s.phase() == phase).findFirst().orElseThrow();
+  private static WingTrackerState step(TrackerOutput output, Phase phase) {
+    return output.states.stream().filter(s -> s.phase() == phase).findFirst().orElseThrow();
   }
 
   @Test
-  void theFlyIsFoundByTwoMeansOfThePixelsOfItsFirst2000Events() {
+  void flyIsFoundByTwoMeansOfTheFirst2000Events() {
     EventPacket fly = fly(235, 0.1);
-    Said said = Said.of(fly, WingTrackerSettings.original());
+    TrackerOutput output = TrackerOutput.of(fly, WingTrackerSettings.original());
     assertEquals(
         List.of(Phase.COLLECTING, Phase.TWO_MEANS, Phase.HEAD_AND_TAIL, Phase.UNLOCKED),
-        said.states.stream().limit(4).map(WingTrackerState::phase).toList());
-    WingTrackerState found = step(said, Phase.HEAD_AND_TAIL);
+        output.states.stream().limit(4).map(WingTrackerState::phase).toList());
+    WingTrackerState found = step(output, Phase.HEAD_AND_TAIL);
     assertEquals(fly.timeUs(1999), found.timeUs());
     assertEquals(240, found.frequencyHz());
-    FlyGeometry body = said.geometry;
+    FlyGeometry body = output.geometry;
     assertEquals(body.centreX(), body.leftHingeX());
     assertEquals(body.centreY(), body.rightHingeY());
     // the means: nearest points of each class
@@ -79,15 +79,16 @@ class WingOriginalTest {
   void bodyHeadingAndRegionFollowTheBeats(String method) {
     EventPacket fly = fly(235, 0.4);
     WingTrackerSettings settings = WingTrackerSettings.original().with("filter.method=" + method);
-    Said said = Said.of(fly, settings);
-    FlyGeometry now = said.tracker.geometry().orElseThrow();
-    assertTrue(now.centreY() != said.geometry.centreY());
-    assertTrue(now.headingRad() != said.geometry.headingRad());
-    assertEquals(now.sizePx(), said.tracker.regionPx(), 1e-9);
-    assertTrue(now.sizePx() != said.geometry.sizePx());
+    TrackerOutput output = TrackerOutput.of(fly, settings);
+    FlyGeometry now = output.tracker.geometry().orElseThrow();
+    assertTrue(now.centreY() != output.geometry.centreY());
+    assertTrue(now.headingRad() != output.geometry.headingRad());
+    assertEquals(now.sizePx(), output.tracker.regionPx(), 1e-9);
+    assertTrue(now.sizePx() != output.geometry.sizePx());
     assertEquals(now.centreX(), now.leftHingeX(), 1e-9, "no hinges");
-    Said still =
-        Said.of(fly, settings.with("average.bodyUpdate=false", "average.headingUpdate=false"));
+    TrackerOutput still =
+        TrackerOutput.of(
+            fly, settings.with("average.bodyUpdate=false", "average.headingUpdate=false"));
     FlyGeometry stays = still.tracker.geometry().orElseThrow();
     assertEquals(still.geometry.centreY(), stays.centreY());
     assertEquals(still.geometry.headingRad(), stays.headingRad());
@@ -95,23 +96,24 @@ class WingOriginalTest {
 
   @ParameterizedTest
   @ValueSource(ints = {112, 150})
-  void aFilterAtAnotherFrequencyThanTheBeatsIsNeverInLock(int hz) {
-    Said said = Said.of(fly(hz, 0.5), WingTrackerSettings.original());
-    assertFalse(said.phases().contains(Phase.TRACKING));
-    assertEquals(Phase.UNLOCKED, said.lastPhase());
-    assertEquals(List.of(), said.beats);
-    assertTrue(said.of(WingPart.LEFT).size() > 400, "it goes on all the same");
-    assertTrue(Math.abs(said.last(WingPart.LEFT).frequencyHz() - hz) > 20);
+  void filterAtAnotherFrequencyThanTheBeatIsNeverInLock(int hz) {
+    TrackerOutput output = TrackerOutput.of(fly(hz, 0.5), WingTrackerSettings.original());
+    assertFalse(output.phases().contains(Phase.TRACKING));
+    assertEquals(Phase.UNLOCKED, output.lastPhase());
+    assertEquals(List.of(), output.beats);
+    assertTrue(output.of(WingPart.LEFT).size() > 400, "it goes on all the same");
+    assertTrue(Math.abs(output.last(WingPart.LEFT).frequencyHz() - hz) > 20);
   }
 
   @Test
-  void aFilterNearItsStartIsInLockAndTheAverageAtAnyFrequency() {
-    Said filter = Said.of(fly(232, 0.5), WingTrackerSettings.original());
+  void filterNearItsStartAndRunningAverageAreInLock() {
+    TrackerOutput filter = TrackerOutput.of(fly(232, 0.5), WingTrackerSettings.original());
     assertEquals(Phase.TRACKING, filter.lastPhase());
     assertTrue(step(filter, Phase.TRACKING).timeUs() < 60_000);
     double mean = filter.beats.stream().mapToDouble(WingBeat::frequencyHz).average().orElse(0);
     assertEquals(230, mean, 8);
-    Said average = Said.of(fly(150, 0.5), WingTrackerSettings.original().with("filter.method=WRA"));
+    TrackerOutput average =
+        TrackerOutput.of(fly(150, 0.5), WingTrackerSettings.original().with("filter.method=WRA"));
     assertEquals(Phase.TRACKING, average.lastPhase());
     WingEstimate last = average.last(WingPart.RIGHT);
     assertEquals(148, last.frequencyHz(), 8);

@@ -86,7 +86,7 @@ class WingOverlayTest {
   }
 
   @Test
-  void drawsBodyHingesRegionFourEdgesAndTheirUncertainty() {
+  void overlayShowsBodyHingesRegionEdgesAndUncertainty() {
     Marks marks = draw(1.5, 1.6);
     assertEquals(2, marks.all.stream().filter("line LEFT"::equals).count());
     assertEquals(2, marks.all.stream().filter("line RIGHT"::equals).count());
@@ -97,7 +97,7 @@ class WingOverlayTest {
   }
 
   @Test
-  void aWingAtARightAngleToTheHeadingPointsToItsSide() {
+  void wingAtARightAngleToTheHeadingPointsToItsSide() {
     Marks marks = draw(Math.PI / 2, Math.PI / 2);
     double[] left = marks.lines.get(1);
     double[] right = marks.lines.get(3);
@@ -126,7 +126,7 @@ class WingOverlayTest {
   }
 
   @Test
-  void wingLinesGlideWithTheWingsOfTheSimulatedFly() throws IOException {
+  void wingLinesFollowTheSimulatedWings() throws IOException {
     List<Double> drawn = lineErrors(DefaultChain.forFly(new FlyScene(FLY).geometry()));
     assertTrue(shareWithin(1.5, drawn) > 0.97, "97 % are within 1.5 degrees");
     assertTrue(shareWithin(2, drawn) > 0.995, "nearly all are within 2 degrees");

@@ -13,13 +13,13 @@ class WingPicturesTest {
   private static final Path FOLDER = Path.of("build", "pictures");
 
   @Test
-  void theFilterIsNearTheTruthThroughoutTheStroke() throws IOException {
+  void filterIsNearTheTruthThroughoutTheStroke() throws IOException {
     double worst = WingPictures.stroke(FOLDER);
     assertTrue(worst < 4, "worst error in degrees: " + worst);
   }
 
   @Test
-  void theFilterFollowsAManoeuvre() throws IOException {
+  void filterFollowsAManoeuvre() throws IOException {
     double rms = WingPictures.manoeuvre(FOLDER);
     assertTrue(rms < 0.6, "error in hertz: " + rms);
   }

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the wing tracker publishes does not depend on the number of threads. */
+/** Results of the wing tracker do not depend on the number of threads. */
 @Timeout(120)
 class WingThreadsTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(128, 128);
@@ -37,23 +37,23 @@ class WingThreadsTest {
         "filter.model=EDGES"
       })
   void twoThreadsYieldTheResultsOfOneAcrossJumpsAndGaps(String setting) {
-    List<String> one = said(1, setting, true, 1);
+    List<String> one = output(1, setting, true, 1);
     assertTrue(one.size() > 500, "rows: " + one.size());
-    assertEquals(one, said(2, setting, true, 2));
+    assertEquals(one, output(2, setting, true, 2));
   }
 
   @Test
-  void estimatesAreTheSameWhetherMeasurementsAreWantedOrNot() {
-    List<String> wanted = said(2, "output.rateHz=1000", true, 3);
+  void estimatesDoNotDependOnSubscribersOfMeasurements() {
+    List<String> wanted = output(2, "output.rateHz=1000", true, 3);
     wanted.removeIf(row -> row.startsWith("measurements"));
-    assertEquals(wanted, said(2, "output.rateHz=1000", false, 4));
+    assertEquals(wanted, output(2, "output.rateHz=1000", false, 4));
   }
 
   /**
    * All that is published, in its order, with a jump to the start, a gap, and packets by chance.
    */
-  private List<String> said(int threads, String setting, boolean measurements, long seed) {
-    List<String> said = new ArrayList<>();
+  private List<String> output(int threads, String setting, boolean measurements, long seed) {
+    List<String> output = new ArrayList<>();
     Random random = new Random(seed);
     try (SharedWork work = new SharedWork(threads);
         FilterChain chain = new FilterChain(SENSOR)) {
@@ -62,7 +62,7 @@ class WingThreadsTest {
       chain.share(work);
       for (Outlet<?> outlet : chain.outlets()) {
         if (measurements || !outlet.name().equals("measurements")) {
-          outlet.subscribe(result -> said.add(outlet.name() + " " + result));
+          outlet.subscribe(result -> output.add(outlet.name() + " " + result));
         }
       }
       chain.notified(new StreamStarted(SENSOR, "test"));
@@ -74,7 +74,7 @@ class WingThreadsTest {
       feed(chain, random, events.size() / 2, events.size());
       chain.notified(new EndOfStream(events.lastTimeUs()));
     }
-    return said;
+    return output;
   }
 
   private void feed(FilterChain chain, Random random, int from, int to) {

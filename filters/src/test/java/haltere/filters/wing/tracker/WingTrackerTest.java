@@ -53,7 +53,7 @@ class WingTrackerTest {
 
   /** Its stroke was followed wrongly after the first beat, on the way into parts not yet seen. */
   @Test
-  void aFlyWithDenseEventsIsKeptFromItsFirstBeatOn() {
+  void flyWithDenseEventsIsTrackedFromItsFirstBeat() {
     FlyScene scene = new FlyScene(RandomFlies.random(7365));
     WingScores scores = new WingScores(scene, WingTrackerSettings.defaults()).run(0.12);
     assertTrue(scores.foundAtUs() >= 0, "found");
@@ -63,9 +63,10 @@ class WingTrackerTest {
   @Test
   void slowAndFastBeatsAreFoundWithoutAHint() {
     for (double hz : new double[] {80, 140, 350}) {
-      Said said =
-          Said.with(Flies.events(0.12, STEADY, "stroke.beat.frequencyHz=" + hz, "run.seed=3"));
-      WingEstimate last = said.estimates.get(said.estimates.size() - 1);
+      TrackerOutput output =
+          TrackerOutput.with(
+              Flies.events(0.12, STEADY, "stroke.beat.frequencyHz=" + hz, "run.seed=3"));
+      WingEstimate last = output.estimates.get(output.estimates.size() - 1);
       assertEquals(hz, last.frequencyHz(), 0.1 * hz);
     }
   }
@@ -86,12 +87,13 @@ class WingTrackerTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {0.5, 2})
-  void aFilterOnHalfOrTwiceTheFrequencyIsFoundOutWithin50Ms(double multiple) {
+  void filterAtHalfOrDoubleFrequencyIsDetectedWithin50Ms(double multiple) {
     EventPacket events = Flies.events(0.3, STEADY, "stroke.beat.frequencyHz=190");
     int half = events.indexAtOrAfter(events.firstTimeUs() + 120_000);
     long provokedUs = events.timeUs(half);
-    Said said = new Said();
-    WingTracker tracker = new WingTracker(Said.SENSOR, WingTrackerSettings.defaults(), said);
+    TrackerOutput output = new TrackerOutput();
+    WingTracker tracker =
+        new WingTracker(TrackerOutput.SENSOR, WingTrackerSettings.defaults(), output);
     tracker.track(part(events, 0, half));
     for (WingFilterState filter : tracker.filters()) {
       double omega = filter.value(Table.STATE, 3, 0);
@@ -101,11 +103,11 @@ class WingTrackerTest {
       tracker.edit(new WingFilterEdit(filter.part(), Table.PROCESS_NOISE, 3, 0, 0));
     }
     tracker.track(part(events, half, events.size()));
-    assertTrue(said.phases().contains(Phase.LOST), "it was found out");
+    assertTrue(output.phases().contains(Phase.LOST), "it was found out");
     long wrongUntilUs = provokedUs;
     int wrong = 0;
     int right = 0;
-    for (WingEstimate e : said.estimates) {
+    for (WingEstimate e : output.estimates) {
       if (e.timeUs() > provokedUs) {
         if (Math.abs(e.frequencyHz() / 190 - 1) > 0.2) {
           wrong++;
@@ -122,13 +124,13 @@ class WingTrackerTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"filter.model=WINGS", "filter.model=EDGES", "filter.method=WRA"})
-  void aStartFrequencyFarFromTheTruthIsFoundOutAndTheBeatSearchedAgain(String method) {
+  void wrongStartFrequencyIsDetectedAndTheSearchRepeated(String method) {
     EventPacket fly =
         Flies.events(0.4, STEADY, "stroke.beat.frequencyHz=203", "fly.wing.visibleShare=0.15");
     for (int startHz : new int[] {120, 300, 406}) {
-      Said said = Said.with(fly, method, "search.startFrequencyHz=" + startHz);
+      TrackerOutput output = TrackerOutput.with(fly, method, "search.startFrequencyHz=" + startHz);
       List<WingEstimate> late =
-          said.of(WingPart.LEFT).stream().filter(e -> e.timeUs() > 120_000).toList();
+          output.of(WingPart.LEFT).stream().filter(e -> e.timeUs() > 120_000).toList();
       assertTrue(late.size() > 250, startHz + ": " + late.size() + " estimates");
       double mean = late.stream().mapToDouble(WingEstimate::frequencyHz).average().orElse(0);
       assertEquals(203, mean, 8, "started at " + startHz);
@@ -139,12 +141,12 @@ class WingTrackerTest {
   void estimatesHaveEventTimesUnlessADelayIsSet() {
     EventPacket fly = Flies.events(0.1, STEADY, "fly.wing.visibleShare=0.15");
     assertEquals(0, WingTrackerSettings.defaults().filter().latencyUs());
-    Said usual = Said.with(fly);
+    TrackerOutput usual = TrackerOutput.with(fly);
     EventPacket later = new EventPacket(0);
     for (int i = 0; i < fly.size(); i++) {
       later.append(fly.timeUs(i) + 2000, fly.address(i));
     }
-    Said shifted = Said.with(later, "filter.latencyUs=2000");
+    TrackerOutput shifted = TrackerOutput.with(later, "filter.latencyUs=2000");
     WingEstimate now = usual.last(WingPart.LEFT);
     // a camera whose stamps are late by a known delay says the same of the same time
     WingEstimate same =
@@ -163,12 +165,14 @@ class WingTrackerTest {
   }
 
   @Test
-  void userChangesOfAFilterHoldUntilItsRestart() {
-    Said said = new Said();
+  void manualFilterEditsLastUntilItsRestart() {
+    TrackerOutput output = new TrackerOutput();
     for (String model : new String[] {"WINGS", "EDGES"}) {
       WingTracker tracker =
           new WingTracker(
-              Said.SENSOR, WingTrackerSettings.defaults().with("filter.model=" + model), said);
+              TrackerOutput.SENSOR,
+              WingTrackerSettings.defaults().with("filter.model=" + model),
+              output);
       EventPacket events = Flies.events(0.09, STEADY);
       int half = events.size() / 2;
       tracker.track(part(events, 0, half));
@@ -198,16 +202,16 @@ class WingTrackerTest {
     }
     WingTracker average =
         new WingTracker(
-            Said.SENSOR, WingTrackerSettings.defaults().with("filter.method=WRA"), said);
+            TrackerOutput.SENSOR, WingTrackerSettings.defaults().with("filter.method=WRA"), output);
     average.track(Flies.events(0.05, STEADY));
     assertEquals(List.of(), average.filters());
     assertThrows(IllegalArgumentException.class, () -> average.restart(WingPart.LEFT));
   }
 
   @Test
-  void theStepsOfTheSearchArePublishedInOrder() {
-    Said said = Said.with(Flies.events(0.08, STEADY));
-    List<Phase> phases = said.states.stream().map(WingTrackerState::phase).toList();
+  void searchStepsArePublishedInOrder() {
+    TrackerOutput output = TrackerOutput.with(Flies.events(0.08, STEADY));
+    List<Phase> phases = output.states.stream().map(WingTrackerState::phase).toList();
     assertEquals(
         List.of(
             Phase.COLLECTING,
@@ -220,10 +224,10 @@ class WingTrackerTest {
   }
 
   @Test
-  void withHeadAndTailExchangedLeftIsRightAndTheAnglesAreMirrored() {
+  void exchangedHeadAndTailMirrorSidesAndAngles() {
     EventPacket events = Flies.events(0.15, STEADY);
-    Said plain = Said.with(events);
-    Said flipped = Said.with(events, "position.flipHeading=true");
+    TrackerOutput plain = TrackerOutput.with(events);
+    TrackerOutput flipped = TrackerOutput.with(events, "position.flipHeading=true");
     assertEquals(
         Math.PI,
         Math.abs(Angles.wrapPi(plain.geometry.headingRad() - flipped.geometry.headingRad())),
@@ -236,27 +240,28 @@ class WingTrackerTest {
   @Test
   void userPositionsAreOffsetsThatSurviveAReset() {
     EventPacket events = Flies.events(0.1, STEADY);
-    Said said = new Said();
-    WingTracker tracker = new WingTracker(Said.SENSOR, WingTrackerSettings.defaults(), said);
+    TrackerOutput output = new TrackerOutput();
+    WingTracker tracker =
+        new WingTracker(TrackerOutput.SENSOR, WingTrackerSettings.defaults(), output);
     tracker.track(EventPacket.of(events.timesUs(), events.addresses()));
-    FlyGeometry found = said.geometry;
+    FlyGeometry found = output.geometry;
     tracker.apply(tracker.withBodyAt(found.centreX() + 2, found.centreY()));
     tracker.apply(tracker.withHeading(found.headingRad() + 0.1));
     tracker.apply(tracker.withRegion(30));
     tracker.reset();
     tracker.track(events);
     assertEquals(30, tracker.regionPx(), 1);
-    assertEquals(found.centreX() + 2, said.geometry.centreX(), 0.5);
-    assertEquals(0.1, Angles.wrapPi(said.geometry.headingRad() - found.headingRad()), 0.03);
+    assertEquals(found.centreX() + 2, output.geometry.centreX(), 0.5);
+    assertEquals(0.1, Angles.wrapPi(output.geometry.headingRad() - found.headingRad()), 0.03);
   }
 
   @Test
-  void whereAPersonPutTheBodyItStaysAlthoughTheHingesAreFollowed() {
+  void manualBodyPositionIsKeptWhileHingesAreFollowed() {
     EventPacket events = Flies.events(0.6, STEADY, "fly.wing.visibleShare=0.15");
-    WingTracker plain = Said.with(events).tracker;
+    WingTracker plain = TrackerOutput.with(events).tracker;
     FlyGeometry found = plain.geometry().orElseThrow();
     FlyGeometry put =
-        Said.with(events, "position.bodyOffsetXPx=3", "position.bodyOffsetYPx=-2")
+        TrackerOutput.with(events, "position.bodyOffsetXPx=3", "position.bodyOffsetYPx=-2")
             .tracker
             .geometry()
             .orElseThrow();
@@ -273,25 +278,26 @@ class WingTrackerTest {
       packet.append(150_000 + i * 2000L, i % 7, 3, true);
     }
     for (int rateHz : new int[] {1, 70, 1000}) {
-      Said said = Said.with(packet, "output.rateHz=" + rateHz);
-      WingTrackerState last = said.states.get(said.states.size() - 1);
+      TrackerOutput output = TrackerOutput.with(packet, "output.rateHz=" + rateHz);
+      WingTrackerState last = output.states.get(output.states.size() - 1);
       assertEquals(Phase.LOST, last.phase(), rateHz + " Hz");
       assertTrue(last.timeUs() < 220_000, rateHz + " Hz: " + last.timeUs());
     }
   }
 
   @Test
-  void theRateOfTheEstimatesIsChangedInFlight() {
+  void estimateRateIsChangedInFlight() {
     EventPacket fly = Flies.events(0.25, STEADY, "fly.wing.visibleShare=0.15");
-    Said said = new Said();
-    WingTracker tracker = new WingTracker(Said.SENSOR, WingTrackerSettings.defaults(), said);
+    TrackerOutput output = new TrackerOutput();
+    WingTracker tracker =
+        new WingTracker(TrackerOutput.SENSOR, WingTrackerSettings.defaults(), output);
     int third = fly.size() / 3;
     tracker.track(part(fly, 0, third));
     tracker.apply(tracker.settings().with("output.rateHz=100"));
     tracker.track(part(fly, third, 2 * third));
     tracker.apply(tracker.settings().with("output.rateHz=1000"));
     tracker.track(part(fly, 2 * third, fly.size()));
-    List<WingEstimate> left = said.of(WingPart.LEFT);
+    List<WingEstimate> left = output.of(WingPart.LEFT);
     long slowFromUs = fly.timeUs(third);
     long slowToUs = fly.timeUs(2 * third);
     for (int i = 1; i < left.size(); i++) {
@@ -305,9 +311,9 @@ class WingTrackerTest {
   }
 
   @Test
-  void howTheFlyWasFoundCanBeLookedAt() {
+  void searchStepsOfTheLastSearchAreAvailable() {
     EventPacket fly = Flies.events(0.06, STEADY, "fly.wing.visibleShare=0.15");
-    WingTracker tracker = Said.with(fly).tracker;
+    WingTracker tracker = TrackerOutput.with(fly).tracker;
     assertEquals(
         List.of(Phase.TWO_MEANS, Phase.BEAT, Phase.HINGES, Phase.HEAD_AND_TAIL, Phase.TRACKING),
         tracker.searchSteps().stream().map(WingTrackerState::phase).toList());
@@ -322,8 +328,9 @@ class WingTrackerTest {
   @Test
   void settingsChangedInFlightKeepTheTrack() {
     EventPacket fly = Flies.events(0.3, STEADY);
-    Said said = new Said();
-    WingTracker tracker = new WingTracker(Said.SENSOR, WingTrackerSettings.defaults(), said);
+    TrackerOutput output = new TrackerOutput();
+    WingTracker tracker =
+        new WingTracker(TrackerOutput.SENSOR, WingTrackerSettings.defaults(), output);
     String[] changes = {
       "noise.frequency=500", "filter.harmonics=2", "filter.model=EDGES", "filter.model=WINGS"
     };

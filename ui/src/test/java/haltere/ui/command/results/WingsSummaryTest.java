@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 
 class WingsSummaryTest {
   @Test
-  void theShareOfTimeInLockIsOfBothStretchesOfAClockThatRestarts() {
+  void shareOfTimeInLockCoversBothSegmentsOfARestartedClock() {
     FlyScene scene = new FlyScene(FlySceneSettings.defaults().with("run.durationS=0.1"));
     EventPacket fly = SceneEvents.of(scene);
     WingTrackerFilter filter =

@@ -46,7 +46,7 @@ class LiveStatusTest {
   }
 
   @Test
-  void aLineSaysWhatComesWhatIsLostAndWhatWaits() throws IOException {
+  void statusLineShowsRateLossAndBacklog() throws IOException {
     try (Camera camera = fly();
         LiveStatus status = status(true, camera)) {
       take(camera, 300);
@@ -63,7 +63,7 @@ class LiveStatusTest {
   }
 
   @Test
-  void theRateIsThatOfTheLastMoment() throws IOException {
+  void rateIsThatOfTheLatestInterval() throws IOException {
     try (Camera camera = fly();
         LiveStatus status = status(true, camera)) {
       take(camera, 1000);
@@ -76,7 +76,7 @@ class LiveStatusTest {
   }
 
   @Test
-  void withoutATerminalThereIsNone() throws IOException {
+  void noStatusLineAppearsWithoutATerminal() throws IOException {
     try (Camera camera = fly();
         LiveStatus status = status(false, camera)) {
       take(camera, 1000);

@@ -23,7 +23,7 @@ class ProgressBarTest {
   }
 
   @Test
-  void showsTheShareTheRateAndTheTimeLeft() {
+  void barShowsShareRateAndRemainingTime() {
     ProgressBar bar = bar(true);
     nanos += 10_000_000_000L;
     bar.progress(250_000_000, 1_000_000_000);
@@ -31,7 +31,7 @@ class ProgressBarTest {
   }
 
   @Test
-  void showsEventsWhereTheyAreCounted() {
+  void barShowsEventsIfTheyAreCounted() {
     ProgressBar bar = bar(true);
     nanos += 2_000_000_000L;
     bar.events(30_000_000);
@@ -40,7 +40,7 @@ class ProgressBarTest {
   }
 
   @Test
-  void drawsAtMostTenTimesASecond() {
+  void barIsDrawnAtMostTenTimesASecond() {
     ProgressBar bar = bar(true);
     for (int i = 0; i < 1000; i++) {
       nanos += 1_000_000;
@@ -50,7 +50,7 @@ class ProgressBarTest {
   }
 
   @Test
-  void staysOnOneLineAndIsErasedAtTheEnd() {
+  void barStaysOnOneLineAndIsErasedAtTheEnd() {
     ProgressBar bar = bar(true);
     nanos += 1_000_000_000L;
     bar.progress(1, 100);
@@ -61,7 +61,7 @@ class ProgressBarTest {
   }
 
   @Test
-  void aLongNameKeepsItsEndAndTheLineItsWidth() {
+  void longNameIsShortenedToTheWidthOfTheLine() {
     String label = "tracking dvs128-moving-dark-box-second-session-0042.aedat";
     ProgressBar bar =
         new ProgressBar(
@@ -75,7 +75,7 @@ class ProgressBarTest {
   }
 
   @Test
-  void withoutATerminalThereIsNothing() {
+  void noBarAppearsWithoutATerminal() {
     ProgressBar bar = bar(false);
     nanos += 1_000_000_000L;
     bar.progress(1, 2);
@@ -84,7 +84,7 @@ class ProgressBarTest {
   }
 
   @Test
-  void aTotalThatIsNotKnownDoesNoHarm() {
+  void unknownTotalIsHandled() {
     ProgressBar bar = bar(true);
     nanos += 1_000_000_000L;
     bar.progress(0, 0);

@@ -26,19 +26,19 @@ class StandardOutputTest {
   }
 
   @Test
-  void aReaderThatHasSeenEnoughIsNoFailure() {
+  void closedReaderIsNoFailure() {
     assertEquals(Optional.empty(), failureWith("Broken pipe"));
   }
 
   @Test
-  void aFullDiskIsAFailure() {
+  void fullDiskIsAFailure() {
     assertEquals(
         Optional.of("the standard output cannot be written: No space left on device"),
         failureWith("No space left on device"));
   }
 
   @Test
-  void whatIsWrittenArrives() throws IOException {
+  void writtenBytesArrive() throws IOException {
     java.io.ByteArrayOutputStream bytes = new java.io.ByteArrayOutputStream();
     StandardOutput output = new StandardOutput(bytes);
     output.write("hal".getBytes(StandardCharsets.UTF_8));

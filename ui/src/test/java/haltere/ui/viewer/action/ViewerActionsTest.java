@@ -25,7 +25,7 @@ class ViewerActionsTest {
   }
 
   @Test
-  void anActionIsDoneByItsId() {
+  void actionRunsByItsId() {
     ViewerActions actions = new ViewerActions();
     actions.add(action("one", "First"), action("two", "Second"));
     actions.run("two");
@@ -34,7 +34,7 @@ class ViewerActionsTest {
   }
 
   @Test
-  void idsAndKeysAreTakenOnce() {
+  void duplicateIdsAndKeysAreRejected() {
     ViewerActions actions = new ViewerActions();
     actions.add(action("one", "First").withKey("X"));
     assertThrows(IllegalArgumentException.class, () -> actions.add(action("one", "Again")));
@@ -45,7 +45,7 @@ class ViewerActionsTest {
   }
 
   @Test
-  void wordsInAnyOrderFindAnAction() {
+  void actionIsFoundByWordsInAnyOrder() {
     ViewerActions actions = new ViewerActions();
     actions.add(
         action("save", "Save the chain").withHelp("Writes a file."),
@@ -68,7 +68,7 @@ class ViewerActionsTest {
   }
 
   @Test
-  void thePaletteDoesWhatWasSearchedFor() {
+  void paletteRunsTheFoundAction() {
     try (ViewerHarness viewer = ViewerHarness.withBlob()) {
       viewer.press(KeyCode.CONTROL, KeyCode.K);
       viewer.waitFor("the palette", () -> viewer.isThere("palette-search"));

@@ -43,7 +43,7 @@ class CameraFeatureTest {
   }
 
   @Test
-  void theMenuListsCamerasAndOpensThem() {
+  void menuListsAndOpensCameras() {
     try (ViewerHarness harness = ViewerHarness.withBlob()) {
       harness.waitFor(
           "the list of cameras",
@@ -59,7 +59,7 @@ class CameraFeatureTest {
   }
 
   @Test
-  void slidersBiasesAndSetsReachTheCamera() {
+  void slidersBiasesAndSetsAreAppliedToTheCamera() {
     try (ViewerHarness harness = new ViewerHarness()) {
       CameraFeature feature = openFly(harness);
       Biases biases = camera(feature).facet(Biases.class).orElseThrow();
@@ -88,7 +88,7 @@ class CameraFeatureTest {
   }
 
   @Test
-  void regionAndTimeStampsAreTold() {
+  void regionAndClockResetAreSentToTheCamera() {
     try (ViewerHarness harness = new ViewerHarness()) {
       CameraFeature feature = openFly(harness);
       RegionOfInterest roi = camera(feature).facet(RegionOfInterest.class).orElseThrow();
@@ -107,7 +107,7 @@ class CameraFeatureTest {
   }
 
   @Test
-  void anUnpluggedCameraIsSaidAndGoesOnWhenItIsBack() {
+  void unpluggedCameraIsReportedAndContinuesAfterReconnect() {
     try (ViewerHarness harness = new ViewerHarness()) {
       CameraFeature feature = openFly(harness);
       Plug plug = camera(feature).facet(Plug.class).orElseThrow();
@@ -123,7 +123,7 @@ class CameraFeatureTest {
   }
 
   @Test
-  void whatIsRecordedOfACameraHasItsBiasesInTheHeader() throws Exception {
+  void cameraRecordingHasBiasesInItsHeader() throws Exception {
     Path file = folder.resolve("fly.aedat4");
     try (ViewerHarness harness = new ViewerHarness()) {
       CameraFeature feature = openFly(harness);
@@ -145,7 +145,7 @@ class CameraFeatureTest {
   }
 
   @Test
-  void withoutACameraTheLineSaysSo() {
+  void missingCameraIsReportedInTheBottomLine() {
     try (ViewerHarness harness = ViewerHarness.withBlob()) {
       CameraFeature feature = harness.window.feature(CameraFeature.class);
       harness.run(feature::resetTime);

@@ -39,7 +39,7 @@ class ChainPanelTest {
   }
 
   @Test
-  void aFilterThatIsOffCountsNoMore() {
+  void disabledFilterStopsCounting() {
     ChainStage stage = viewer.session().chain().stage(NOISE);
     viewer.waitFor("events through the filter", () -> stage.timing().eventsIn() > 0);
     viewer.waitFor("counts are shown", () -> viewer.text("counts-" + NOISE).contains("ev/s"));
@@ -55,7 +55,7 @@ class ChainPanelTest {
   }
 
   @Test
-  void aSliderReachesTheFilter() {
+  void sliderChangesTheFilterSetting() {
     viewer.click("expand-" + NOISE);
     long before = longValue(NOISE, "correlationUs");
     viewer.click("slider-" + NOISE + "-correlationUs", 0.9, 0.5);
@@ -67,7 +67,7 @@ class ChainPanelTest {
   }
 
   @Test
-  void anEntryIsExactAndAWrongOneSaysWhatWouldDo() {
+  void entryIsExactAndAnInvalidOneShowsTheRange() {
     viewer.click("expand-" + NOISE);
     enter("entry-" + NOISE + "-neighbours", "3");
     viewer.waitFor("three neighbours", () -> longValue(NOISE, "neighbours") == 3);
@@ -86,7 +86,7 @@ class ChainPanelTest {
   }
 
   @Test
-  void checkBoxesAndChoicesReachTheFilter() {
+  void checkBoxesAndChoicesChangeFilterSettings() {
     viewer.click("expand-" + NOISE);
     viewer.click("check-" + NOISE + "-samePolarity");
     viewer.waitFor("the flag", () -> Boolean.TRUE.equals(value(NOISE, "samePolarity")));
@@ -119,7 +119,7 @@ class ChainPanelTest {
   }
 
   @Test
-  void aChainInsideTheChainHasCardsOfItsOwn() {
+  void nestedChainHasItsOwnCards() {
     viewer.click("add-filter");
     enter("add-filter-search", "filters of its own");
     viewer.waitFor("a card for the chain", () -> viewer.isThere("stage-chain"));
@@ -148,7 +148,7 @@ class ChainPanelTest {
   }
 
   @Test
-  void aCardIsMovedIntoAChainAndOutAgain() {
+  void cardMovesIntoANestedChainAndOut() {
     viewer.click("add-filter");
     enter("add-filter-search", "filters of its own");
     viewer.waitFor("a card for the chain", () -> viewer.isThere("stage-chain"));
@@ -178,7 +178,7 @@ class ChainPanelTest {
   }
 
   @Test
-  void aChainIsNotPutIntoItself() {
+  void chainCannotBeMovedIntoItself() {
     viewer.click("add-filter");
     enter("add-filter-search", "filters of its own");
     viewer.waitFor("a card for the chain", () -> viewer.isThere("stage-chain"));
@@ -192,7 +192,7 @@ class ChainPanelTest {
   }
 
   @Test
-  void aCardThatIsDroppedOnAnotherTakesItsPlace() {
+  void droppedCardTakesThePositionOfTheTarget() {
     List<String> before = names();
     StageCard card = viewer.node("stage-" + before.get(0), StageCard.class);
     viewer.run(() -> card.drop(before.get(2)));
@@ -206,7 +206,7 @@ class ChainPanelTest {
   }
 
   @Test
-  void aChainIsSavedAndLoaded(@TempDir Path folder) throws Exception {
+  void chainIsSavedAndLoaded(@TempDir Path folder) throws Exception {
     Path file = folder.resolve("chain.json");
     viewer.click("expand-" + NOISE);
     enter("entry-" + NOISE + "-neighbours", "5");

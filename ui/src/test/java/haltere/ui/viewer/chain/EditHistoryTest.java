@@ -21,7 +21,7 @@ class EditHistoryTest {
   }
 
   @Test
-  void whatWasDoneIsTakenBackAndDoneAgain() {
+  void changesAreUndoneAndRedone() {
     set(1, 0);
     set(2, 10);
     assertEquals("the value", history.undo());
@@ -36,7 +36,7 @@ class EditHistoryTest {
   }
 
   @Test
-  void changesThatFollowEachOtherCloselyAreOne() {
+  void changesInQuickSuccessionAreOneStep() {
     for (int i = 1; i <= 30; i++) {
       set(i, i * 0.05);
     }
@@ -47,7 +47,7 @@ class EditHistoryTest {
   }
 
   @Test
-  void aNewChangeForgetsWhatWasTakenBack() {
+  void newChangeDiscardsUndoneChanges() {
     set(1, 0);
     history.undo();
     set(5, 20);
@@ -56,7 +56,7 @@ class EditHistoryTest {
   }
 
   @Test
-  void aChangeThatWasRefusedIsNeitherTakenBackNorMadeAgain() {
+  void rejectedChangeIsNeitherUndoneNorRedone() {
     set(1, 0);
     Object refused = new Object();
     history.made("refused", refused, () -> value = -1, () -> value = -2, 10_000_000_000L);

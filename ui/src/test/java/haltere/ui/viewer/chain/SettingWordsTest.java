@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 /** What a person reads of the settings of filters. */
 class SettingWordsTest {
   @Test
-  void noTwoSettingsOfAFilterHaveTheSameLabel() {
+  void labelsOfAFilterAreUnique() {
     List<String> doubled = new ArrayList<>();
     for (FilterProvider<?> filter : Filters.all().values()) {
       Map<String, String> names = new HashMap<>();
@@ -31,7 +31,7 @@ class SettingWordsTest {
   }
 
   @Test
-  void theHelpOfASettingIsASentenceOfAtMostFortyWords() {
+  void helpOfASettingIsASentenceOfAtMost40Words() {
     List<String> others = new ArrayList<>();
     for (FilterProvider<?> filter : Filters.all().values()) {
       for (Parameter setting : filter.schema().parameters()) {

@@ -63,7 +63,7 @@ class StageListTest {
   }
 
   @Test
-  void anotherChainComesCardByCardInOrder() {
+  void cardsOfANewChainAppearOneByOneInOrder() {
     List<StageState> stages = chain("background-activity", "hot-pixels", "refractory");
     assertEquals(List.of(), shownAfter(() -> list.startAnew(stages, steps::add)));
     assertEquals(List.of("background-activity"), shownAfter(() -> steps.remove().run()));
@@ -76,7 +76,7 @@ class StageListTest {
   }
 
   @Test
-  void ofSeveralStagesThatAreNewOneComesAtOnceAndThoseThatWereThereStay() {
+  void firstNewCardAppearsAtOnceAndExistingCardsRemain() {
     List<StageState> before = chain("hot-pixels");
     shownAfter(() -> list.show(before));
     List<StageState> more = chain("background-activity", "refractory");
@@ -88,7 +88,7 @@ class StageListTest {
   }
 
   @Test
-  void whatIsNoLongerWantedDoesNotCome() {
+  void cardsOfASupersededChainDoNotAppear() {
     shownAfter(() -> list.show(chain("background-activity", "refractory")));
     List<StageState> other = chain("hot-pixels");
     assertEquals(List.of("hot-pixels"), shownAfter(() -> list.show(other)));

@@ -54,7 +54,7 @@ class CompareTest {
   }
 
   @Test
-  void theSecondChainIsACopyThatIsChangedByItself() {
+  void secondChainIsAnIndependentCopy() {
     viewer = ViewerHarness.withBlobAndNoiseFilters();
     viewer.run(() -> viewer.window.context().actions().run("compare"));
     viewer.waitFor("the second chain", () -> compare().secondChain().isPresent());
@@ -83,7 +83,7 @@ class CompareTest {
   }
 
   @Test
-  void twoIdenticalChainsShowNoDifference() {
+  void identicalChainsShowNoDifference() {
     viewer = ViewerHarness.withBlobAndNoiseFilters();
     viewer.waitFor("a track", () -> viewer.status().elapsedUs() > 300_000);
     viewer.run(() -> viewer.window.context().actions().run("compare"));
@@ -104,7 +104,7 @@ class CompareTest {
   }
 
   @Test
-  void bothPicturesAreOfTheSameMomentWhilePlaying() {
+  void bothPicturesShowTheSameMomentDuringPlayback() {
     viewer = ViewerHarness.withBlobAndNoiseFilters();
     viewer.run(() -> viewer.window.context().actions().run("compare"));
     viewer.waitFor("the second picture", () -> viewer.isThere("second-event-view"));
@@ -143,7 +143,7 @@ class CompareTest {
   }
 
   @Test
-  void theTableSaysHowMuchTheSecondDiffers() {
+  void tableShowsTheDifferenceOfTheSecondChain() {
     PlotField x = new PlotField("tracker", "clusters", "x_px");
     PlotField y = new PlotField("tracker", "clusters", "y_px");
     PlotField z = new PlotField("other", "clusters", "x_px");
@@ -161,7 +161,7 @@ class CompareTest {
   }
 
   @Test
-  void aChainInsideTheChainIsKeptAndFilledByItself() {
+  void nestedChainIsSavedAndLoadedSeparately() {
     viewer = new ViewerHarness(UserSettings.load(folder));
     viewer.open(() -> new ScenePlayable(() -> new BlobSource(Long.MAX_VALUE), "blob"));
     viewer.addNoiseFilters();
@@ -204,7 +204,7 @@ class CompareTest {
   }
 
   @Test
-  void aPresetIsKeptAndOffered() {
+  void presetIsSavedAndOffered() {
     UserSettings settings = UserSettings.load(folder);
     viewer = new ViewerHarness(settings);
     viewer.open(() -> new ScenePlayable(() -> new BlobSource(Long.MAX_VALUE), "blob"));
@@ -229,7 +229,7 @@ class CompareTest {
   }
 
   @Test
-  void aBannerAboveTheFirstPictureLeavesBothInOneScale() {
+  void bannerAboveOnePictureKeepsBothAtOneScale() {
     viewer = new ViewerHarness();
     viewer.openRecording(Recorded.file("dvs128-moving-dark-box.aedat"));
     viewer.run(() -> viewer.window.context().actions().run("compare"));

@@ -85,7 +85,7 @@ class SecondChainTest {
   }
 
   @Test
-  void aMomentThatIsMadeAnewIsPublishedByNoneOfThem() throws Exception {
+  void recomputedMomentIsPublishedByNeitherChain() throws Exception {
     RecordingPlayable playable =
         new RecordingPlayable(Recordings.open(Recorded.file("dvxplorer-sample.aedat4")));
     Counter firstCounter = new Counter();

@@ -30,7 +30,7 @@ class TextsTest {
   }
 
   @Test
-  void aSpeedThatIsNotReachedStandsBesideTheOneThatIs() {
+  void unreachedSpeedIsShownBesideTheReachedOne() {
     assertEquals("0.50\u00d7 of 1\u00d7", Texts.reached(late("dawdler", 0.2)));
     assertEquals("Most of the time goes to Dawdler.", Texts.limit(late("dawdler", 0.2)));
     assertEquals("", Texts.limit(late("", 0)));
@@ -39,7 +39,7 @@ class TextsTest {
   }
 
   @Test
-  void speedsAreSharesOfRealTime() {
+  void speedsAreWrittenAsSharesOfRealTime() {
     assertEquals("1/1000\u00d7", Texts.speed(1e-3));
     assertEquals("16\u00d7", Texts.speed(16));
     assertEquals("0\u00d7", Texts.speed(0));
@@ -47,7 +47,7 @@ class TextsTest {
   }
 
   @Test
-  void timesAreReadAsAPersonWritesThem() {
+  void timesAreParsedInCommonNotations() {
     assertEquals(OptionalLong.of(62_345_000), Texts.parseTime("1:02.345"));
     assertEquals(OptionalLong.of(3_723_500_000L), Texts.parseTime("1:02:03.5"));
     assertEquals(OptionalLong.of(250_000), Texts.parseTime(" 250 ms"));
@@ -58,7 +58,7 @@ class TextsTest {
   }
 
   @Test
-  void labelsAreTermsWithoutTheUnitThatStandsBehindThem() {
+  void labelsOmitTheUnit() {
     assertEquals("Minimum speed", Texts.words("life.minSpeedPxS", "px/s"));
     assertEquals("Hinge", Texts.words("noise.hingePx2PerS", "px^2/s"));
     assertEquals("Body offset x", Texts.words("position.bodyOffsetXPx", "px"));

@@ -27,14 +27,14 @@ class WarningBannerTest {
   }
 
   @Test
-  void dismissedWarningsDoNotComeBackWhenTheWholeFileGaveNoOthers() {
+  void dismissedWarningsReappearOnlyWithNewOnes() {
     assertTrue(isSeenAfter(CUT, Optional.empty()));
     viewer.run(banner::hide);
     assertFalse(isSeenAfter(CUT, Optional.empty()));
   }
 
   @Test
-  void newWarningsAndQuestionsAreShownAfterOthersWereDismissed() {
+  void newWarningsAndQuestionsAreShownAfterADismissal() {
     assertTrue(isSeenAfter(CUT, Optional.empty()));
     viewer.run(banner::hide);
     assertTrue(isSeenAfter(List.of(CUT.get(0), "no camera is named"), Optional.empty()));

@@ -39,7 +39,7 @@ class FrameLayerTest {
   }
 
   @Test
-  void aFrameReplacesTheBackgroundAndNoEvent() {
+  void frameReplacesOnlyTheBackground() {
     opacity = 1;
     layer.take(lowerRow(0xC0, 0xC0));
     assertArrayEquals(
@@ -59,7 +59,7 @@ class FrameLayerTest {
   }
 
   @Test
-  void framesOfMoreThanEightBitsKeepTheirScale() {
+  void framesOfMoreThan8BitsKeepTheirScale() {
     layer.take(deepRow(0x200, 0x3FF));
     assertArrayEquals(new int[] {0x80, 0xFF}, lowerRow(), "10 bits in 16");
     layer.take(deepRow(0x200, 0xFFFF));
@@ -83,7 +83,7 @@ class FrameLayerTest {
   }
 
   @Test
-  void afterAJumpTheFrameBeforeIsWantedUntilOneComes() {
+  void seekRequestsTheFrameBeforeItsTimeUntilOneArrives() {
     opacity = 1;
     layer.take(lowerRow(1, 2));
     assertFalse(layer.isSought());

@@ -71,7 +71,7 @@ class GoldenPicturesTest {
   }
 
   @Test
-  void theObjectOfTheBlob() throws IOException {
+  void objectMarksOfTheBlobMatch() throws IOException {
     GoldenPictures.check(
         "object",
         picture(
@@ -82,7 +82,7 @@ class GoldenPicturesTest {
   }
 
   @Test
-  void theWingsOfTheFly() throws IOException {
+  void wingMarksOfTheFlyMatch() throws IOException {
     FlyScene scene = new FlyScene(FlySceneSettings.defaults());
     GoldenPictures.check(
         "wings",
@@ -94,7 +94,7 @@ class GoldenPicturesTest {
   }
 
   @Test
-  void theHeatMapOfTheBlob() throws IOException {
+  void heatMapOfTheBlobMatches() throws IOException {
     GoldenPictures.check(
         "heat-map",
         picture(
@@ -105,7 +105,7 @@ class GoldenPicturesTest {
   }
 
   @Test
-  void allMarksThatThereAre() throws IOException {
+  void allKindsOfMarksMatch() throws IOException {
     for (boolean dark : new boolean[] {true, false}) {
       int[] argb = new int[SENSOR.pixels()];
       Arrays.fill(argb, (dark ? ColourMap.DARK : ColourMap.LIGHT).background());
@@ -130,7 +130,7 @@ class GoldenPicturesTest {
   }
 
   @Test
-  void tapeAndRegion() throws IOException {
+  void tapeAndRegionMatch() throws IOException {
     MeasuringTape tape = new MeasuringTape(new SimpleObjectProperty<>(Optional.empty()));
     tape.pressed(10, 20);
     tape.dragged(70, 60);
@@ -153,7 +153,7 @@ class GoldenPicturesTest {
   }
 
   @Test
-  void aMarkThatIsElsewhereOrMissingIsSeen() {
+  void displacedOrMissingMarkIsDetected() {
     int[] argb = new int[SENSOR.pixels()];
     Arrays.fill(argb, ColourMap.DARK.background());
     BufferedImage here = circle(argb, 60);

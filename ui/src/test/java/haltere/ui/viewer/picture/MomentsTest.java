@@ -195,13 +195,13 @@ class MomentsTest {
   }
 
   @Test
-  void aRecordingWithClustersShowsOnePictureOfAMoment() throws Exception {
+  void clusterMomentsDoNotDependOnTheirHistory() throws Exception {
     assertOneMomentIsOnePicture(MomentsTest::recording, CLUSTERS, DisplayMode.POLARITY, 350_000);
     assertOneMomentIsOnePicture(MomentsTest::recording, CLUSTERS, DisplayMode.COUNTS, 300_000);
   }
 
   @Test
-  void aRecordingWithTrackedObjectsShowsOnePictureOfAMoment() throws Exception {
+  void trackedObjectMomentsDoNotDependOnTheirHistory() throws Exception {
     assertOneMomentIsOnePicture(
         () -> recording("dvs128-pendulum.aedat"),
         DefaultChain::create,
@@ -210,13 +210,13 @@ class MomentsTest {
   }
 
   @Test
-  void theFlySceneWithItsWingsShowsOnePictureOfAMoment() throws Exception {
+  void wingMomentsOfTheFlySceneDoNotDependOnTheirHistory() throws Exception {
     assertOneMomentIsOnePicture(
         MomentsTest::scene, DefaultChain::forFly, DisplayMode.POLARITY, 4_350_000);
   }
 
   @Test
-  void aMomentThatWasSoughtShowsTheEventsThatFiltersHide() throws Exception {
+  void soughtMomentShowsHiddenEvents() throws Exception {
     Function<SensorGeometry, FilterChain> denoised =
         geometry -> {
           FilterChain chain = new FilterChain(geometry);
@@ -233,7 +233,7 @@ class MomentsTest {
   }
 
   @Test
-  void aPauseShowsOtherOptionsAndFiltersOfTheMoment() throws Exception {
+  void pauseAppliesChangedOptionsAndFiltersToItsMoment() throws Exception {
     try (Shown shown = new Shown(recording(), CLUSTERS, DisplayMode.POLARITY);
         Shown counts = new Shown(recording(), CLUSTERS, DisplayMode.COUNTS)) {
       int[] polarity = shown.seek(350_000).picture();

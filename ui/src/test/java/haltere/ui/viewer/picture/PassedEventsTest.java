@@ -16,7 +16,7 @@ class PassedEventsTest {
   }
 
   @Test
-  void playbackHasANumberOfManyEvents() {
+  void playbackShareNeedsManyEvents() {
     slice(100, 20);
     assertEquals(OptionalInt.empty(), passed.takePercentHidden());
     slice(100, 30);
@@ -24,7 +24,7 @@ class PassedEventsTest {
   }
 
   @Test
-  void aHeldSliceHasItsOwnNumberAlsoWithoutEvents() {
+  void heldSliceHasItsOwnShareEvenWithoutEvents() {
     slice(1000, 500);
     slice(4, 1);
     passed.hold();

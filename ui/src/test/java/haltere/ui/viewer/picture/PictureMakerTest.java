@@ -70,7 +70,7 @@ class PictureMakerTest {
   }
 
   @Test
-  void aFrameForTheScreenIsWhatTheWindowWouldDrawOfIt() {
+  void screenFrameEqualsTheDrawingOfTheWindow() {
     PictureMaker maker = maker(false);
     maker.setScreenPlace(Optional.of(PLACE));
     maker.packet(events(1000));
@@ -88,7 +88,7 @@ class PictureMakerTest {
   }
 
   @Test
-  void withoutAPlaceOnTheScreenThereAreTheSensorsPixelsAlone() {
+  void frameWithoutScreenPlaceHasOnlySensorPixels() {
     PictureMaker maker = maker(false);
     maker.packet(events(1000));
     maker.showSlice(0, 2000, MARKS);
@@ -98,7 +98,7 @@ class PictureMakerTest {
   }
 
   @Test
-  void whileSlicesRunOnTheWindowIsNotKeptWaitingForTheEndOfOne() {
+  void continuousSlicesYieldFramesBeforeTheirEnd() {
     PictureMaker maker = maker(true);
     runOn(maker);
     DisplayFrame frame = null;
@@ -111,7 +111,7 @@ class PictureMakerTest {
   }
 
   @Test
-  void aSliceOfADirectPictureIsShownWhole() {
+  void directPictureIsShownOnlyAfterTheWholeSlice() {
     PictureMaker maker = maker(false);
     runOn(maker);
     long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(10);

@@ -28,7 +28,7 @@ class PictureThreadTest {
   }
 
   @Test
-  void packetsAndStepsAreTakenInTheOrderInWhichTheyCame() {
+  void packetsAndStepsAreProcessedInOrder() {
     List<Long> seen = new ArrayList<>();
     try (PictureThread thread = new PictureThread()) {
       List<Long> expected = new ArrayList<>();
@@ -43,7 +43,7 @@ class PictureThreadTest {
   }
 
   @Test
-  void aPacketThatComesOnIsACopy() {
+  void submittedPacketIsCopied() {
     List<Long> seen = new ArrayList<>();
     try (PictureThread thread = new PictureThread()) {
       EventPacket reused = packet(7);
@@ -54,7 +54,7 @@ class PictureThreadTest {
   }
 
   @Test
-  void whatFailsIsToldAtTheNextCallAndTheThreadGoesOn() {
+  void failureIsReportedAtTheNextCallAndTheThreadContinues() {
     for (Throwable fault : List.of(new IllegalArgumentException("bad"), new StackOverflowError())) {
       try (PictureThread thread = new PictureThread()) {
         thread.later(() -> rethrow(fault));
@@ -71,7 +71,7 @@ class PictureThreadTest {
   }
 
   @Test
-  void whoWaitsForAStepIsToldThatItFailed() {
+  void waitingCallerReceivesTheFailureOfItsStep() {
     try (PictureThread thread = new PictureThread()) {
       IllegalStateException fault = new IllegalStateException("no room");
       assertSame(
@@ -94,7 +94,7 @@ class PictureThreadTest {
   }
 
   @Test
-  void whoWaitsForAStepIsToldThatTheThreadHasEnded() {
+  void waitingCallerIsNotifiedOfTheEndOfTheThread() {
     PictureThread thread = new PictureThread();
     CountDownLatch begun = new CountDownLatch(1);
     thread.later(

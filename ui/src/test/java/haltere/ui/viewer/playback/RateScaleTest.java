@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 /** Heights in the time bar. */
 class RateScaleTest {
   @Test
-  void oneBurstDoesNotFlattenTheRest() {
+  void burstDoesNotFlattenOtherRates() {
     double[] rates = new double[100];
     Arrays.fill(rates, 50_000);
     rates[40] = 9_000_000;
@@ -20,7 +20,7 @@ class RateScaleTest {
   }
 
   @Test
-  void ratesThatAreAlikeAreShownInProportion() {
+  void similarRatesAreShownInProportion() {
     assertArrayEquals(
         new double[] {0.25, 0.5, 1, 0}, RateScale.heights(new double[] {1, 2, 4, 0}, false), 1.01);
     double[] heights = RateScale.heights(new double[] {100, 200, 200, 200}, false);
@@ -28,13 +28,13 @@ class RateScaleTest {
   }
 
   @Test
-  void aDecadeHasTheSameHeightOnTheLogarithmicScale() {
+  void decadesHaveEqualHeightsOnTheLogarithmicScale() {
     double[] heights = RateScale.heights(new double[] {0, 1, 10, 100, 1000}, true);
     assertArrayEquals(new double[] {0, 0, 1 / 3.0, 2 / 3.0, 1}, heights, 1e-9);
   }
 
   @Test
-  void withoutEventsThereAreNoHeights() {
+  void heightsAreZeroWithoutEvents() {
     assertArrayEquals(new double[3], RateScale.heights(new double[3], false));
   }
 }

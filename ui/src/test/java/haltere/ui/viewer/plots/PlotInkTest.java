@@ -20,7 +20,7 @@ class PlotInkTest {
   private static final PlotField MEASURED = new PlotField("tracks", "estimates", "measured_x");
 
   @Test
-  void theCurveOfAnObjectHasTheColourOfItsEllipse() {
+  void curveOfAnObjectHasTheColourOfItsEllipse() {
     Lane lane = new Lane(X);
     lane.take(X, 0, "7", 1);
     lane.take(X, 0, "1", 1);
@@ -31,14 +31,14 @@ class PlotInkTest {
   }
 
   @Test
-  void theCurveOfAWingHasTheColourOfItsSide() {
+  void curveOfAWingHasTheColourOfItsSide() {
     assertEquals(colour(MarkStyle.of(Role.LEFT)), PlotInk.DARK.curve(new Curve("left", 0)));
     assertEquals(colour(MarkStyle.of(Role.RIGHT)), PlotInk.DARK.curve(new Curve("right", 1)));
     assertNotEquals(ReportPage.colour("left", 0), ReportPage.colour("right", 0));
   }
 
   @Test
-  void twoFieldsOfOneObjectCanBeToldApart() {
+  void twoFieldsOfOneObjectAreDistinguishable() {
     Lane lane = new Lane(MEASURED);
     lane.add(X);
     lane.take(X, 0, "1", 1);

@@ -56,7 +56,7 @@ class PlotPanelTest {
   }
 
   @Test
-  void aPublishedResultIsPlottedWhileItPlays() {
+  void publishedResultsArePlottedDuringPlayback() {
     viewer = ViewerHarness.withBlob();
     plot(X);
     viewer.waitFor("samples", () -> lastUs() > 100_000);
@@ -66,7 +66,7 @@ class PlotPanelTest {
   }
 
   @Test
-  void plotsThatBelongTogetherTakeThePlaceOfOthers() {
+  void plotSetReplacesOtherPlots() {
     viewer = ViewerHarness.withBlob();
     plot(PlotField.EVENT_RATE);
     PlotField other = new PlotField(X.stage(), X.outlet(), "y_px");
@@ -80,7 +80,7 @@ class PlotPanelTest {
   }
 
   @Test
-  void plotsThatASceneBeganWithGoWithItUnlessThereAreOthers() throws IOException {
+  void initialPlotsOfASceneAreRemovedWithItUnlessOthersWereAdded() throws IOException {
     viewer = new ViewerHarness();
     Path recording = folder.resolve("blob.aedat");
     ViewerHarness.writeRecording(recording, 200_000);
@@ -99,7 +99,7 @@ class PlotPanelTest {
   }
 
   @Test
-  void lanesThatDoNotFitAreScrolledAndCoverNothing() {
+  void excessLanesScrollAndDoNotOverlap() {
     viewer = ViewerHarness.withBlob();
     plot(PlotField.EVENT_RATE);
     for (int i = 0; i < 12; i++) {
@@ -121,7 +121,7 @@ class PlotPanelTest {
   }
 
   @Test
-  void aPlotOfWhatNobodyPublishesSaysSo() {
+  void plotWithoutAPublisherStatesIt() {
     viewer = ViewerHarness.withBlob();
     plot(new PlotField("wing-tracker", "wings", "angle_rad"));
     viewer.waitFor("a note", () -> viewer.isThere("plot-note"));
@@ -142,7 +142,7 @@ class PlotPanelTest {
   }
 
   @Test
-  void whatComesLastBeforeAPauseIsDrawn() {
+  void lastSamplesBeforeAPauseAreDrawn() {
     viewer = ViewerHarness.withBlob();
     plot(PlotField.EVENT_RATE);
     viewer.waitFor("the lane", () -> plots().lookup(".plot-lane") != null);
@@ -177,7 +177,7 @@ class PlotPanelTest {
   }
 
   @Test
-  void theEventRateIsPlottedWithoutAnyFilter() {
+  void eventRateIsPlottedWithoutFilters() {
     viewer = ViewerHarness.withBlob();
     plot(PlotField.EVENT_RATE);
     viewer.waitFor(
@@ -191,7 +191,7 @@ class PlotPanelTest {
   }
 
   @Test
-  void aPlotGoesOnInTheNextRecording() throws IOException {
+  void plotContinuesInTheNextRecording() throws IOException {
     viewer = ViewerHarness.withBlob();
     plot(X);
     viewer.waitFor("samples", () -> lastUs() > 0);
@@ -204,7 +204,7 @@ class PlotPanelTest {
   }
 
   @Test
-  void lookingBackStopsFollowingAndTheTableHasWhatIsShown() throws IOException {
+  void scrollingBackStopsFollowingAndTheTableHasTheVisiblePart() throws IOException {
     viewer = ViewerHarness.withBlob();
     plot(X);
     viewer.waitFor("half a second", () -> lastUs() > 500_000);
@@ -221,7 +221,7 @@ class PlotPanelTest {
   }
 
   @Test
-  void plotsThatAreHiddenTakeNoRoom() {
+  void hiddenPlotsUseNoSpace() {
     viewer = ViewerHarness.withBlob();
     plot(X);
     viewer.run(() -> viewer.window.context().actions().run("show-plots"));

@@ -65,7 +65,7 @@ class VanishingPointTest {
   }
 
   @Test
-  void isOfferedWhileThereAreTracksInTheChain() {
+  void toolIsOfferedWhileTheChainHasTracks() {
     assertFalse(isOffered());
     addTracks();
     viewer.run(() -> viewer.window.context().actions().run(ACTION));
@@ -77,7 +77,7 @@ class VanishingPointTest {
   }
 
   @Test
-  void aClickSetsItAndIsTakenBack() {
+  void clickSetsTheVanishingPointAndIsUndone() {
     addTracks();
     viewer.click("expand-" + TRACKS);
     viewer.run(() -> viewer.window.context().actions().run(ACTION));
@@ -101,7 +101,7 @@ class VanishingPointTest {
   }
 
   @Test
-  void aPlaceWhereNoRoadCanVanishIsRefusedInALine() {
+  void invalidVanishingPointIsReportedInOneLine() {
     addTracks();
     viewer.run(() -> viewer.window.context().actions().run(ACTION));
     ViewTool tool = viewer.onFx(() -> viewer.window.context().panels().view().tool().orElseThrow());

@@ -78,7 +78,7 @@ class ExportTest {
   }
 
   @Test
-  void theMarkedPartBecomesAnAnimatedPicture() throws IOException {
+  void markedPartIsExportedAsAnAnimatedPicture() throws IOException {
     Path file = folder.resolve("part.gif");
     viewer.run(() -> export().exportFilm(file));
     viewer.waitFor("it says so", () -> said().matches("Exported part.gif: 1[23] pictures"));
@@ -114,7 +114,7 @@ class ExportTest {
   }
 
   @Test
-  void theMarkedPartBecomesARecordingOfWhatTheChainLeaves() throws IOException {
+  void markedPartIsExportedAsARecordingOfPassedEvents() throws IOException {
     Path file = folder.resolve("part.aedat4");
     viewer.run(() -> export().exportData(file));
     viewer.waitFor("it says so", () -> said().startsWith("Exported part.aedat4"));
@@ -133,7 +133,7 @@ class ExportTest {
   }
 
   @Test
-  void anExportSaysHowFarItIsAndIsStopped() {
+  void exportShowsProgressAndCanBeStopped() {
     // three thousand pictures
     viewer.run(() -> viewer.window.context().playback().setSpeed(0.001));
     Path file = folder.resolve("part.gif");
@@ -147,7 +147,7 @@ class ExportTest {
   }
 
   @Test
-  void withoutTheProgramMp4SaysWhatToDo() {
+  void mp4WithoutFfmpegGivesAdvice() {
     System.setProperty(Mp4Writer.PROPERTY, folder.resolve("none").toString());
     Path file = folder.resolve("part.mp4");
     viewer.run(() -> export().exportFilm(file));
@@ -156,7 +156,7 @@ class ExportTest {
   }
 
   @Test
-  void mp4IsMadeByTheProgramThatIsFound() throws IOException {
+  void mp4IsWrittenByTheFoundProgram() throws IOException {
     assumeTrue(File.separatorChar == '/', "the stand-in for ffmpeg is a shell script");
     Path program = folder.resolve("ffmpeg");
     Files.writeString(
@@ -175,7 +175,7 @@ class ExportTest {
   }
 
   @Test
-  void aProgramThatHangsIsEndedWithTheExport() throws IOException {
+  void hangingProgramIsKilledWithTheExport() throws IOException {
     assumeTrue(File.separatorChar == '/', "the stand-in for ffmpeg is a shell script");
     Path number = hangingProgram();
     Path file = folder.resolve("part.mp4");
@@ -190,7 +190,7 @@ class ExportTest {
   }
 
   @Test
-  void aProgramThatTakesNoPicturesIsGivenUp() throws IOException {
+  void programThatAcceptsNoPicturesTimesOut() throws IOException {
     assumeTrue(File.separatorChar == '/', "the stand-in for ffmpeg is a shell script");
     Path number = hangingProgram();
     BufferedImage picture = new BufferedImage(640, 480, BufferedImage.TYPE_INT_RGB);
@@ -240,7 +240,7 @@ class ExportTest {
   }
 
   @Test
-  void tapeAndRegionAreInTheFilmAndInThePicture() throws IOException {
+  void filmAndPictureContainTapeAndRegion() throws IOException {
     Path bare = folder.resolve("bare.png");
     Path marked = folder.resolve("marked.png");
     savePicture(bare);
@@ -287,7 +287,7 @@ class ExportTest {
   }
 
   @Test
-  void whatColoursStandForIsInPicturesAndFilms() throws IOException {
+  void filmsAndPicturesContainTheColourLegend() throws IOException {
     viewer.run(
         () -> viewer.window.context().display().modeProperty().set(DisplayMode.TIME_SURFACE));
     Path picture = folder.resolve("picture.png");
@@ -307,7 +307,7 @@ class ExportTest {
   }
 
   @Test
-  void anOldProblemDoesNotHideAnExport() {
+  void earlierProblemDoesNotHideAnExport() {
     viewer.run(
         () ->
             viewer
@@ -321,7 +321,7 @@ class ExportTest {
   }
 
   @Test
-  void anExportWhoseRecordingWasClosedMeanwhileSaysSo() {
+  void exportOfAClosedRecordingStatesIt() {
     // the window's own seek has ended before the player is closed, and does not report that
     viewer.session().player().seek(620_000).join();
     viewer.session().player().close();
@@ -330,7 +330,7 @@ class ExportTest {
   }
 
   @Test
-  void mp4IsAFilmOfTheBlobThatARealProgramCanRead() throws Exception {
+  void mp4OfTheBlobIsReadableByFfmpeg() throws Exception {
     Optional<Path> program = Mp4Writer.findProgram();
     assumeTrue(program.isPresent(), "ffmpeg is not on this machine");
     Path file = folder.resolve("part.mp4");
@@ -374,7 +374,7 @@ class ExportTest {
   }
 
   @Test
-  void aMarkHasANameAndATimeIsJumpedTo() {
+  void markIsNamedAndATimeIsEnteredToSeek() {
     viewer.run(() -> viewer.window.context().actions().run("name-mark"));
     viewer.waitFor("the question", () -> viewer.isThere("answer"));
     TextField answer = viewer.node("answer", TextField.class);

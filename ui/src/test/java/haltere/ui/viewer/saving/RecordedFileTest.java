@@ -45,7 +45,7 @@ class RecordedFileTest {
   }
 
   @Test
-  void whatPlaysIsRecordedUntilItIsStopped() throws IOException {
+  void playbackIsRecordedUntilStopped() throws IOException {
     viewer = ViewerHarness.withBlob();
     Path file = folder.resolve("out.aedat4");
     viewer.run(() -> viewer.window.feature(SavingFeature.class).record(file));
@@ -63,7 +63,7 @@ class RecordedFileTest {
   }
 
   @Test
-  void aJumpEndsTheRecordingInTheWindowToo() throws IOException {
+  void seekEndsTheRecording() throws IOException {
     viewer = ViewerHarness.withRecording(folder, 4_000_000);
     Path file = folder.resolve("out.aedat4");
     viewer.run(() -> viewer.window.feature(SavingFeature.class).record(file));
@@ -77,7 +77,7 @@ class RecordedFileTest {
   }
 
   @Test
-  void theNextRecordingThatIsOpenedEndsTheOneUnderWay() throws IOException {
+  void openingAnotherRecordingEndsTheCurrentOne() throws IOException {
     viewer = ViewerHarness.withBlob();
     Path file = folder.resolve("out.aedat4");
     viewer.run(() -> viewer.window.feature(SavingFeature.class).record(file));
@@ -93,7 +93,7 @@ class RecordedFileTest {
   }
 
   @Test
-  void aFileThatCannotBeWrittenIsSaidInALine() {
+  void unwritableFileIsReportedInOneLine() {
     viewer = ViewerHarness.withBlob();
     viewer.run(
         () ->

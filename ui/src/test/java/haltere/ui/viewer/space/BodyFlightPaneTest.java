@@ -23,7 +23,7 @@ class BodyFlightPaneTest {
   @TempDir Path folder;
 
   @Test
-  void theSliderChoosesTheTimeThatIsShown() throws IOException {
+  void sliderSelectsTheDisplayedTime() throws IOException {
     BodyFlight flight = SimulatedFlight.in(folder).load();
     try (ViewerHarness viewer = new ViewerHarness()) {
       BodyFlightPane pane = viewer.onFx(() -> new BodyFlightPane(flight, Theme.DARK));

@@ -47,7 +47,7 @@ class LiveFlightTest {
   }
 
   @Test
-  void theAxisOfASimulatedBodyIsFoundWhileTwoEventCamerasPlay() throws IOException {
+  void axisOfASimulatedBodyIsEstimatedFromTwoEventCameras() throws IOException {
     try (CameraRig rig = CameraRig.simulated(SETTINGS)) {
       LiveFlight live = new LiveFlight(rig, List.of());
       BodyFlight flight = play(rig, live);
@@ -98,7 +98,7 @@ class LiveFlightTest {
   }
 
   @Test
-  void recordingsOfSeveralCamerasArePlayedTogether() throws IOException {
+  void recordingsOfSeveralCamerasPlaySynchronously() throws IOException {
     List<Path> files = record(folder);
     List<CameraModel> cameras = calibrated();
     try (CameraRig rig =
@@ -122,7 +122,7 @@ class LiveFlightTest {
   }
 
   @Test
-  void camerasThatAreOpenAtOnceAreBroughtOntoOneClock() throws IOException {
+  void simultaneousCamerasAreMappedToOneClock() throws IOException {
     Cameras cameras = new Cameras(List.of(new FlightCameras(SETTINGS)));
     try (CameraRig rig = CameraRig.live(calibrated(), cameras)) {
       assertNear(play(rig, new LiveFlight(rig, List.of())));
@@ -139,7 +139,7 @@ class LiveFlightTest {
   }
 
   @Test
-  void whyCamerasDoNotGoTogetherIsSaid() throws IOException {
+  void incompatibleCamerasAreReportedWithTheReason() throws IOException {
     List<CameraModel> cameras = calibrated();
     assertRefused(cameras.subList(0, 1), "needs two cameras");
     CameraModel first = cameras.get(0);
@@ -206,7 +206,7 @@ class LiveFlightTest {
   }
 
   @Test
-  void linesAreDrawnOverThePictureOfEachCameraWhileTheyAreSwitchedOn() {
+  void linesAreDrawnOverEachCameraPictureWhileEnabled() {
     try (ViewerHarness viewer = new ViewerHarness()) {
       LiveFlightFeature feature = viewer.window.feature(LiveFlightFeature.class);
       viewer.run(feature::openScene);
@@ -224,7 +224,7 @@ class LiveFlightTest {
   }
 
   @Test
-  void theWindowShowsTheFlightWhileItPlays() {
+  void windowShowsTheFlightDuringPlayback() {
     try (ViewerHarness viewer = new ViewerHarness()) {
       LiveFlightFeature feature = viewer.window.feature(LiveFlightFeature.class);
       viewer.run(feature::openScene);

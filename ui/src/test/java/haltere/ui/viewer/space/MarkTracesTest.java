@@ -30,7 +30,7 @@ class MarkTracesTest {
   }
 
   @Test
-  void anObjectsCentreIsFollowedWithoutItsWordsAndPath() {
+  void objectTraceFollowsItsCentreWithoutLabelAndPath() {
     add(10, OBJECT, 1);
     add(20, OBJECT, 4);
     MarkTraces.Trace trace = traces.copy().get(0);
@@ -42,7 +42,7 @@ class MarkTracesTest {
   }
 
   @Test
-  void aWingsTipIsFollowedByOneTrace() {
+  void wingTraceFollowsItsTip() {
     add(10, WING, 30);
     add(20, WING, 31);
     assertEquals(1, traces.copy().size(), "for both edges");
@@ -50,7 +50,7 @@ class MarkTracesTest {
   }
 
   @Test
-  void whatWasGoneBeginsANewTraceAndOldPositionsAreForgotten() {
+  void returningMarkStartsANewTraceAndOldPositionsExpire() {
     add(10, OBJECT, 1);
     traces.add(20, List.of());
     add(30, OBJECT, 2);

@@ -78,7 +78,7 @@ class SpaceTimeMarksTest {
   }
 
   @Test
-  void axesHaveNamesUnitsAndTicksAndTimeRunsToTheNewestEvents() {
+  void axesHaveNamesUnitsAndTicksUpToTheNewestEvents() {
     Notes notes = notes(55, 100_000);
     assertTrue(
         notes.texts.keySet().containsAll(List.of("x, px", "y, px", "time, ms", "-40", "-100")),
@@ -87,13 +87,13 @@ class SpaceTimeMarksTest {
   }
 
   @Test
-  void aShortTimeIsReadInMicrosecondsAndALongOneInSeconds() {
+  void timeUnitFollowsTheLengthOfTheAxis() {
     assertTrue(notes(55, 2_000).texts.containsKey("time, \u00b5s"));
     assertTrue(notes(55, 10_000_000).texts.containsKey("time, s"));
   }
 
   @Test
-  void anAxisThatIsLookedAlongHasNoNames() {
+  void axisAlongTheViewHasNoLabels() {
     SpaceTimeView along = new SpaceTimeView(0, 0, 1, 100_000, 0, 1);
     Notes notes = new Notes();
     new SpaceTimeMarks(
@@ -104,7 +104,7 @@ class SpaceTimeMarksTest {
   }
 
   @Test
-  void marksLieInThePlaneOfTheNewestEventsAndTracesReachIntoThePast() {
+  void marksLieInThePlaneOfTheNewestEventsWithTracesBehind() {
     SpaceTimeSink.Frame frame = new SpaceTimeSink.Frame(1);
     frame.nowUs = 500_000;
     frame.marks =

@@ -93,7 +93,7 @@ class WingsFeatureTest {
   }
 
   @Test
-  void theNumbersOfAFilterAreSeenAndChangedWhileItRuns() {
+  void filterValuesAreShownAndEditedDuringPlayback() {
     enter("process-noise-3-0", "77");
     viewer.waitFor(
         "Q of the frequency", () -> filter().get().value(Table.PROCESS_NOISE, 3, 0) == 77);
@@ -121,7 +121,7 @@ class WingsFeatureTest {
   }
 
   @Test
-  void aNoiseThatTheEstimatorAdaptsIsTakenOverByAClickAndGivenBackByAnother() {
+  void adaptiveNoiseIsFixedAndReleasedByClicks() {
     String id = "source-process-noise-3";
     viewer.waitFor(
         "the frequency's noise is the estimator's",
@@ -145,7 +145,7 @@ class WingsFeatureTest {
   }
 
   @Test
-  void whatTheTrackerDoesAndHowItFoundTheFlyIsSaid() {
+  void trackerStateAndSearchStepsAreShown() {
     viewer.waitFor(
         "the steps", () -> viewer.text("wings-search").startsWith("Tracks both wings.\n1. Two"));
     String text = viewer.text("wings-search");
@@ -153,7 +153,7 @@ class WingsFeatureTest {
   }
 
   @Test
-  void thePresetOfTheOriginalIsOneClickAndIsTakenBackByAnother() {
+  void originalPresetIsAppliedAndUndoneByClicks() {
     WingTrackerSettings before = viewer.onFx(() -> wings.seen().get().settings());
     viewer.run(() -> viewer.node("expand-wing-tracker", Button.class).fire());
     viewer.run(() -> viewer.node("preset-original-wing-tracker", Button.class).fire());
@@ -165,7 +165,7 @@ class WingsFeatureTest {
   }
 
   @Test
-  void anEntryThatIsBeingEditedStandsStill() {
+  void editedEntryIsNotOverwritten() {
     TextField entry = viewer.node("state-2-0", TextField.class);
     viewer.run(
         () -> {
@@ -180,7 +180,7 @@ class WingsFeatureTest {
   }
 
   @Test
-  void edgesAreSwitchedOffAndTheSettingsOfTheChainFollow() {
+  void disabledEdgesUpdateTheSettingsOfTheChain() {
     CheckBox box = viewer.node("wings-edge-right-leading", CheckBox.class);
     viewer.run(() -> box.fire());
     viewer.waitFor("the setting", () -> !wings.seen().get().settings().output().rightLeading());
@@ -193,7 +193,7 @@ class WingsFeatureTest {
   }
 
   @Test
-  void theFlyIsPlacedByTheMouse() {
+  void flyIsPlacedByTheMouse() {
     viewer.pause();
     viewer.run(() -> viewer.window.context().actions().run("wings-place"));
     // one that was under way when the fly stood still, and one after it
@@ -235,7 +235,7 @@ class WingsFeatureTest {
   }
 
   @Test
-  void aLogIsWrittenUntilItIsStopped() throws IOException {
+  void logIsWrittenUntilStopped() throws IOException {
     Path file = folder.resolve("wings.txt");
     viewer.run(() -> viewer.window.context().playback().setSpeed(0.2));
     viewer.run(() -> wings.log(file));

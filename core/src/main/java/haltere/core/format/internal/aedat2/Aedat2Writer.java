@@ -93,14 +93,12 @@ final class Aedat2Writer implements RecordingWriter {
     int i = 0;
     while (i < size) {
       output.room(RecordDecoder.AEDAT2_BYTES);
-      long leastUs = clock.turnUs() + Integer.MIN_VALUE;
+      long minUs = clock.turnUs() + Integer.MIN_VALUE;
       long lastUs = clock.started() ? clock.lastUs() : Long.MAX_VALUE;
       int stop = Math.min(size, i + buffer.remaining() / RecordDecoder.AEDAT2_BYTES);
       for (; i < stop; i++) {
         long timeUs = times[i];
-        if ((timeUs - lastUs) >>> 31 != 0
-            || (timeUs - leastUs) >>> 32 != 0
-            || isOutside(events[i])) {
+        if ((timeUs - lastUs) >>> 31 != 0 || (timeUs - minUs) >>> 32 != 0 || isOutside(events[i])) {
           break;
         }
         lastUs = timeUs;
@@ -110,7 +108,7 @@ final class Aedat2Writer implements RecordingWriter {
         clock.advance(lastUs);
       }
       if (i < stop) {
-        writeWithCare(times[i], events[i]);
+        writeChecked(times[i], events[i]);
         i++;
       }
     }
@@ -121,7 +119,7 @@ final class Aedat2Writer implements RecordingWriter {
   }
 
   /** Writes the first event, one outside the sensor, or one after a jump of the clock. */
-  private void writeWithCare(long timeUs, int event) {
+  private void writeChecked(long timeUs, int event) {
     if (isOutside(event)) {
       outside++;
       return;

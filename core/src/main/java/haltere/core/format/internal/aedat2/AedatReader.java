@@ -17,14 +17,14 @@ import java.util.Optional;
 
 /** Common parts of the readers of AEDAT-1.0 and AEDAT-2.0 have in common. */
 final class AedatReader {
-  private static final int FIRST_LOOK = 256 * 1024;
+  private static final int FIRST_BYTES = 256 * 1024;
   private static final int MAX_HEADER = 16 * 1024 * 1024;
 
   private AedatReader() {}
 
   static AedatHeader header(RecordingFile file) throws IOException {
-    for (int look = FIRST_LOOK; look <= MAX_HEADER; look *= 4) {
-      ByteBuffer bytes = ByteBuffer.allocate((int) Math.min(look, Math.max(1, file.size())));
+    for (int headBytes = FIRST_BYTES; headBytes <= MAX_HEADER; headBytes *= 4) {
+      ByteBuffer bytes = ByteBuffer.allocate((int) Math.min(headBytes, Math.max(1, file.size())));
       file.read(bytes, 0);
       Optional<AedatHeader> header =
           AedatHeader.parse(bytes.array(), bytes.limit(), bytes.limit() >= file.size());
@@ -50,10 +50,10 @@ final class AedatReader {
       found.add(Violation.CUT_OFF, header.dataOffset());
     }
     InertialRange range = InertialRange.of(file.read(0, header.dataOffset()));
-    List<String> told = new ArrayList<>(remarks);
+    List<String> allRemarks = new ArrayList<>(remarks);
     boolean fromCamera = sensor.layout() == AedatSensor.Layout.DAVIS && header.sensor().isEmpty();
     if (options.samples() && fromCamera && !range.stated()) {
-      told.add(
+      allRemarks.add(
           "the header does not state the range of the inertial sensor; "
               + range.accelerationG()
               + " g and "
@@ -64,7 +64,7 @@ final class AedatReader {
         formatName,
         file,
         sensor.geometry(),
-        told,
+        allRemarks,
         options,
         found,
         violations ->

@@ -16,8 +16,8 @@ record InertialRange(int accelerationG, int rotationDegS, boolean stated) {
   private static final Pattern ACCELERATION = Pattern.compile("\"ImuAccelScaleG(2|4|8|16)\"");
   private static final Pattern ROTATION =
       Pattern.compile("\"GyroFullScaleDegPerSec(250|500|1000|2000)\"");
-  private static final int USUAL_G = 4;
-  private static final int USUAL_DEG_S = 500;
+  private static final int DEFAULT_G = 4;
+  private static final int DEFAULT_DEG_S = 500;
 
   /** From the text of a header. */
   static InertialRange of(byte[] header) {
@@ -25,8 +25,8 @@ record InertialRange(int accelerationG, int rotationDegS, boolean stated) {
     int acceleration = last(ACCELERATION, text);
     int rotation = last(ROTATION, text);
     return new InertialRange(
-        acceleration == 0 ? USUAL_G : acceleration,
-        rotation == 0 ? USUAL_DEG_S : rotation,
+        acceleration == 0 ? DEFAULT_G : acceleration,
+        rotation == 0 ? DEFAULT_DEG_S : rotation,
         acceleration != 0 && rotation != 0);
   }
 

@@ -2,7 +2,7 @@ package haltere.core.format.internal.aedat4;
 
 import java.util.Locale;
 
-/** How the packets of an AEDAT-4 file are compressed. */
+/** Compression of the packets of an AEDAT-4 file. */
 public enum Aedat4Compression {
   /** Uncompressed: fastest, 16 bytes an event. */
   NONE,

@@ -144,7 +144,7 @@ final class Aedat4Cursor implements EventCursor {
   }
 
   private void openPacket() throws IOException, DamagedPacketException {
-    if (takeFromAhead()) {
+    if (takeDecodedAhead()) {
       count = slot.events().size();
     } else {
       decompressor.open(walk.payload(), walk.size());
@@ -155,7 +155,7 @@ final class Aedat4Cursor implements EventCursor {
   }
 
   /** Uses the packet if it is decoded already; starts the decoding thread if it is worthwhile. */
-  private boolean takeFromAhead() throws IOException {
+  private boolean takeDecodedAhead() throws IOException {
     if (ahead == null && !startAhead()) {
       return false;
     }
@@ -176,12 +176,12 @@ final class Aedat4Cursor implements EventCursor {
     bytesInOrder += walk.size();
     if (alone
         || ++packetsInOrder <= PACKETS_ALONE
-        || bytesInOrder < (long) packetsInOrder * DecodeAhead.WORTH_BYTES
+        || bytesInOrder < (long) packetsInOrder * DecodeAhead.MIN_PACKET_BYTES
         || !isPacked()) {
       return false;
     }
     ahead = new DecodeAhead(path, layout, geometry, eventStream, walk.position());
-    walk.lookThrough(new FileWindow(file, DecodeAhead.HEADER_WINDOW));
+    walk.setWindow(new FileWindow(file, DecodeAhead.HEADER_WINDOW));
     return true;
   }
 
@@ -199,7 +199,7 @@ final class Aedat4Cursor implements EventCursor {
     if (ahead != null) {
       ahead.close();
       ahead = null;
-      walk.lookThrough(decompressor.window());
+      walk.setWindow(decompressor.window());
     }
   }
 
@@ -332,7 +332,7 @@ final class Aedat4Cursor implements EventCursor {
 
   @Override
   public boolean visitPieces(PieceVisitor visitor) throws IOException {
-    Optional<PacketTable> table = PacketTable.believed(file, layout, eventStream);
+    Optional<PacketTable> table = PacketTable.readTable(file, layout, eventStream);
     if (table.isPresent()) {
       table.get().visit(visitor);
     }
@@ -341,7 +341,7 @@ final class Aedat4Cursor implements EventCursor {
 
   @Override
   public Optional<RecordingOutline> outline() throws IOException {
-    return PacketTable.believed(file, layout, eventStream).map(PacketTable::outline);
+    return PacketTable.readTable(file, layout, eventStream).map(PacketTable::outline);
   }
 
   @Override

@@ -35,7 +35,7 @@ import java.util.stream.Collectors;
 
 /** AEDAT-4.0, the format of DV, dv-processing and jAER 3: read and written. */
 public final class Aedat4Format implements RecordingFormat {
-  private static final int LOOK_PACKETS = 256;
+  private static final int PROBE_PACKETS = 256;
   private static final int ANY_SIDE = 1 << 15;
 
   /** Called by the service loader. */
@@ -213,7 +213,7 @@ public final class Aedat4Format implements RecordingFormat {
       Decompressor decompressor = new Decompressor(file);
       try {
         PacketWalk walk = layout.walk(decompressor.window(), new ViolationCounts());
-        for (int i = 0; i < LOOK_PACKETS && walk.find(); i++) {
+        for (int i = 0; i < PROBE_PACKETS && walk.find(); i++) {
           try {
             decompressor.open(walk.payload(), walk.size());
             decompressor.gather(16);
@@ -247,8 +247,8 @@ public final class Aedat4Format implements RecordingFormat {
         return new SensorGeometry(sized.get().width(), sized.get().height(), origin);
       }
       if (options.sensor().isPresent()) {
-        SensorGeometry said = options.sensor().get();
-        return new SensorGeometry(said.width(), said.height(), origin);
+        SensorGeometry given = options.sensor().get();
+        return new SensorGeometry(given.width(), given.height(), origin);
       }
       SensorGeometry guess = guess(stream, origin);
       remarks.add(

@@ -26,7 +26,7 @@ import java.util.concurrent.locks.ReentrantLock;
  */
 final class DecodeAhead implements Closeable {
   /** Minimum average packet size for which a second thread is worthwhile. */
-  static final int WORTH_BYTES = 4096;
+  static final int MIN_PACKET_BYTES = 4096;
 
   /** Bytes to read for the header of a packet that the other thread decompresses. */
   static final int HEADER_WINDOW = 512;

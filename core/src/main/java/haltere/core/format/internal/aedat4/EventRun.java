@@ -55,7 +55,7 @@ final class EventRun {
     int to = from + events;
     long[] times = out.timesUs();
     int[] addresses = out.addresses();
-    if (!takeApart(data, at, events, times, addresses, from)
+    if (!split(data, at, events, times, addresses, from)
         || !ascends(times, from, to, lastUs)
         || !inside(addresses, from, to)) {
       return false;
@@ -65,7 +65,7 @@ final class EventRun {
     return true;
   }
 
-  private static boolean takeApart(
+  private static boolean split(
       byte[] data, int at, int events, long[] times, int[] addresses, int from) {
     VarHandle longs = LittleEndian.LONG;
     int polarities = 0;

@@ -46,7 +46,7 @@ final class PacketTable {
    *
    * @return empty without a valid one
    */
-  static Optional<PacketTable> believed(RecordingFile file, Aedat4Cursor.Layout layout, int stream)
+  static Optional<PacketTable> readTable(RecordingFile file, Aedat4Cursor.Layout layout, int stream)
       throws IOException {
     if (layout.end() >= file.size()) {
       return Optional.empty();

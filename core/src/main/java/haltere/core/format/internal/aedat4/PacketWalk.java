@@ -18,7 +18,7 @@ final class PacketWalk {
   /** Number of the stream and size. */
   static final int HEADER_BYTES = 8;
 
-  private static final int LOOK_BYTES = HEADER_BYTES + 12;
+  private static final int MIN_SEARCH_BYTES = HEADER_BYTES + 12;
 
   private FileWindow window;
   private final Set<Integer> known;
@@ -67,7 +67,7 @@ final class PacketWalk {
   }
 
   /** Reads the file through another window. */
-  void lookThrough(FileWindow other) {
+  void setWindow(FileWindow other) {
     window = other;
   }
 
@@ -140,7 +140,7 @@ final class PacketWalk {
     boolean isSearched = from >= searchedFrom && (searchFound < 0 || from <= searchFound);
     if (searchedFrom == 0 || !isSearched) {
       searchFound = -1;
-      for (long at = from; at <= end - LOOK_BYTES && searchFound < 0; at++) {
+      for (long at = from; at <= end - MIN_SEARCH_BYTES && searchFound < 0; at++) {
         if (looksLikePacket(at)) {
           searchFound = at;
         }
@@ -157,17 +157,17 @@ final class PacketWalk {
 
   private boolean looksLikePacket(long offset) throws IOException {
     looks++;
-    int at = offset > end - LOOK_BYTES ? -1 : window.require(offset, LOOK_BYTES);
+    int at = offset > end - MIN_SEARCH_BYTES ? -1 : window.require(offset, MIN_SEARCH_BYTES);
     if (at < 0) {
       return false;
     }
     byte[] bytes = window.bytes();
-    long said = LittleEndian.getInt(bytes, at + 4);
+    long statedBytes = LittleEndian.getInt(bytes, at + 4);
     int id = LittleEndian.getInt(bytes, at);
-    if (id < 0 || said <= 4 || said > end - offset - HEADER_BYTES) {
+    if (id < 0 || statedBytes <= 4 || statedBytes > end - offset - HEADER_BYTES) {
       return false;
     }
-    Aedat4Compression compression = Decompressor.compression(bytes, at + HEADER_BYTES, said);
+    Aedat4Compression compression = Decompressor.compression(bytes, at + HEADER_BYTES, statedBytes);
     return compression != null
         && (compression != Aedat4Compression.NONE || isIdentifier(bytes, at + HEADER_BYTES + 8));
   }

@@ -22,7 +22,7 @@ import java.util.Set;
 final class SamplePackets {
   private static final long SPAN_US = 50_000;
   private static final int MAX_ELEMENTS = 1024;
-  private static final int LONGEST_SIDE = Short.MAX_VALUE;
+  private static final int MAX_SIDE = Short.MAX_VALUE;
 
   /** Numbers of the streams; 0 is that of events. */
   private static final Map<SampleKind, Integer> STREAMS =
@@ -226,8 +226,8 @@ final class SamplePackets {
 
   private boolean write(Frame frame) throws IOException {
     int top = sensorHeight - frame.bottom() - frame.height();
-    if (frame.width() > LONGEST_SIDE
-        || frame.height() > LONGEST_SIDE
+    if (frame.width() > MAX_SIDE
+        || frame.height() > MAX_SIDE
         || (short) frame.left() != frame.left()
         || (short) top != top) {
       return false;

@@ -165,7 +165,7 @@ record SamplePayload(int sensorHeight, boolean rowsFromBottom) {
       swapRedAndBlue(rows, channels, depth.bytes());
     }
     if (rowsFromBottom) {
-      turnOver(rows, height);
+      flipRows(rows, height);
     }
     int bottom = rowsFromBottom || sensorHeight == 0 ? top : sensorHeight - top - height;
     return new Frame(times(table), left, bottom, width, height, channels, depth, rows);
@@ -207,7 +207,7 @@ record SamplePayload(int sensorHeight, boolean rowsFromBottom) {
     }
   }
 
-  private static void turnOver(byte[] rows, int height) {
+  private static void flipRows(byte[] rows, int height) {
     int length = rows.length / height;
     byte[] row = new byte[length];
     for (int upper = 0, lower = height - 1; upper < lower; upper++, lower--) {

@@ -110,7 +110,7 @@ final class BagCursor implements EventCursor {
       }
       number = message.number();
     }
-    if (message.lying()) {
+    if (message.oversized()) {
       violations.add(Violation.LYING_LENGTH, offset);
     }
     if (!encoding.word().equals(message.encoding())) {

@@ -79,7 +79,7 @@ final class BagOpening {
         found.orElseGet(
             () ->
                 new First(
-                    topics.ofEvents().stream().filter(this::isAskedFor).findFirst().orElseThrow(),
+                    topics.ofEvents().stream().filter(this::isRequested).findFirst().orElseThrow(),
                     new EventMessage(0, 0, 0, -1, 0, EventMessage.ARRAY, false, 0, false),
                     Encoding.ARRAY,
                     Optional.empty()));
@@ -112,7 +112,7 @@ final class BagOpening {
     return new DecompressingWalk(walks.from(wanted, violations));
   }
 
-  private boolean isAskedFor(BagTopic topic) {
+  private boolean isRequested(BagTopic topic) {
     return topic.kind() != BagTopic.Kind.OTHER
         && (options.topic().isEmpty() || options.topic().get().equals(topic.name()));
   }
@@ -121,7 +121,7 @@ final class BagOpening {
   private Optional<First> first() throws IOException {
     ViolationCounts ignored = new ViolationCounts();
     MessageBody body = new MessageBody();
-    try (MessageWalk walk = messages(this::isAskedFor, ignored)) {
+    try (MessageWalk walk = messages(this::isRequested, ignored)) {
       while (walk.find()) {
         if (Thread.currentThread().isInterrupted()) {
           throw new InterruptedIOException("interrupted while looking for events");
@@ -144,7 +144,7 @@ final class BagOpening {
   }
 
   private void checkTopics(Optional<First> found) throws RecordingProblem {
-    if (found.isPresent() || topics.ofEvents().stream().anyMatch(this::isAskedFor)) {
+    if (found.isPresent() || topics.ofEvents().stream().anyMatch(this::isRequested)) {
       return;
     }
     if (options.topic().isPresent()) {
@@ -199,8 +199,8 @@ final class BagOpening {
       return SensorGuess.top((int) width, (int) height);
     }
     if (options.sensor().isPresent()) {
-      SensorGeometry said = options.sensor().get();
-      return SensorGuess.top(said.width(), said.height());
+      SensorGeometry given = options.sensor().get();
+      return SensorGuess.top(given.width(), given.height());
     }
     SensorGeometry guess = SensorGuess.USUAL_SIZES.get(0);
     if (found) {

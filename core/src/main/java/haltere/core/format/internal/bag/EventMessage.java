@@ -18,7 +18,7 @@ import java.io.IOException;
  * @param encoding of the events
  * @param bigEndian byte order of encodings in the machine's order
  * @param events stated number of events or bytes
- * @param lying whether that number exceeds the message
+ * @param oversized whether that number exceeds the message
  */
 record EventMessage(
     long stampNs,
@@ -29,7 +29,7 @@ record EventMessage(
     String encoding,
     boolean bigEndian,
     long events,
-    boolean lying) {
+    boolean oversized) {
   /** Encoding name for an {@code EventArray}. */
   static final String ARRAY = "array";
 
@@ -61,9 +61,9 @@ record EventMessage(
     if (topic.kind() == BagTopic.Kind.ARRAY) {
       long count = body.takeUnsignedInt();
       long whole = EventArrayDecoder.bytes(count, cdr);
-      boolean lying = whole > body.left();
+      boolean oversized = whole > body.left();
       body.shorten(whole);
-      return new EventMessage(stampNs, width, height, NO_NUMBER, 0, ARRAY, false, count, lying);
+      return new EventMessage(stampNs, width, height, NO_NUMBER, 0, ARRAY, false, count, oversized);
     }
     body.align(cdr ? 8 : 1, start);
     long number = body.takeLong();
@@ -72,9 +72,9 @@ record EventMessage(
     boolean bigEndian = body.takeByte() != 0;
     body.align(cdr ? 4 : 1, start);
     long bytes = body.takeUnsignedInt();
-    boolean lying = bytes > body.left();
+    boolean oversized = bytes > body.left();
     body.shorten(bytes);
     return new EventMessage(
-        stampNs, width, height, number, timeBaseNs, encoding, bigEndian, bytes, lying);
+        stampNs, width, height, number, timeBaseNs, encoding, bigEndian, bytes, oversized);
   }
 }

@@ -32,7 +32,7 @@ final class McapRecord {
   /** Kind and length. */
   static final int HEAD_BYTES = 9;
 
-  private static final int LONGEST_TEXT = 64 * 1024;
+  private static final int MAX_TEXT = 64 * 1024;
 
   private final Payload payload;
   private int kind;
@@ -107,7 +107,7 @@ final class McapRecord {
 
   String takeText() throws IOException, DamagedPacketException {
     long length = takeUnsignedInt();
-    if (length > LONGEST_TEXT) {
+    if (length > MAX_TEXT) {
       throw new DamagedPacketException("a text that is too long");
     }
     int at = take((int) length);

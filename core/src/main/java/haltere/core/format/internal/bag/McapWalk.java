@@ -12,7 +12,7 @@ import java.io.IOException;
  * each of which is treated as a chunk.
  */
 final class McapWalk extends ChunkWalk {
-  private static final int LONGEST_HEADER = 128 * 1024;
+  private static final int MAX_HEADER = 128 * 1024;
 
   /** Channel, number, time of recording, time of sending. */
   private static final int MESSAGE_HEAD = 22;
@@ -37,7 +37,7 @@ final class McapWalk extends ChunkWalk {
     ended = false;
     while (next < index.end() && !ended) {
       long rest = file.size() - next;
-      records.open(next, Math.min(LONGEST_HEADER, rest));
+      records.open(next, Math.min(MAX_HEADER, rest));
       try {
         if (openNext(new McapRecord(records), rest)) {
           return true;
@@ -77,7 +77,7 @@ final class McapWalk extends ChunkWalk {
         return openChunk("", next, McapRecord.HEAD_BYTES + record.bytes(), rest);
       }
       case McapRecord.SCHEMA, McapRecord.CHANNEL -> {
-        if (record.bytes() <= LONGEST_HEADER - McapRecord.HEAD_BYTES) {
+        if (record.bytes() <= MAX_HEADER - McapRecord.HEAD_BYTES) {
           index.schemas().read(record);
         }
       }

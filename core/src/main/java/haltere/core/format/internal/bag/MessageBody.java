@@ -13,7 +13,7 @@ import java.nio.charset.StandardCharsets;
  * <p>Thread rule: one thread.
  */
 final class MessageBody implements ByteSource {
-  private static final int LONGEST_TEXT = 4096;
+  private static final int MAX_TEXT = 4096;
 
   private Payload payload;
   private long size;
@@ -125,7 +125,7 @@ final class MessageBody implements ByteSource {
   /** A length-prefixed text. */
   String takeText() throws IOException, DamagedPacketException {
     long length = takeUnsignedInt();
-    if (length > LONGEST_TEXT) {
+    if (length > MAX_TEXT) {
       throw new DamagedPacketException("a text that is too long");
     }
     int at = take((int) length);

@@ -56,7 +56,7 @@ interface MessageWalk extends Closeable {
    */
   long offset(long done);
 
-  /** Where {@link #find} continues. */
+  /** Position at which {@link #find} continues. */
   long position();
 
   /**

@@ -11,7 +11,7 @@ import java.io.IOException;
  * connections; indexes between chunks are skipped.
  */
 final class RosbagWalk extends ChunkWalk {
-  private static final int LONGEST_HEADER = 64 * 1024 + 8;
+  private static final int MAX_HEADER = 64 * 1024 + 8;
 
   private final RosbagIndex index;
 
@@ -28,7 +28,7 @@ final class RosbagWalk extends ChunkWalk {
   @Override
   boolean nextChunk() throws IOException {
     while (next < index.end()) {
-      records.open(next, Math.min(LONGEST_HEADER, file.size() - next));
+      records.open(next, Math.min(MAX_HEADER, file.size() - next));
       try {
         RosbagRecord record = RosbagRecord.read(records);
         int kind = record == null ? -1 : record.kind();

@@ -45,9 +45,9 @@ final class SqliteRow extends Payload {
     int local = (int) Math.min(bytes, usable);
     chain = 0;
     if (bytes > usable - 35) {
-      int least = (usable - 12) * 32 / 255 - 23;
-      int most = least + (int) ((bytes - least) % (usable - 4));
-      local = most <= usable - 35 ? most : least;
+      int minLocal = (usable - 12) * 32 / 255 - 23;
+      int maxLocal = minLocal + (int) ((bytes - minLocal) % (usable - 4));
+      local = maxLocal <= usable - 35 ? maxLocal : minLocal;
     }
     if (at + local > usable || bytes > local && at + local + 4 > usable) {
       throw new DamagedPacketException("a row outside of its page");

@@ -26,7 +26,7 @@ public final class AscendingTimes extends EventTimes {
     if (timeUs >= lastUs) {
       return false;
     }
-    holdBack(timeUs);
+    hold(timeUs);
     return true;
   }
 
@@ -51,7 +51,7 @@ public final class AscendingTimes extends EventTimes {
 
   @Override
   public void restore(long[] state, int at) {
-    holdNothingBack();
+    releaseHeld();
     lastUs = state[at];
   }
 

@@ -78,13 +78,13 @@ public abstract sealed class EventTimes permits AscendingTimes, WrappingTimes {
   }
 
   /** Holds back an event with which the clock goes back. */
-  final void holdBack(long timeUs) {
+  final void hold(long timeUs) {
     restarted = true;
     restartUs = timeUs;
   }
 
   /** Clears the held event when a saved state is restored. */
-  final void holdNothingBack() {
+  final void releaseHeld() {
     restarted = false;
   }
 }

@@ -31,7 +31,7 @@ public final class WrappingTimes extends EventTimes {
    */
   public boolean take(long timeUs) {
     if (clock.goesBack(timeUs)) {
-      holdBack(timeUs);
+      hold(timeUs);
       return false;
     }
     clock.take(timeUs);
@@ -51,7 +51,7 @@ public final class WrappingTimes extends EventTimes {
 
   @Override
   public void restore(long[] state, int at) {
-    holdNothingBack();
+    releaseHeld();
     if (state[at + 1] == StreamNotification.NO_TIME_US) {
       clock.reset(state[at]);
     } else {

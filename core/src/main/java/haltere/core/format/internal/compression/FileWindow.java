@@ -10,13 +10,13 @@ import java.nio.ByteBuffer;
  * <p>Thread rule: one thread.
  */
 public final class FileWindow implements ByteSource {
-  private static final int USUAL_BYTES = 64 * 1024;
+  private static final int DEFAULT_BYTES = 64 * 1024;
 
   /** Maximum number of bytes per request; more is an error of the caller. */
   public static final int MAX_BYTES = 8 * 1024 * 1024;
 
   private final RecordingFile file;
-  private final int usualBytes;
+  private final int defaultBytes;
   private byte[] bytes = new byte[0];
   private ByteBuffer buffer = ByteBuffer.wrap(bytes);
   private long start;
@@ -28,18 +28,18 @@ public final class FileWindow implements ByteSource {
    * @param file the file; it is not closed with the window
    */
   public FileWindow(RecordingFile file) {
-    this(file, USUAL_BYTES);
+    this(file, DEFAULT_BYTES);
   }
 
   /**
    * An empty window.
    *
    * @param file the file; it is not closed with the window
-   * @param usualBytes least number of bytes per read, at least 1
+   * @param defaultBytes least number of bytes per read, at least 1
    */
-  public FileWindow(RecordingFile file, int usualBytes) {
+  public FileWindow(RecordingFile file, int defaultBytes) {
     this.file = file;
-    this.usualBytes = usualBytes;
+    this.defaultBytes = defaultBytes;
   }
 
   /**
@@ -61,7 +61,7 @@ public final class FileWindow implements ByteSource {
     if (offset < 0 || offset + count > file.size()) {
       return -1;
     }
-    int wanted = (int) Math.min(Math.max(usualBytes, count), file.size());
+    int wanted = (int) Math.min(Math.max(defaultBytes, count), file.size());
     if (bytes.length < wanted) {
       bytes = new byte[Math.max(wanted, bytes.length)];
       buffer = ByteBuffer.wrap(bytes);

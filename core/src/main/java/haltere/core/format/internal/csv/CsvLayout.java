@@ -27,9 +27,9 @@ record CsvLayout(
     boolean marked,
     int width,
     int height) {
-  private static final int LOOK_ROWS = 2000;
+  private static final int PROBE_ROWS = 2000;
   private static final int MAX_COLUMNS = 32;
-  private static final double SMALLEST_NS = 1e17;
+  private static final double MIN_NS = 1e17;
   private static final String BLANKS = " \t\n\u000b\f\r";
 
   CsvLayout {
@@ -52,7 +52,7 @@ record CsvLayout(
     }
     Start start = new Start();
     int offset = 0;
-    while (offset < text.length() && start.rows.size() < LOOK_ROWS) {
+    while (offset < text.length() && start.rows.size() < PROBE_ROWS) {
       int end = text.indexOf('\n', offset);
       boolean whole = end >= 0;
       String line = text.substring(offset, whole ? end : text.length()).strip();
@@ -171,11 +171,11 @@ record CsvLayout(
       EventColumn role = EventColumn.named(name);
       roles.add(role != EventColumn.OTHER && roles.contains(role) ? EventColumn.OTHER : role);
     }
-    boolean enough =
+    boolean complete =
         roles.contains(EventColumn.TIME)
             && roles.contains(EventColumn.X)
             && roles.contains(EventColumn.Y);
-    return enough ? Optional.of(roles) : Optional.empty();
+    return complete ? Optional.of(roles) : Optional.empty();
   }
 
   private static int timeScale(String[] names, List<String[]> rows) {
@@ -203,7 +203,7 @@ record CsvLayout(
         largest = Math.max(largest, Math.abs(value));
       }
     }
-    return fraction ? 6 : largest >= SMALLEST_NS ? -3 : 0;
+    return fraction ? 6 : largest >= MIN_NS ? -3 : 0;
   }
 
   /**

@@ -26,7 +26,7 @@ final class CsvWriter implements RecordingWriter {
   private final boolean fromTop;
 
   /** Whether the origin of rows was not requested. */
-  private final boolean unasked;
+  private final boolean isDefaultOrigin;
 
   private final byte[] bytes = new byte[BUFFER_BYTES];
   private final NumberText text = new NumberText();
@@ -37,7 +37,7 @@ final class CsvWriter implements RecordingWriter {
     this.file = file;
     geometry = options.geometry();
     fromTop = options.origin().orElse(geometry.origin()) == Origin.TOP;
-    unasked = options.origin().isEmpty();
+    isDefaultOrigin = options.origin().isEmpty();
     byte[] head = "t_us,x,y,on\n".getBytes(StandardCharsets.US_ASCII);
     System.arraycopy(head, 0, bytes, 0, head.length);
     length = head.length;
@@ -73,7 +73,9 @@ final class CsvWriter implements RecordingWriter {
 
   @Override
   public List<String> losses() {
-    return any && unasked && !fromTop && geometry.height() > 1 ? List.of(ROWS_UP) : List.of();
+    return any && isDefaultOrigin && !fromTop && geometry.height() > 1
+        ? List.of(ROWS_UP)
+        : List.of();
   }
 
   @Override

@@ -55,7 +55,7 @@ final class DatDecoder implements StreamDecoder {
   private final int top;
   private final int xBits;
   private final int yBits;
-  private final boolean usual;
+  private final boolean isVersion2;
   private final ViolationCounts violations;
   private final WrappingClock clock;
   private final WrappingTimes times;
@@ -79,7 +79,7 @@ final class DatDecoder implements StreamDecoder {
     top = geometry.height() - 1;
     xBits = layout.xBits();
     yBits = layout.yBits();
-    usual = layout.equals(Layout.VERSION_2);
+    isVersion2 = layout.equals(Layout.VERSION_2);
     this.violations = violations;
     clock = new WrappingClock(1L << 32, firstTurnUs);
     times = new WrappingTimes(clock);
@@ -107,7 +107,7 @@ final class DatDecoder implements StreamDecoder {
 
   /** Decodes staged records of version 2 if all are regular; otherwise none. */
   private boolean decodeRun(int count, EventPacket out) {
-    if (!clock.started() || !usual) {
+    if (!clock.started() || !isVersion2) {
       return false;
     }
     int size = out.size();

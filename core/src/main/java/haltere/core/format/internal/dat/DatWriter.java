@@ -90,7 +90,7 @@ final class DatWriter implements RecordingWriter {
         clock.advance(lastUs);
       }
       if (i < stop) {
-        writeWithCare(times[i], addresses[i]);
+        writeChecked(times[i], addresses[i]);
         i++;
       }
     }
@@ -105,7 +105,7 @@ final class DatWriter implements RecordingWriter {
   }
 
   /** Writes the first event, one outside the sensor, or one after a jump of the clock. */
-  private void writeWithCare(long timeUs, int address) {
+  private void writeChecked(long timeUs, int address) {
     int x = EventAddress.x(address);
     int y = top - EventAddress.y(address);
     if (x >= width || y < 0) {

@@ -39,7 +39,7 @@ final class EventStreamDecoder implements StreamDecoder {
   private static final int WIDE_OVERFLOW_US = 0xfe;
   private static final int ATIS_OVERFLOW = 0xfc;
   private static final int ATIS_OVERFLOW_US = 0x3f;
-  private static final int LONGEST_COUNT = 5;
+  private static final int MAX_COUNT = 5;
 
   private final Kind kind;
   private final int width;
@@ -196,12 +196,12 @@ final class EventStreamDecoder implements StreamDecoder {
       long length = 0;
       int bytes = 0;
       boolean more = true;
-      while (more && bytes < LONGEST_COUNT && position + 1 + bytes < end) {
+      while (more && bytes < MAX_COUNT && position + 1 + bytes < end) {
         int piece = in.get(position + 1 + bytes) & 0xff;
         length |= (long) (piece >>> 1) << 7 * bytes++;
         more = (piece & 1) != 0;
       }
-      if (more && bytes < LONGEST_COUNT) {
+      if (more && bytes < MAX_COUNT) {
         break;
       }
       timeUs += first;

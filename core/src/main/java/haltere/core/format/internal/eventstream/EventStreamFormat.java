@@ -57,7 +57,7 @@ public final class EventStreamFormat implements StreamedFormat {
   @Override
   public RecordingReader openStream(RecordingFile file, ReadOptions options) throws IOException {
     EventStreamHeader header =
-        EventStreamHeader.parse(file.read(0, EventStreamHeader.LONGEST))
+        EventStreamHeader.parse(file.read(0, EventStreamHeader.MAX_BYTES))
             .orElseThrow(
                 () ->
                     new RecordingProblem(
@@ -114,11 +114,11 @@ public final class EventStreamFormat implements StreamedFormat {
     if (kind == EventStreamDecoder.Kind.GENERIC) {
       return options.sensor().orElse(new SensorGeometry(1, 1, Origin.TOP));
     }
-    int most = EventAddress.MAX_COORDINATE + 1;
+    int maxSide = EventAddress.MAX_COORDINATE + 1;
     if (header.width() < 1
         || header.height() < 1
-        || header.width() > most
-        || header.height() > most) {
+        || header.width() > maxSide
+        || header.height() > maxSide) {
       throw new RecordingProblem(
           file.path(),
           EventStreamHeader.MAGIC.length + 4L,

@@ -19,7 +19,7 @@ record EventStreamHeader(int version, int kind, int width, int height, int dataO
   static final int DVS = 1;
   static final int ATIS = 2;
   static final int COLOUR = 4;
-  static final int LONGEST = 20;
+  static final int MAX_BYTES = 20;
 
   /** Reads a header; empty if it is invalid or incomplete. */
   static Optional<EventStreamHeader> parse(byte[] bytes) {
@@ -32,7 +32,7 @@ record EventStreamHeader(int version, int kind, int width, int height, int dataO
     if (kind == GENERIC) {
       return Optional.of(new EventStreamHeader(version, kind, 0, 0, magic + 4));
     }
-    if (bytes.length < LONGEST) {
+    if (bytes.length < MAX_BYTES) {
       return Optional.empty();
     }
     return Optional.of(
@@ -41,6 +41,6 @@ record EventStreamHeader(int version, int kind, int width, int height, int dataO
             kind,
             bytes[magic + 4] & 0xff | (bytes[magic + 5] & 0xff) << 8,
             bytes[magic + 6] & 0xff | (bytes[magic + 7] & 0xff) << 8,
-            LONGEST));
+            MAX_BYTES));
   }
 }

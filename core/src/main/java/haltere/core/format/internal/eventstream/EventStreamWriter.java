@@ -24,7 +24,7 @@ final class EventStreamWriter implements RecordingWriter {
   private static final int EVENT_BYTES = 5;
   private static final int OVERFLOW_US = 0x7f;
   private static final long EIGHT_OVERFLOWS = -1;
-  private static final long LONGEST_LEAP_US = 86_400_000_000L;
+  private static final long MAX_LEAP_US = 86_400_000_000L;
 
   private final OutputBuffer output;
   private final SensorGeometry geometry;
@@ -82,7 +82,7 @@ final class EventStreamWriter implements RecordingWriter {
           outside++;
           i++;
         } else {
-          goOnTo(times[i]);
+          advanceTo(times[i]);
         }
       }
       started |= i > 0;
@@ -90,11 +90,11 @@ final class EventStreamWriter implements RecordingWriter {
   }
 
   /** Writes time bytes until the rest fits in one byte. */
-  private void goOnTo(long timeUs) throws IOException {
+  private void advanceTo(long timeUs) throws IOException {
     long lastUs = writtenUs + baseUs;
     boolean back = timeUs < lastUs;
-    if (back || timeUs - lastUs > LONGEST_LEAP_US || timeUs - lastUs < 0) {
-      long toUs = writtenUs + (back || !started ? 0 : LONGEST_LEAP_US);
+    if (back || timeUs - lastUs > MAX_LEAP_US || timeUs - lastUs < 0) {
+      long toUs = writtenUs + (back || !started ? 0 : MAX_LEAP_US);
       if (started) {
         leaps++;
       } else {

@@ -15,7 +15,7 @@ import java.util.Set;
 
 /** Prophesee RAW in the encoding EVT2.1: read in both layouts, written in the current one. */
 public final class Evt21Format extends EvtFormat {
-  private static final int LOOK_BYTES = 64 * 1024;
+  private static final int PROBE_BYTES = 64 * 1024;
 
   private final boolean legacy;
 
@@ -71,7 +71,7 @@ public final class Evt21Format extends EvtFormat {
     if (stated.equals("legacy") || stated.equals("little")) {
       return new Evt21Format(stated.equals("legacy"));
     }
-    byte[] start = file.read(header.dataOffset(), LOOK_BYTES);
+    byte[] start = file.read(header.dataOffset(), PROBE_BYTES);
     boolean swapped =
         Evt21Decoder.plausibleWords(start, 0, true) > Evt21Decoder.plausibleWords(start, 0, false);
     if (swapped) {

@@ -67,7 +67,7 @@ final class Evt21Writer extends EvtWriter {
       int y = top - EventAddress.y(address);
       i++;
       if (x >= width || y < 0) {
-        leaveOut();
+        skip();
         continue;
       }
       if (timeUs >> LOW_BITS != high) {

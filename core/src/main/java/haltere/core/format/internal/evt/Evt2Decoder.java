@@ -85,7 +85,7 @@ final class Evt2Decoder extends EvtDecoder {
    * Decodes events up to another word or an irregular event; returns their number. The loop has few
    * variables, so that all stay in registers.
    */
-  private int decodeEvents(int from, int most, EventPacket out) {
+  private int decodeEvents(int from, int max, EventPacket out) {
     int[] words = stage;
     long[] timesUs = out.timesUs();
     int[] addresses = out.addresses();
@@ -95,7 +95,7 @@ final class Evt2Decoder extends EvtDecoder {
     int topRow = top << EventAddress.Y_SHIFT;
     int low = lowNow(startUs);
     int count = 0;
-    while (count < most) {
+    while (count < max) {
       int word = words[from + count];
       int newLow = word >>> 22;
       int column = word >>> 10 & 0xffe;

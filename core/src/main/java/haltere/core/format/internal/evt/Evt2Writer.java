@@ -76,7 +76,7 @@ final class Evt2Writer extends EvtWriter {
       buffer.position(position);
       if (i < stop) {
         if (packet.x(i) > right || packet.y(i) > topRow) {
-          leaveOut();
+          skip();
           i++;
         } else {
           high = times[i] >> LOW_BITS;

@@ -39,7 +39,7 @@ public final class Evt3Decoder extends EvtDecoder {
   private static final int AT_ONCE = 4;
 
   /** Events of a group, and space for surplus ones. */
-  private static final int LONGEST_RUN = GROUP + AT_ONCE;
+  private static final int MAX_RUN = GROUP + AT_ONCE;
 
   /** Bytes that are processed together. */
   private static final int STAGE_BYTES = 4096;
@@ -106,7 +106,7 @@ public final class Evt3Decoder extends EvtDecoder {
 
   @Override
   public boolean decode(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
-    out.ensureCapacity(maxEvents + LONGEST_RUN);
+    out.ensureCapacity(maxEvents + MAX_RUN);
     int start = in.position();
     int end = in.remaining() & -WORD_BYTES;
     int first = 0;
@@ -130,7 +130,7 @@ public final class Evt3Decoder extends EvtDecoder {
         }
       }
       if (at < bytes && out.size() < maxEvents) {
-        int word = (int) Stage.eightBytes(stage, at) & 0xffff;
+        int word = (int) WordArray.eightBytes(stage, at) & 0xffff;
         at += decodeWord(word, offset + at, out, maxEvents) ? WORD_BYTES : 0;
       }
     }
@@ -156,12 +156,12 @@ public final class Evt3Decoder extends EvtDecoder {
     boolean passOver = repeatedHighs;
     int low = (int) (timeUs - startUs);
     long others = 0;
-    boolean careForOthers =
+    boolean reportOthers =
         violations.reached() > offset + from || violations.count(Violation.OTHER_DATA) == 0;
-    int stop = lastWithRoom(from, end, maxEvents - size);
+    int stop = lastFitting(from, end, maxEvents - size);
     int at = from;
     while (at <= stop) {
-      long ahead = Stage.eightBytes(words, at);
+      long ahead = WordArray.eightBytes(words, at);
       int passed = 0;
       if (passOver) {
         passed = Long.numberOfTrailingZeros(ahead ^ sameHighs) >>> 4;
@@ -227,16 +227,16 @@ public final class Evt3Decoder extends EvtDecoder {
                     | ((int) (ahead >>> 32) & 0xfff) << 12
                     | (int) (ahead >>> 48) << 24);
         at += GROUP_BYTES;
-        stop = lastWithRoom(at, end, maxEvents - size);
+        stop = lastFitting(at, end, maxEvents - size);
       } else if (type == VECT_BASE_X && passed > 0) {
         continue; // its group is complete when it is read from here
-      } else if (!careForOthers && (ahead & GROUP_TYPES) == COUNTS) {
+      } else if (!reportOthers && (ahead & GROUP_TYPES) == COUNTS) {
         others += GROUP_BYTES / WORD_BYTES;
         at += GROUP_BYTES;
       } else if (type == TIME_LOW && ((int) ahead & 0xfff) >= low) {
         low = (int) ahead & 0xfff;
         at += WORD_BYTES;
-      } else if ((OTHER_WORDS >>> type & 1) != 0 && !careForOthers) {
+      } else if ((OTHER_WORDS >>> type & 1) != 0 && !reportOthers) {
         others++;
         at += WORD_BYTES;
       } else {
@@ -266,7 +266,7 @@ public final class Evt3Decoder extends EvtDecoder {
   /**
    * Start of the last four words for which there is space if each word outside a group is an event.
    */
-  private static int lastWithRoom(int from, int end, int events) {
+  private static int lastFitting(int from, int end, int events) {
     return Math.min(end - GROUP_BYTES, from + (events - 1) * WORD_BYTES);
   }
 

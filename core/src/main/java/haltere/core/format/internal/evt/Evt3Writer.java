@@ -25,7 +25,7 @@ final class Evt3Writer extends EvtWriter {
   private static final int EXT_TRIGGER = 0xa << 12;
   private static final int LOW_BITS = 12;
   private static final int VECTOR = 32;
-  private static final int SHORTEST_VECTOR = 5;
+  private static final int MIN_VECTOR = 5;
 
   /** Bits that are equal in all events of a run: the address without the column. */
   private static final int ROW = ~(EventAddress.MAX_COORDINATE << EventAddress.X_SHIFT);
@@ -85,7 +85,7 @@ final class Evt3Writer extends EvtWriter {
       int x = EventAddress.x(address);
       int y = top - EventAddress.y(address);
       if (x >= width || y < 0) {
-        leaveOut();
+        skip();
         i++;
         continue;
       }
@@ -94,11 +94,9 @@ final class Evt3Writer extends EvtWriter {
       }
       room(GROUP_BYTES);
       boolean mayBeVector =
-          i + SHORTEST_VECTOR <= size
-              && times[i + SHORTEST_VECTOR - 1] == timeUs
-              && x + VECTOR <= width;
+          i + MIN_VECTOR <= size && times[i + MIN_VECTOR - 1] == timeUs && x + VECTOR <= width;
       int next = mayBeVector ? endOfVector(times, addresses, i, size) : i + 1;
-      if (next - i < SHORTEST_VECTOR) {
+      if (next - i < MIN_VECTOR) {
         putPlace(timeUs, y, ADDR_X | (address & EventAddress.ON_BIT) << 11 | x, 1);
         i++;
       } else {

@@ -118,7 +118,7 @@ abstract sealed class EvtWriter implements RecordingWriter
   }
 
   /** Counts an event that cannot be written. */
-  final void leaveOut() {
+  final void skip() {
     outside++;
   }
 

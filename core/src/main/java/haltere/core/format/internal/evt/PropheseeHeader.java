@@ -23,7 +23,7 @@ import java.util.regex.Pattern;
  * @param cutOff whether the file ends within a line
  */
 public record PropheseeHeader(Map<String, String> keys, int dataOffset, boolean cutOff) {
-  private static final int USUAL_HEADER = 64 * 1024;
+  private static final int TYPICAL_BYTES = 64 * 1024;
 
   /** Maximum length of a header. */
   private static final int MAX_HEADER = 1024 * 1024;
@@ -120,8 +120,8 @@ public record PropheseeHeader(Map<String, String> keys, int dataOffset, boolean 
    * @throws IOException if the file cannot be read
    */
   public static PropheseeHeader of(RecordingFile file) throws IOException {
-    byte[] bytes = file.read(0, USUAL_HEADER);
-    if (parse(bytes, false).dataOffset() >= USUAL_HEADER - MAX_LINE) {
+    byte[] bytes = file.read(0, TYPICAL_BYTES);
+    if (parse(bytes, false).dataOffset() >= TYPICAL_BYTES - MAX_LINE) {
       bytes = file.read(0, MAX_HEADER);
     }
     PropheseeHeader header = parse(bytes, bytes.length >= file.size());

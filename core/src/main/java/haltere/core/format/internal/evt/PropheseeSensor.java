@@ -43,7 +43,7 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
       SensorGuess.Opening events)
       throws IOException {
     Optional<PropheseeHeader.Size> stated = header.size();
-    String lie = "";
+    String warning = "";
     if (stated.isPresent()) {
       PropheseeHeader.Size size = stated.get();
       if (size.width() >= 1
@@ -52,21 +52,24 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
           && size.height() <= maxSide) {
         return new PropheseeSensor(SensorGuess.top(size.width(), size.height()), Optional.empty());
       }
-      lie = "the header's size " + size.width() + "x" + size.height() + " is impossible; ";
+      warning = "the header's size " + size.width() + "x" + size.height() + " is impossible; ";
     }
     if (options.sensor().isPresent()) {
-      SensorGeometry asked = options.sensor().get();
+      SensorGeometry given = options.sensor().get();
       return new PropheseeSensor(
-          SensorGuess.top(asked.width(), asked.height()),
-          lie.isEmpty() ? Optional.empty() : Optional.of(lie + asked + " is used as asked for"));
+          SensorGuess.top(given.width(), given.height()),
+          warning.isEmpty()
+              ? Optional.empty()
+              : Optional.of(warning + given + " is used as asked for"));
     }
     Optional<SensorGeometry> named = named(header);
     if (named.isPresent()) {
       return new PropheseeSensor(
           named.get(),
-          Optional.of(lie + "no size is stated; the camera is one of " + named.get() + " pixels"));
+          Optional.of(
+              warning + "no size is stated; the camera is one of " + named.get() + " pixels"));
     }
-    return lookAt(events, maxSide, sizes, lie);
+    return guessed(events, maxSide, sizes, warning);
   }
 
   /** The sensor of the camera named in a RAW header. */
@@ -85,19 +88,22 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
     return Optional.empty();
   }
 
-  private static PropheseeSensor lookAt(
-      SensorGuess.Opening events, int maxSide, List<SensorGeometry> sizes, String lie)
+  private static PropheseeSensor guessed(
+      SensorGuess.Opening events, int maxSide, List<SensorGeometry> sizes, String warning)
       throws IOException {
     Optional<SensorGeometry> guess =
         SensorGuess.smallest(events.open(SensorGuess.square(maxSide)), maxSide, sizes);
-    SensorGeometry usual = sizes.get(sizes.size() - 1);
+    SensorGeometry fallback = sizes.get(sizes.size() - 1);
     return guess
-        .map(size -> new PropheseeSensor(size, Optional.of(lie + SensorGuess.remark(size))))
+        .map(size -> new PropheseeSensor(size, Optional.of(warning + SensorGuess.remark(size))))
         .orElseGet(
             () ->
                 new PropheseeSensor(
-                    usual,
+                    fallback,
                     Optional.of(
-                        lie + "no size is stated and no event is there; " + usual + " taken")));
+                        warning
+                            + "no size is stated and no event is there; "
+                            + fallback
+                            + " taken")));
   }
 }

@@ -13,7 +13,7 @@ import haltere.core.format.internal.compression.Lz4Codec;
 final class BloscBlock {
   private static final int HEADER = 16;
   private static final int MAX_SPLITS = 16;
-  private static final int SMALLEST_SPLIT = 128;
+  private static final int MIN_SPLIT = 128;
 
   private final ChunkDecompressor decompressor;
   private byte[] sorted = {};
@@ -26,13 +26,13 @@ final class BloscBlock {
   /**
    * Decompresses a chunk from the start of an array to the start of another; returns its length.
    */
-  int unpack(byte[] in, int length, byte[] out, int most) throws DamagedPacketException {
+  int unpack(byte[] in, int length, byte[] out, int maxBytes) throws DamagedPacketException {
     check(length >= HEADER);
     int flags = in[2] & 0xff;
     int size = in[3] & 0xff;
     int bytes = LittleEndian.getInt(in, 4);
     int blockBytes = LittleEndian.getInt(in, 8);
-    check(bytes >= 0 && bytes <= most && (blockBytes > 0 || bytes == 0));
+    check(bytes >= 0 && bytes <= maxBytes && (blockBytes > 0 || bytes == 0));
     if ((flags & 2) != 0) {
       check(bytes <= length - HEADER);
       System.arraycopy(in, HEADER, out, 0, bytes);
@@ -55,7 +55,7 @@ final class BloscBlock {
           (flags & 0x10) == 0
               && size <= MAX_SPLITS
               && size > 0
-              && blockBytes / size >= SMALLEST_SPLIT
+              && blockBytes / size >= MIN_SPLIT
               && !leftOver;
       check(from >= HEADER && from <= length);
       if (byBytes || byBits) {

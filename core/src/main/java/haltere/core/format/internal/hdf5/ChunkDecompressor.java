@@ -42,7 +42,7 @@ final class ChunkDecompressor implements Closeable {
       throws DamagedPacketException {
     byte[] from = in;
     int bytes = length;
-    int most = wanted + CHECKSUM * steps.size();
+    int maxBytes = wanted + CHECKSUM * steps.size();
     int last = 0;
     while (last < steps.size() && isSkipped(skipped, last)) {
       last++;
@@ -55,8 +55,8 @@ final class ChunkDecompressor implements Closeable {
         bytes = withoutChecksum(from, bytes);
         continue;
       }
-      byte[] to = i == last ? out : from == one ? other(most) : one(most);
-      bytes = undo(steps.get(i), from, bytes, to, i == last ? wanted : most);
+      byte[] to = i == last ? out : from == one ? other(maxBytes) : one(maxBytes);
+      bytes = undo(steps.get(i), from, bytes, to, i == last ? wanted : maxBytes);
       from = to;
     }
     if (bytes != wanted) {
@@ -85,21 +85,21 @@ final class ChunkDecompressor implements Closeable {
     return other;
   }
 
-  private int undo(FilterStep step, byte[] in, int length, byte[] out, int most)
+  private int undo(FilterStep step, byte[] in, int length, byte[] out, int maxBytes)
       throws DamagedPacketException {
     return switch (step.number()) {
-      case FilterStep.DEFLATE -> inflate(in, 0, length, out, 0, most);
+      case FilterStep.DEFLATE -> inflate(in, 0, length, out, 0, maxBytes);
       case FilterStep.SHUFFLE -> {
-        if (length > most) {
+        if (length > maxBytes) {
           throw new DamagedPacketException("a chunk that is too large");
         }
         ByteShuffle.undo(in, 0, out, 0, length, Math.max(1, step.value(0, 1)));
         yield length;
       }
-      case FilterStep.LZF -> LzfBlock.unpack(in, 0, length, out, 0, most);
-      case FilterStep.BLOSC -> blosc.unpack(in, length, out, most);
-      case FilterStep.LZ4 -> lz4(in, length, out, most);
-      case FilterStep.ZSTD -> zstd(in, 0, length, out, 0, most);
+      case FilterStep.LZF -> LzfBlock.unpack(in, 0, length, out, 0, maxBytes);
+      case FilterStep.BLOSC -> blosc.unpack(in, length, out, maxBytes);
+      case FilterStep.LZ4 -> lz4(in, length, out, maxBytes);
+      case FilterStep.ZSTD -> zstd(in, 0, length, out, 0, maxBytes);
       default -> throw new DamagedPacketException("filter " + step.number());
     };
   }
@@ -137,7 +137,7 @@ final class ChunkDecompressor implements Closeable {
   }
 
   /** HDF5's LZ4 filter: the whole size, that of a block, then blocks; numbers are big-endian. */
-  private static int lz4(byte[] in, int length, byte[] out, int most)
+  private static int lz4(byte[] in, int length, byte[] out, int maxBytes)
       throws DamagedPacketException {
     if (length < 12) {
       throw new DamagedPacketException("a chunk that ends too early");
@@ -145,7 +145,7 @@ final class ChunkDecompressor implements Closeable {
     ByteBuffer numbers = ByteBuffer.wrap(in, 0, length);
     long whole = numbers.getLong(0);
     int blockBytes = numbers.getInt(8);
-    if (whole < 0 || whole > most || blockBytes < 1) {
+    if (whole < 0 || whole > maxBytes || blockBytes < 1) {
       throw new DamagedPacketException("a chunk that claims " + whole + " bytes");
     }
     int at = 12;

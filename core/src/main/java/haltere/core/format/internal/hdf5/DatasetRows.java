@@ -108,11 +108,11 @@ final class DatasetRows {
   }
 
   /** Reads uncompressed rows, up to a number. */
-  private void piece(long row, long offset, long mostRows) throws IOException {
+  private void piece(long row, long offset, long maxRows) throws IOException {
     if (offset < 0 || rowBytes < 1) {
       return;
     }
-    int rows = (int) Math.min(mostRows, Math.max(1, PIECE_BYTES / rowBytes));
+    int rows = (int) Math.min(maxRows, Math.max(1, PIECE_BYTES / rowBytes));
     rows = (int) Math.min(rows, dataset.rows() - row);
     if (data.length < rows * rowBytes) {
       data = new byte[rows * rowBytes];

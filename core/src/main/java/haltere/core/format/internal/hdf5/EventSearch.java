@@ -20,10 +20,10 @@ import java.util.OptionalLong;
  * dataset whose elements have such names, or a table of four columns.
  */
 final class EventSearch {
-  private static final int LOOK_ROWS = 4096;
+  private static final int PROBE_ROWS = 4096;
   private static final int MAX_SIDE = 32768;
-  private static final double SMALLEST_NS = 1e17;
-  private static final double SMALLEST_EXACT = 1e-9;
+  private static final double MIN_NS = 1e17;
+  private static final double FRACTION_TOLERANCE = 1e-9;
 
   private final ContainerFile file;
   private final FileContents contents;
@@ -37,12 +37,12 @@ final class EventSearch {
 
   EventTable table() throws IOException {
     datasets.sort(Comparator.comparingInt(EventSearch::rank));
-    Map<EventColumn, EventTable.Column> columns = columns();
+    Map<EventColumn, EventTable.StoredColumn> columns = columns();
     long rows = Long.MAX_VALUE;
-    long most = 0;
-    for (EventTable.Column column : columns.values()) {
+    long maxRows = 0;
+    for (EventTable.StoredColumn column : columns.values()) {
       rows = Math.min(rows, column.dataset().rows());
-      most = Math.max(most, column.dataset().rows());
+      maxRows = Math.max(maxRows, column.dataset().rows());
     }
     boolean ours = whole(EventTable.ROWS_UP).isPresent();
     EventTable found =
@@ -50,7 +50,7 @@ final class EventSearch {
             file,
             columns,
             rows,
-            rows != most,
+            rows != maxRows,
             0,
             0,
             sensor(),
@@ -64,7 +64,7 @@ final class EventSearch {
         file,
         columns,
         rows,
-        rows != most,
+        rows != maxRows,
         scale,
         timeOffset(scale),
         found.sensor(),
@@ -77,20 +77,20 @@ final class EventSearch {
     return dataset.name().startsWith("events/") ? 0 : dataset.name().startsWith("CD/") ? 1 : 2;
   }
 
-  private Map<EventColumn, EventTable.Column> columns() throws IOException {
+  private Map<EventColumn, EventTable.StoredColumn> columns() throws IOException {
     for (Dataset dataset : datasets) {
-      Map<EventColumn, EventTable.Column> columns = EventTable.noColumns();
+      Map<EventColumn, EventTable.StoredColumn> columns = EventTable.noColumns();
       if (dataset.isList() && dataset.type().kind() == 'c') {
         for (ElementType.Member member : dataset.type().members()) {
           put(
               columns,
               member.name(),
-              new EventTable.Column(dataset, member.offset(), member.type()));
+              new EventTable.StoredColumn(dataset, member.offset(), member.type()));
         }
       } else if (dataset.isList()) {
         for (Dataset beside : datasets) {
           if (folder(beside).equals(folder(dataset)) && beside.isList()) {
-            EventTable.Column column = new EventTable.Column(beside, 0, beside.type());
+            EventTable.StoredColumn column = new EventTable.StoredColumn(beside, 0, beside.type());
             put(columns, column.name(), column);
           }
         }
@@ -110,7 +110,9 @@ final class EventSearch {
   }
 
   private static void put(
-      Map<EventColumn, EventTable.Column> columns, String name, EventTable.Column column) {
+      Map<EventColumn, EventTable.StoredColumn> columns,
+      String name,
+      EventTable.StoredColumn column) {
     EventColumn kind = EventColumn.named(name);
     if (kind != EventColumn.OTHER && column.type().isNumber()) {
       columns.putIfAbsent(kind, column);
@@ -140,18 +142,19 @@ final class EventSearch {
   }
 
   /** Tables hold t, x, y, p, or x, y, t, p: times ascend, or are the larger numbers. */
-  private Map<EventColumn, EventTable.Column> tableColumns(Dataset dataset) throws IOException {
-    EventTable.Column first = new EventTable.Column(dataset, 0, dataset.type());
+  private Map<EventColumn, EventTable.StoredColumn> tableColumns(Dataset dataset)
+      throws IOException {
+    EventTable.StoredColumn first = new EventTable.StoredColumn(dataset, 0, dataset.type());
     int step = dataset.type().bytes();
-    EventTable.Column third = new EventTable.Column(dataset, 2 * step, dataset.type());
-    Look one = look(first);
-    Look other = look(third);
+    EventTable.StoredColumn third = new EventTable.StoredColumn(dataset, 2 * step, dataset.type());
+    ColumnSample one = sample(first);
+    ColumnSample other = sample(third);
     requireWhole(one, "its columns");
     boolean timesFirst =
         one.isAscending() == other.isAscending()
             ? one.largest() > other.largest()
             : one.isAscending();
-    Map<EventColumn, EventTable.Column> columns = EventTable.noColumns();
+    Map<EventColumn, EventTable.StoredColumn> columns = EventTable.noColumns();
     EventColumn[] order =
         timesFirst
             ? new EventColumn[] {
@@ -161,16 +164,16 @@ final class EventSearch {
               EventColumn.X, EventColumn.Y, EventColumn.TIME, EventColumn.POLARITY
             };
     for (int i = 0; i < order.length; i++) {
-      columns.put(order[i], new EventTable.Column(dataset, i * step, dataset.type()));
+      columns.put(order[i], new EventTable.StoredColumn(dataset, i * step, dataset.type()));
     }
     return columns;
   }
 
   /** Properties of the first numbers of a column; cut if the file ended within them. */
-  private record Look(
+  private record ColumnSample(
       double largest, boolean hasFractions, boolean isAscending, boolean isCutOff) {}
 
-  private Look look(EventTable.Column column) throws IOException {
+  private ColumnSample sample(EventTable.StoredColumn column) throws IOException {
     double largest = 0;
     double last = Double.NEGATIVE_INFINITY;
     boolean fractions = false;
@@ -178,15 +181,15 @@ final class EventSearch {
     try (ChunkDecompressor decompressor = new ChunkDecompressor()) {
       NumberColumn numbers =
           new NumberColumn(new DatasetRows(file, column.dataset(), decompressor), column);
-      long wanted = Math.min(LOOK_ROWS, column.dataset().rows());
+      long wanted = Math.min(PROBE_ROWS, column.dataset().rows());
       for (long row = 0; row < wanted; ) {
         int count = (int) Math.min(wanted - row, numbers.load(row));
         if (count <= 0) {
-          return new Look(largest, fractions, ascending, true);
+          return new ColumnSample(largest, fractions, ascending, true);
         }
         for (int i = 0; i < count; i++) {
           double value = numbers.real(i);
-          fractions |= Math.abs(value - Math.rint(value)) > SMALLEST_EXACT;
+          fractions |= Math.abs(value - Math.rint(value)) > FRACTION_TOLERANCE;
           largest = Math.max(largest, Math.abs(value));
           ascending &= value >= last;
           last = value;
@@ -196,11 +199,11 @@ final class EventSearch {
     } catch (DamagedPacketException damaged) {
       // the rows read up to here are used
     }
-    return new Look(largest, fractions, ascending, false);
+    return new ColumnSample(largest, fractions, ascending, false);
   }
 
-  private void requireWhole(Look look, String what) throws RecordingProblem {
-    if (look.isCutOff() && file.isCutOff()) {
+  private void requireWhole(ColumnSample sample, String what) throws RecordingProblem {
+    if (sample.isCutOff() && file.isCutOff()) {
       throw new RecordingProblem(
           file.bytes().path(),
           file.bytes().size(),
@@ -212,7 +215,7 @@ final class EventSearch {
    * Time unit: by eventcv's attribute or the column's name; else as for other files of plain
    * numbers.
    */
-  private int timeScale(EventTable.Column time) throws IOException {
+  private int timeScale(EventTable.StoredColumn time) throws IOException {
     for (Attributes some : contents.attributes()) {
       OptionalDouble milliseconds = some.real("timestamp_scale_ms");
       if (milliseconds.isPresent()) {
@@ -225,11 +228,11 @@ final class EventSearch {
     if (EventColumn.timeScale(time.name()).isPresent()) {
       return EventColumn.timeScale(time.name()).getAsInt();
     }
-    Look look = look(time);
-    if (time.type().kind() == 'f' && !look.hasFractions()) {
-      requireWhole(look, "the unit of its times");
+    ColumnSample sample = sample(time);
+    if (time.type().kind() == 'f' && !sample.hasFractions()) {
+      requireWhole(sample, "the unit of its times");
     }
-    return look.hasFractions() ? 6 : look.largest() >= SMALLEST_NS ? -3 : 0;
+    return sample.hasFractions() ? 6 : sample.largest() >= MIN_NS ? -3 : 0;
   }
 
   private OptionalLong whole(String name) throws RecordingProblem {
@@ -262,7 +265,7 @@ final class EventSearch {
           && dataset.type().isNumber()
           && dataset.filters().isEmpty()) {
         try (ChunkDecompressor decompressor = new ChunkDecompressor()) {
-          EventTable.Column column = new EventTable.Column(dataset, 0, dataset.type());
+          EventTable.StoredColumn column = new EventTable.StoredColumn(dataset, 0, dataset.type());
           NumberColumn number =
               new NumberColumn(new DatasetRows(file, dataset, decompressor), column);
           if (number.load(0) > 0) {

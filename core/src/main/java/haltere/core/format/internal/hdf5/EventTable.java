@@ -19,7 +19,7 @@ import java.util.stream.Collectors;
  * @param container the file
  * @param columns by content; at least times, columns and rows
  * @param rows events that all columns claim
- * @param lying whether columns claim different numbers
+ * @param inconsistent whether columns claim different numbers
  * @param timeScale power of ten of the times' unit in microseconds
  * @param timeOffsetUs offset of the times
  * @param sensor its size, if the file states it
@@ -28,9 +28,9 @@ import java.util.stream.Collectors;
  */
 record EventTable(
     ContainerFile container,
-    Map<EventColumn, Column> columns,
+    Map<EventColumn, StoredColumn> columns,
     long rows,
-    boolean lying,
+    boolean inconsistent,
     int timeScale,
     long timeOffsetUs,
     Optional<SensorGeometry> sensor,
@@ -50,7 +50,7 @@ record EventTable(
    * @param offset in a row
    * @param type of its numbers
    */
-  record Column(Dataset dataset, int offset, ElementType type) {
+  record StoredColumn(Dataset dataset, int offset, ElementType type) {
     String name() {
       String path = dataset.name();
       return path.substring(path.lastIndexOf('/') + 1);
@@ -86,7 +86,7 @@ record EventTable(
     Dataset.check(container, datasets());
   }
 
-  static Map<EventColumn, Column> noColumns() {
+  static Map<EventColumn, StoredColumn> noColumns() {
     return new EnumMap<>(EventColumn.class);
   }
 }

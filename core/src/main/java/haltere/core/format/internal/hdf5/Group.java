@@ -114,8 +114,8 @@ final class Group {
     }
   }
 
-  private String name(long position, long most) throws IOException {
-    return file.upTo(position, (int) Math.min(MAX_NAME, most)).textToZero();
+  private String name(long position, long maxLength) throws IOException {
+    return file.upTo(position, (int) Math.min(MAX_NAME, maxLength)).textToZero();
   }
 
   private void link(Metadata body) throws IOException {

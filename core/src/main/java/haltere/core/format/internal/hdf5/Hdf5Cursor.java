@@ -29,7 +29,7 @@ final class Hdf5Cursor extends RowCursor {
   private final NumberColumn x;
   private final NumberColumn y;
   private final NumberColumn polarity;
-  private final boolean usual;
+  private final boolean isCommonLayout;
   private final boolean wideTimes;
 
   /** Rows before this one have been read; their violations are not counted again. */
@@ -46,7 +46,7 @@ final class Hdf5Cursor extends RowCursor {
     y = column(EventColumn.Y);
     polarity = column(EventColumn.POLARITY);
     wideTimes = time.isWhole(8);
-    usual =
+    isCommonLayout =
         (wideTimes || time.isWhole(4) && time.isUnsigned())
             && table.timeScale() == 0
             && x.isWhole(2)
@@ -56,7 +56,7 @@ final class Hdf5Cursor extends RowCursor {
   }
 
   private NumberColumn column(EventColumn kind) {
-    EventTable.Column column = table.columns().get(kind);
+    EventTable.StoredColumn column = table.columns().get(kind);
     return column == null
         ? null
         : new NumberColumn(
@@ -98,7 +98,7 @@ final class Hdf5Cursor extends RowCursor {
       return end();
     }
     out.ensureCapacity(maxEvents);
-    int there;
+    int available;
     NumberColumn loading = time;
     try {
       long count = Math.min(maxEvents - out.size(), table.rows() - row);
@@ -111,19 +111,19 @@ final class Hdf5Cursor extends RowCursor {
         loading = polarity;
         count = Math.min(count, polarity.load(row));
       }
-      there = (int) count;
+      available = (int) count;
     } catch (DamagedPacketException damaged) {
       count(Violation.DAMAGED_PACKET, loading.rows().offset(row));
       row = Math.min(table.rows(), loading.rows().behindChunk(row));
       counted = Math.max(counted, row);
       return Stop.MORE;
     }
-    if (there <= 0) {
+    if (available <= 0) {
       return out.size() >= maxEvents && row < table.rows() ? Stop.MORE : end();
     }
-    int done = usual ? decodeUsual(out, there) : decodeAny(out, there);
+    int done = isCommonLayout ? decodeCommon(out, available) : decodeAny(out, available);
     row += done;
-    if (done < there) {
+    if (done < available) {
       count(Violation.CLOCK_WENT_BACK, time.rows().offset(row));
       counted = Math.max(counted, row + 1);
       return Stop.CLOCK_WENT_BACK;
@@ -133,7 +133,7 @@ final class Hdf5Cursor extends RowCursor {
   }
 
   /** Decodes the usual types; returns the number of rows before the clock goes back. */
-  private int decodeUsual(EventPacket out, int rows) {
+  private int decodeCommon(EventPacket out, int rows) {
     byte[] timeData = time.data();
     byte[] columns = x.data();
     byte[] downs = y.data();

@@ -75,7 +75,7 @@ public final class Hdf5Format implements RecordingFormat {
     List<String> remarks = new ArrayList<>();
     Origin origin = SensorGuess.origin(table.origin(), options, remarks);
     ViolationCounts found = new ViolationCounts();
-    if (table.lying()) {
+    if (table.inconsistent()) {
       found.add(Violation.LYING_LENGTH, 0);
     }
     if (table.container().isCutOff()) {
@@ -101,6 +101,6 @@ public final class Hdf5Format implements RecordingFormat {
 
   @Override
   public Optional<RecordingWriter> create(Path file, WriteOptions options) throws IOException {
-    return Optional.of(Hdf5Writer.create(file, options, Hdf5Writer.USUAL_LEVEL));
+    return Optional.of(Hdf5Writer.create(file, options, Hdf5Writer.DEFAULT_LEVEL));
   }
 }

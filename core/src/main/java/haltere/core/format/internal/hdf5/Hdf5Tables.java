@@ -75,17 +75,17 @@ public final class Hdf5Tables implements RecordingTables {
     return columnsOf(table).keySet();
   }
 
-  private Map<String, EventTable.Column> columnsOf(String table) {
-    Map<String, EventTable.Column> columns = new LinkedHashMap<>();
+  private Map<String, EventTable.StoredColumn> columnsOf(String table) {
+    Map<String, EventTable.StoredColumn> columns = new LinkedHashMap<>();
     for (Dataset dataset : contents.datasets()) {
       boolean isTable = dataset.name().equals(table) && dataset.isList();
       if (isTable && dataset.type().kind() == 'c') {
         for (ElementType.Member member : dataset.type().members()) {
           columns.put(
-              member.name(), new EventTable.Column(dataset, member.offset(), member.type()));
+              member.name(), new EventTable.StoredColumn(dataset, member.offset(), member.type()));
         }
       } else if (isTable || dataset.isList() && dataset.name().startsWith(table + "/")) {
-        EventTable.Column column = new EventTable.Column(dataset, 0, dataset.type());
+        EventTable.StoredColumn column = new EventTable.StoredColumn(dataset, 0, dataset.type());
         columns.put(column.name(), column);
       }
     }
@@ -95,7 +95,7 @@ public final class Hdf5Tables implements RecordingTables {
   @Override
   public void read(String table, List<String> names, int required, RowListener listener)
       throws IOException {
-    Map<String, EventTable.Column> there = columnsOf(table);
+    Map<String, EventTable.StoredColumn> there = columnsOf(table);
     if (there.isEmpty()) {
       throw contents.lacks("hold no table " + table);
     }
@@ -107,7 +107,8 @@ public final class Hdf5Tables implements RecordingTables {
     }
     contents.check(name -> names.stream().anyMatch(column -> name.equals(table + "/" + column)));
     there.keySet().retainAll(names);
-    Dataset.check(container, there.values().stream().map(EventTable.Column::dataset).toList());
+    Dataset.check(
+        container, there.values().stream().map(EventTable.StoredColumn::dataset).toList());
     try (ChunkDecompressor decompressor = new ChunkDecompressor()) {
       Cells cells = new Cells(table, names, there, decompressor);
       for (cells.row = 0; cells.row < cells.rows; cells.row++) {
@@ -132,7 +133,7 @@ public final class Hdf5Tables implements RecordingTables {
   private final class Cells implements Row {
     private final String table;
     private final List<String> names;
-    private final List<EventTable.Column> columns = new ArrayList<>();
+    private final List<EventTable.StoredColumn> columns = new ArrayList<>();
     private final List<NumberColumn> cells = new ArrayList<>();
     private final GlobalHeap heap = new GlobalHeap(container);
     private long row;
@@ -141,13 +142,13 @@ public final class Hdf5Tables implements RecordingTables {
     Cells(
         String table,
         List<String> names,
-        Map<String, EventTable.Column> there,
+        Map<String, EventTable.StoredColumn> there,
         ChunkDecompressor decompressor) {
       this.table = table;
       this.names = names;
       Map<Dataset, DatasetRows> rowsOf = new HashMap<>();
       for (String name : names) {
-        EventTable.Column column = there.get(name);
+        EventTable.StoredColumn column = there.get(name);
         columns.add(column);
         cells.add(
             column == null

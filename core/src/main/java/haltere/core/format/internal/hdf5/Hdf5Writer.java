@@ -27,7 +27,7 @@ import java.util.Map;
  */
 public final class Hdf5Writer implements RecordingWriter {
   /** Compression level of {@link Hdf5Format}. */
-  public static final int USUAL_LEVEL = 1;
+  public static final int DEFAULT_LEVEL = 1;
 
   /** Longer recordings have no index of milliseconds: 18 hours. */
   private static final long MAX_MILLISECONDS = 1 << 26;
@@ -42,7 +42,7 @@ public final class Hdf5Writer implements RecordingWriter {
   private final ChunkedColumn y;
   private final ChunkedColumn on;
   private final ChunkedColumn index =
-      new ChunkedColumn("ms_to_idx", ElementType.whole(8, false), USUAL_LEVEL);
+      new ChunkedColumn("ms_to_idx", ElementType.whole(8, false), DEFAULT_LEVEL);
 
   private boolean started;
   private long offsetUs;

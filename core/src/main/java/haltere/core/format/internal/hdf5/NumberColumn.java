@@ -20,7 +20,7 @@ final class NumberColumn {
   private ByteBuffer buffer = ByteBuffer.wrap(data);
   private int at;
 
-  NumberColumn(DatasetRows rows, EventTable.Column column) {
+  NumberColumn(DatasetRows rows, EventTable.StoredColumn column) {
     this.rows = rows;
     rowBytes = column.dataset().rowBytes();
     offset = column.offset();

@@ -33,7 +33,7 @@ final class IndexFile {
   /** Changes with the layout of the file and of the state of cursors. */
   private static final long MAGIC = 0x48616c_7465726501L;
 
-  private static final int LOOK_BYTES = 64 * 1024;
+  private static final int DIGEST_BYTES = 64 * 1024;
   private static final long MAX_BYTES = 256 << 20;
 
   private IndexFile() {}
@@ -59,8 +59,8 @@ final class IndexFile {
     long changedMs = Files.getLastModifiedTime(file.path()).toMillis();
     digest.update(reading.getBytes(StandardCharsets.UTF_8));
     digest.update(ByteBuffer.allocate(16).putLong(file.size()).putLong(changedMs).array());
-    digest.update(file.read(0, LOOK_BYTES));
-    digest.update(file.read(Math.max(0, file.size() - LOOK_BYTES), LOOK_BYTES));
+    digest.update(file.read(0, DIGEST_BYTES));
+    digest.update(file.read(Math.max(0, file.size() - DIGEST_BYTES), DIGEST_BYTES));
     return digest.digest();
   }
 

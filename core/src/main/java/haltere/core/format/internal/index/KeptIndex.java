@@ -49,9 +49,9 @@ public final class KeptIndex {
     }
     byte[] identity = IndexFile.identity(file, reading + "|" + cursor.streamNumber());
     if (isBeside) {
-      Optional<TimeIndex> kept = besideRecording(identity, cursor.stateLongs(), remarks);
-      if (kept.isPresent()) {
-        return kept.get();
+      Optional<TimeIndex> stored = besideRecording(identity, cursor.stateLongs(), remarks);
+      if (stored.isPresent()) {
+        return stored.get();
       }
     }
     TimeIndex built = scan();
@@ -71,11 +71,11 @@ public final class KeptIndex {
       byte[] identity, int stateLongs, List<String> remarks) {
     Path beside = IndexFile.beside(file.path());
     try {
-      Optional<TimeIndex> kept = IndexFile.read(file.path(), identity, stateLongs);
-      if (kept.isEmpty()) {
+      Optional<TimeIndex> stored = IndexFile.read(file.path(), identity, stateLongs);
+      if (stored.isEmpty()) {
         remarks.add(beside + " is out of date and is ignored");
       }
-      return kept;
+      return stored;
     } catch (IOException e) {
       remarks.add(beside + " cannot be read and is ignored: " + e.getMessage());
       return Optional.empty();

@@ -161,7 +161,7 @@ public final class TimeIndex {
   private boolean fromPieces(Path path, EventCursor cursor) throws IOException {
     // first and last time of the current segment
     long[] open = {0, Long.MIN_VALUE};
-    boolean told =
+    boolean supported =
         cursor.visitPieces(
             (state, offset, firstUs, lastUs) -> {
               boolean starts = waypoints == 0 || firstUs < open[1];
@@ -175,10 +175,10 @@ public final class TimeIndex {
               addWaypoint(state, starts ? Long.MIN_VALUE : open[1]);
               open[1] = lastUs;
             });
-    if (told && waypoints > 0) {
+    if (supported && waypoints > 0) {
       segments.add(new TimeSegment(open[0], open[1]));
     }
-    return told;
+    return supported;
   }
 
   private void startSegment(Path path, long offset) throws RecordingProblem {

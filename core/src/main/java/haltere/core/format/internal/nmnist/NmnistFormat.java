@@ -27,9 +27,9 @@ import java.util.Set;
  */
 public final class NmnistFormat implements ReadOnlyFormat {
   /** Minimum number of records for detection, of which 1 % may be out of order. */
-  private static final int FEWEST_RECORDS = 16;
+  private static final int MIN_RECORDS = 16;
 
-  private static final int LOOK_RECORDS = 4096;
+  private static final int PROBE_RECORDS = 4096;
   private static final int MAX_SIDE = 256;
 
   /** The sizes of the two data sets, and the maximum that the records can address. */
@@ -65,7 +65,7 @@ public final class NmnistFormat implements ReadOnlyFormat {
   @Override
   public ProbeResult probe(FileHead head) {
     byte[] bytes = head.head();
-    int records = Math.min(LOOK_RECORDS, bytes.length / NmnistDecoder.RECORD_BYTES);
+    int records = Math.min(PROBE_RECORDS, bytes.length / NmnistDecoder.RECORD_BYTES);
     int forth = 0;
     int back = 0;
     long last = 0;
@@ -77,7 +77,7 @@ public final class NmnistFormat implements ReadOnlyFormat {
       back += time < last ? 1 : 0;
       last = time;
     }
-    boolean ascends = records >= FEWEST_RECORDS && forth * 2 >= records && back * 100 <= records;
+    boolean ascends = records >= MIN_RECORDS && forth * 2 >= records && back * 100 <= records;
     return new ProbeResult(
         ascends ? Support.PLAUSIBLE : Support.NONE,
         ascends
@@ -91,13 +91,13 @@ public final class NmnistFormat implements ReadOnlyFormat {
   }
 
   private RecordingReader open(RecordingFile bytes, ReadOptions options) throws IOException {
-    Optional<SensorGeometry> asked =
+    Optional<SensorGeometry> stated =
         options
             .sensor()
             .map(sensor -> new SensorGeometry(sensor.width(), sensor.height(), Origin.TOP));
     SensorGeometry geometry =
-        asked.isPresent()
-            ? asked.get()
+        stated.isPresent()
+            ? stated.get()
             : SensorGuess.smallest(
                     cursor(bytes, SensorGuess.square(MAX_SIDE), new ViolationCounts()),
                     MAX_SIDE,
@@ -107,7 +107,7 @@ public final class NmnistFormat implements ReadOnlyFormat {
         name(),
         bytes,
         geometry,
-        asked.isPresent() ? List.of() : List.of(SensorGuess.remark(geometry)),
+        stated.isPresent() ? List.of() : List.of(SensorGuess.remark(geometry)),
         options,
         new ViolationCounts(),
         violations -> cursor(bytes, geometry, violations));

@@ -31,7 +31,7 @@ final class NpzCursor extends RowCursor {
     final ByteBuffer values;
     final long[] numbers;
 
-    Part(NpzLayout.Column column, RecordingFile file, int pieceRows) {
+    Part(NpzLayout.ArrayColumn column, RecordingFile file, int pieceRows) {
       field = column.field();
       itemBytes = column.array().header().itemBytes();
       dataOffset = column.array().header().dataOffset();

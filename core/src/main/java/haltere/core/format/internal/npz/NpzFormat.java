@@ -80,7 +80,7 @@ public final class NpzFormat implements RecordingFormat {
     NpzLayout layout = NpzLayout.of(file);
     List<String> remarks = new ArrayList<>();
     ViolationCounts found = new ViolationCounts();
-    if (layout.lying()) {
+    if (layout.inconsistent()) {
       found.add(Violation.LYING_LENGTH, 0);
     }
     if (layout.cutOff()) {
@@ -94,7 +94,7 @@ public final class NpzFormat implements RecordingFormat {
       geometry =
           options
               .sensor()
-              .map(asked -> SensorGuess.top(asked.width(), asked.height()))
+              .map(given -> SensorGuess.top(given.width(), given.height()))
               .orElse(null);
       if (geometry == null) {
         geometry =

@@ -20,16 +20,16 @@ import java.util.stream.Stream;
  *
  * @param columns by content; at least times, columns and rows
  * @param rows events that all columns claim
- * @param lying whether columns claim different numbers, or more than their file can contain
+ * @param inconsistent whether columns claim different numbers, or more than their file can contain
  * @param cutOff whether the file is truncated
  * @param timeScale power of ten of the times' unit in microseconds
  * @param sensor its size, if the file states it
  * @param origin origin of rows, if the file states it
  */
 record NpzLayout(
-    Map<EventColumn, Column> columns,
+    Map<EventColumn, ArrayColumn> columns,
     long rows,
-    boolean lying,
+    boolean inconsistent,
     boolean cutOff,
     int timeScale,
     Optional<SensorGeometry> sensor,
@@ -38,9 +38,9 @@ record NpzLayout(
   static final String HEIGHT = "height";
   static final String ROWS_UP = "rows_up";
 
-  private static final int LOOK_ROWS = 4096;
-  private static final int LOOK_BYTES = 1 << 20;
-  private static final double SMALLEST_NS = 1e17;
+  private static final int PROBE_ROWS = 4096;
+  private static final int PROBE_BYTES = 1 << 20;
+  private static final double MIN_NS = 1e17;
 
   /**
    * A column.
@@ -48,7 +48,7 @@ record NpzLayout(
    * @param array its array
    * @param field its field in an element
    */
-  record Column(Array array, NpyHeader.Field field) {}
+  record ArrayColumn(Array array, NpyHeader.Field field) {}
 
   /**
    * An array of a file.
@@ -82,13 +82,13 @@ record NpzLayout(
     List<ZipDirectory.Entry> entries =
         listed.isPresent() ? listed.get() : ZipDirectory.withoutDirectory(file);
     List<Array> arrays = arrays(file, entries);
-    Map<EventColumn, Column> columns = new EnumMap<>(EventColumn.class);
+    Map<EventColumn, ArrayColumn> columns = new EnumMap<>(EventColumn.class);
     for (Array array : arrays) {
       for (NpyHeader.Field field : array.header().fields()) {
         String name = field.name().isEmpty() ? array.name() : field.name();
         EventColumn column = EventColumn.named(name);
         if (column != EventColumn.OTHER && field.isNumber() && array.header().isList()) {
-          columns.putIfAbsent(column, new Column(array, field));
+          columns.putIfAbsent(column, new ArrayColumn(array, field));
         }
       }
     }
@@ -107,20 +107,20 @@ record NpzLayout(
     }
     checkPolarities(file, entries, arrays, columns);
     long rows = Long.MAX_VALUE;
-    long most = 0;
-    boolean lying = false;
-    for (Column column : columns.values()) {
+    long maxRows = 0;
+    boolean inconsistent = false;
+    for (ArrayColumn column : columns.values()) {
       long promised = column.array().header().rows();
-      lying |= promised > column.array().roomForRows();
+      inconsistent |= promised > column.array().roomForRows();
       rows = Math.min(rows, promised);
-      most = Math.max(most, promised);
+      maxRows = Math.max(maxRows, promised);
     }
     // only Haltere's files have this
     Optional<Long> rowsUp = single(file, arrays, ROWS_UP);
     return new NpzLayout(
         columns,
         rows,
-        lying || rows != most,
+        inconsistent || rows != maxRows,
         listed.isEmpty(),
         rowsUp.isPresent() ? 0 : timeScale(file, columns.get(EventColumn.TIME), listed.isEmpty()),
         sensor(file, arrays),
@@ -132,7 +132,7 @@ record NpzLayout(
       RecordingFile file,
       List<ZipDirectory.Entry> entries,
       List<Array> arrays,
-      Map<EventColumn, Column> columns)
+      Map<EventColumn, ArrayColumn> columns)
       throws RecordingProblem {
     Stream<String> names =
         Stream.concat(
@@ -184,13 +184,14 @@ record NpzLayout(
   }
 
   /** Times with decimals are seconds, whole ones microseconds, or nanoseconds since 1970. */
-  private static int timeScale(RecordingFile file, Column time, boolean cutOff) throws IOException {
+  private static int timeScale(RecordingFile file, ArrayColumn time, boolean cutOff)
+      throws IOException {
     String name = time.field().name().isEmpty() ? time.array().name() : time.field().name();
     if (EventColumn.timeScale(name).isPresent()) {
       return EventColumn.timeScale(name).getAsInt();
     }
     int itemBytes = time.array().header().itemBytes();
-    byte[] start = new byte[Math.max(1, Math.min(LOOK_ROWS, LOOK_BYTES / itemBytes)) * itemBytes];
+    byte[] start = new byte[Math.max(1, Math.min(PROBE_ROWS, PROBE_BYTES / itemBytes)) * itemBytes];
     ArrayBytes bytes = time.array().open(file);
     int length = bytes.read(time.array().header().dataOffset(), start, start.length);
     bytes.close();
@@ -211,7 +212,7 @@ record NpzLayout(
       throw new RecordingProblem(
           file.path(), file.size(), "the file ends before the unit of its times is known");
     }
-    return fraction ? 6 : largest >= SMALLEST_NS ? -3 : 0;
+    return fraction ? 6 : largest >= MIN_NS ? -3 : 0;
   }
 
   static ByteBuffer order(ByteBuffer buffer, NpyHeader.Field field) {

@@ -40,23 +40,23 @@ final class NpzWriter implements RecordingWriter {
   private final AtomicFile file;
   private final SensorGeometry geometry;
   private final boolean fromTop;
-  private final List<Column> columns = new ArrayList<>();
-  private final Column times;
-  private final Column x;
-  private final Column y;
-  private final Column on;
+  private final List<ColumnFile> columns = new ArrayList<>();
+  private final ColumnFile times;
+  private final ColumnFile x;
+  private final ColumnFile y;
+  private final ColumnFile on;
   private long rows;
   private long outside;
 
   /** A column during writing. */
-  private static final class Column {
+  private static final class ColumnFile {
     final String name;
     final String type;
     final Path path;
     final FileChannel channel;
     final ByteBuffer piece;
 
-    Column(String name, String type, int bytes) throws IOException {
+    ColumnFile(String name, String type, int bytes) throws IOException {
       this.name = name;
       this.type = type;
       path = Files.createTempFile("haltere-column", ".part");
@@ -97,8 +97,8 @@ final class NpzWriter implements RecordingWriter {
     }
   }
 
-  private Column column(String name, String type, int bytes) throws IOException {
-    Column column = new Column(name, type, bytes);
+  private ColumnFile column(String name, String type, int bytes) throws IOException {
+    ColumnFile column = new ColumnFile(name, type, bytes);
     columns.add(column);
     return column;
   }
@@ -126,7 +126,7 @@ final class NpzWriter implements RecordingWriter {
   }
 
   private void flush() throws IOException {
-    for (Column column : columns) {
+    for (ColumnFile column : columns) {
       column.flush();
     }
   }
@@ -144,7 +144,7 @@ final class NpzWriter implements RecordingWriter {
     single(zip, NpzLayout.WIDTH, geometry.width());
     single(zip, NpzLayout.HEIGHT, geometry.height());
     single(zip, NpzLayout.ROWS_UP, fromTop ? 0 : 1);
-    for (Column column : columns) {
+    for (ColumnFile column : columns) {
       byte[] header = NpyHeader.of(column.type, rows + ",");
       CRC32 crc = new CRC32();
       crc.update(header);
@@ -198,7 +198,7 @@ final class NpzWriter implements RecordingWriter {
 
   @Override
   public void close() throws IOException {
-    for (Column column : columns) {
+    for (ColumnFile column : columns) {
       column.channel.close();
     }
     file.close();

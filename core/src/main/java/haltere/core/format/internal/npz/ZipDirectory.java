@@ -23,7 +23,7 @@ final class ZipDirectory {
   private static final int LOCAL_BYTES = 30;
   private static final int CENTRAL_BYTES = 46;
   private static final int END_BYTES = 22;
-  private static final int LONGEST_TAIL = 0xffff + END_BYTES;
+  private static final int MAX_TAIL = 0xffff + END_BYTES;
   private static final int MAX_DIRECTORY = 1 << 20;
   private static final int MAX_ENTRIES = 1000;
   private static final long UNSIGNED = 0xffffffffL;
@@ -56,8 +56,8 @@ final class ZipDirectory {
   }
 
   private static Optional<List<Entry>> listed(RecordingFile file) throws IOException {
-    long tailOffset = Math.max(0, file.size() - LONGEST_TAIL);
-    ByteBuffer tail = bytes(file, tailOffset, LONGEST_TAIL);
+    long tailOffset = Math.max(0, file.size() - MAX_TAIL);
+    ByteBuffer tail = bytes(file, tailOffset, MAX_TAIL);
     for (int at = tail.limit() - END_BYTES; at >= 0; at--) {
       if (tail.getInt(at) != END) {
         continue;

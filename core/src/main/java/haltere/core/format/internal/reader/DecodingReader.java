@@ -200,7 +200,7 @@ public final class DecodingReader implements RecordingReader {
       deliveredUs = events.lastTimeUs();
       handler.packet(events);
     } else if (buffer.isBeforeRestart()) {
-      giveRestart(handler);
+      deliverRestart(handler);
     } else {
       state = State.ENDED;
       handler.notified(new EndOfStream(deliveredUs));
@@ -218,7 +218,7 @@ public final class DecodingReader implements RecordingReader {
         : order.isDueBeforeEnd();
   }
 
-  private void giveRestart(StreamHandler handler) {
+  private void deliverRestart(StreamHandler handler) {
     Reset reset =
         new Reset(Reset.Cause.CLOCK_RESTARTED, cursor.times().lastUs(), cursor.times().restartUs());
     if (order != null) {

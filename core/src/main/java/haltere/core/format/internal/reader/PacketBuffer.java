@@ -60,7 +60,7 @@ final class PacketBuffer {
         case CLOCK_WENT_BACK -> restart = true;
         case END -> atEnd = true;
         default -> {
-          // it has read a piece and continues
+          // a piece was read
         }
       }
     }
@@ -74,12 +74,12 @@ final class PacketBuffer {
       fill();
       before = packet.indexAtOrAfter(timeUs);
     } while (before == packet.size() && !packet.isEmpty());
-    int kept = packet.size() - before;
-    for (int i = 0; i < kept; i++) {
+    int count = packet.size() - before;
+    for (int i = 0; i < count; i++) {
       packet.move(before + i, i);
     }
-    packet.truncate(kept);
-    decoded = kept;
+    packet.truncate(count);
+    decoded = count;
     offset = cursor.positionBytes();
   }
 

@@ -1,6 +1,6 @@
 package haltere.core.simulation.internal.dots;
 
-/** How the dots of {@link MovingDotsScene} move. All keep their speed. */
+/** Paths of the dots of {@link MovingDotsScene}, all with constant speed. */
 public enum DotPath {
   /** Each on a circle of its own about the middle, neighbours in opposite directions. */
   CIRCLES,

@@ -82,7 +82,7 @@ final class FlightPath {
   }
 
   private double target(long number) {
-    double most = Math.toRadians(body.saccadeDeg()) / 2;
-    return SeededRandom.of(seed, "saccade", number).between(-most, most);
+    double maxRad = Math.toRadians(body.saccadeDeg()) / 2;
+    return SeededRandom.of(seed, "saccade", number).between(-maxRad, maxRad);
   }
 }

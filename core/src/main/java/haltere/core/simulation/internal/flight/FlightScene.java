@@ -182,8 +182,8 @@ public final class FlightScene implements Scene<FlightTruth> {
       double root = Math.hypot(half, ellipse[3]);
       double mean = 0.5 * (ellipse[2] + ellipse[4]);
       double angle = lineAngle(cameras.get(i), timeUs);
-      double least = Math.toRadians(detection.outlierDeg());
-      double off = chance.between(least, Math.PI - least);
+      double minRad = Math.toRadians(detection.outlierDeg());
+      double off = chance.between(minRad, Math.PI - minRad);
       double noisy = angle + Math.toRadians(detection.angleSdDeg()) * chance.gaussian();
       double x = ellipse[0] + detection.placeSdPx() * chance.gaussian();
       double y = ellipse[1] + detection.placeSdPx() * chance.gaussian();

@@ -74,14 +74,14 @@ final class ApparentStroke {
   }
 
   private double halfOfPeakToPeak(double amplitude) {
-    double least = Double.POSITIVE_INFINITY;
-    double most = Double.NEGATIVE_INFINITY;
+    double min = Double.POSITIVE_INFINITY;
+    double max = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < GRID; i++) {
       double angle = amplitude * stroke[i] + behind[i];
-      least = Math.min(least, angle);
-      most = Math.max(most, angle);
+      min = Math.min(min, angle);
+      max = Math.max(max, angle);
     }
-    return (most - least) / 2;
+    return (max - min) / 2;
   }
 
   /** Phase of the stroke at which the long axis passes its centre towards the tail. */

@@ -122,7 +122,7 @@ final class FlyKinematics {
 
   /** Lower bound of the stroke angle. */
   double minAngle(int side) {
-    double half = mostAmplitude(side);
+    double half = maxAmplitude(side);
     return beat.clapAndFling()
         ? Math.PI - CLAP_GAP + half * (waveform.min() - waveform.max())
         : wing(side).centreRad() + half * waveform.min();
@@ -132,10 +132,10 @@ final class FlyKinematics {
   double maxAngle(int side) {
     return beat.clapAndFling()
         ? Math.PI - CLAP_GAP
-        : wing(side).centreRad() + mostAmplitude(side) * waveform.max();
+        : wing(side).centreRad() + maxAmplitude(side) * waveform.max();
   }
 
-  private double mostAmplitude(int side) {
+  private double maxAmplitude(int side) {
     return wing(side).amplitudeRad() + amplitude[side].bound() + manoeuvre.asymmetryRad() / 2;
   }
 

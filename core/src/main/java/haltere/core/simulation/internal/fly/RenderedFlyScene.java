@@ -142,7 +142,7 @@ public final class RenderedFlyScene extends TetheredFlyScene {
 
   /** Number of images between two poses. */
   private int steps() {
-    double most = 0;
+    double maxPx = 0;
     for (int side = 0; side < 2; side++) {
       double angle = angle(side, before, after, 0);
       double projection = projection(side, before, after, 0);
@@ -152,12 +152,12 @@ public final class RenderedFlyScene extends TetheredFlyScene {
         double moved =
             planform.reachPx() * Math.abs(nextAngle - angle)
                 + planform.acrossPx() * Math.abs(nextProjection - projection);
-        most = Math.max(most, moved);
+        maxPx = Math.max(maxPx, moved);
         angle = nextAngle;
         projection = nextProjection;
       }
     }
-    return 1 + (int) (SPEED_SAMPLES * most / STEP_PX);
+    return 1 + (int) (SPEED_SAMPLES * maxPx / STEP_PX);
   }
 
   /** Renders a wing at a fraction of the interval between two poses. */

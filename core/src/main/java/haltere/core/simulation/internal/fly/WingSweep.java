@@ -292,7 +292,7 @@ final class WingSweep {
       visible[c] =
           sight[c] == ALWAYS
               || sight[c] == DEPENDS
-                  && isOnBlade(px * px + py * py)
+                  && isOnWing(px * px + py * py)
                   && !shape.covers(pose, nowX + px, nowY + py);
     }
     sortFinely();
@@ -302,17 +302,17 @@ final class WingSweep {
       int c = sorted[i];
       boolean isUnder = visible[c] && i >= firstCovered && i < afterCovered;
       if (isUnder != covered[c]) {
-        double when = Math.max(timeUs, pixels.computedUntilUs(pixel[c]));
+        double eventUs = Math.max(timeUs, pixels.computedUntilUs(pixel[c]));
         if (isUnder) {
-          enter(c, when);
+          enter(c, eventUs);
         } else {
-          leave(c, when);
+          leave(c, eventUs);
         }
       }
     }
   }
 
-  private boolean isOnBlade(double squareOfRadius) {
+  private boolean isOnWing(double squareOfRadius) {
     return squareOfRadius >= inner * inner && squareOfRadius <= outer * outer;
   }
 

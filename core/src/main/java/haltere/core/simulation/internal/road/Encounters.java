@@ -59,7 +59,7 @@ final class Encounters {
           case 3 -> speedChange(random);
           default -> cruise(random);
         };
-    if (drawn.size() == 2 && !drawn.get(0).keepsClearOf(drawn.get(1))) {
+    if (drawn.size() == 2 && !drawn.get(0).avoids(drawn.get(1))) {
       return drawn.subList(0, 1);
     }
     return drawn;
@@ -128,7 +128,7 @@ final class Encounters {
     double slowSpeed = speed(0.45, random);
     double fastSpeed = slowSpeed * random.between(1.9, 2.3);
     double relative = fastSpeed - slowSpeed;
-    // the middle of a vehicle has gone its way less half its length
+    // distances are those of fronts; the centre is half a length behind
     double passM = random.between(0.4, 0.55) * traffic.roadM();
     double lengths = (slow.lengthM() + fast.lengthM()) / 2;
     double passS = passM / slowSpeed;
@@ -167,9 +167,9 @@ final class Encounters {
   private Drive stopAt(double speed, double wayM, double startS) {
     double brakeS = speed / BRAKE;
     double fromS = (wayM - speed * brakeS / 2) / speed;
-    double standS = fromS + brakeS;
-    double goS = Math.max(startS, standS + 0.2);
-    return Drive.steady(speed).then(fromS, standS, -BRAKE).then(goS, goS + speed / START, START);
+    double stoppedS = fromS + brakeS;
+    double goS = Math.max(startS, stoppedS + 0.2);
+    return Drive.steady(speed).then(fromS, stoppedS, -BRAKE).then(goS, goS + speed / START, START);
   }
 
   private List<Vehicle> stop(SeededRandom random) {
@@ -179,14 +179,14 @@ final class Encounters {
     double speed = speed(0.8, random);
     double brakeM = speed * speed / BRAKE / 2;
     double stopM = Math.max(brakeM, random.between(0.15, 0.45) * traffic.roadM()) + 1;
-    double standS = stopM / speed + speed / BRAKE / 2;
-    double goS = standS + traffic.encounters().stopS();
+    double stoppedS = stopM / speed + speed / BRAKE / 2;
+    double goS = stoppedS + traffic.encounters().stopS();
     Vehicle leader =
         vehicle(first, 0, stopAt(speed, stopM, goS), Steering.straight(inLane(lane, random)));
     if (random.below(2) == 0) {
       return List.of(leader);
     }
-    // the middle of a vehicle has gone its way less half its length, so this leaves the gap
+    // distances are those of fronts, so the length of the first vehicle counts
     double behindM = first.lengthM() + Vehicle.distance(0) + MARGIN_M;
     double enterS = random.between(1, 2) + behindM / speed;
     Vehicle follower =

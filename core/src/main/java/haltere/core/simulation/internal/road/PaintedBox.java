@@ -60,8 +60,8 @@ final class PaintedBox {
    * @param d its nearer end
    * @return slant range, or {@link #NOWHERE}
    */
-  double meet(double x, double d, Ray ray) {
-    return meetAcross(x, enter(d, ray), leave(d, ray), ray);
+  double intersect(double x, double d, Ray ray) {
+    return intersectAcross(x, enter(d, ray), leave(d, ray), ray);
   }
 
   /** Slant range at which a ray enters the box's extent along and up, whatever its column. */
@@ -77,7 +77,7 @@ final class PaintedBox {
   }
 
   /** Slant range at which a ray enters the box, given {@link #enter} and {@link #leave}. */
-  double meetAcross(double x, double alongEnter, double alongLeave, Ray ray) {
+  double intersectAcross(double x, double alongEnter, double alongLeave, Ray ray) {
     double toLeft = (x + left) * ray.inverseTangent;
     double toRight = (x + right) * ray.inverseTangent;
     double enter = Math.max(alongEnter, Math.min(toLeft, toRight));
@@ -85,7 +85,7 @@ final class PaintedBox {
     return enter > leave || enter < 0 ? NOWHERE : enter;
   }
 
-  /** Light where a ray meets the box at a slant range that {@link #meet} gave. */
+  /** Light where a ray meets the box at a slant range that {@link #intersect} gave. */
   double lightAt(double x, double d, Ray ray, double range) {
     double across = (ray.tangent * range - x - left) / (right - left);
     double along = (range / ray.inverseCos - d - near) / (far - near);

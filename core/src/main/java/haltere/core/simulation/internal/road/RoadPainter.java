@@ -20,9 +20,9 @@ final class RoadPainter {
   static final double STEEP = 1e12;
 
   private static final double US = 1e-6;
-  private static final int MAX_LOOKS = 64;
+  private static final int MAX_SAMPLES = 64;
   private static final double MIN_MOTION_PX = 0.5;
-  private static final double LARGEST_MOTION_PX = 8;
+  private static final double MAX_MOTION_PX = 8;
   private static final double MOTION_SHARE = 1.0 / 24;
   private static final double TIMED_WITHIN_PX = 1.0 / 16;
 
@@ -37,7 +37,7 @@ final class RoadPainter {
     double byNear;
     RoadView before = new RoadView();
     RoadView after = new RoadView();
-    int looks;
+    int samples;
     int halvings;
     int firstColumn;
     int lastColumn;
@@ -125,18 +125,18 @@ final class RoadPainter {
   /** Renders an interval, microseconds since the beginning. */
   void paint(double fromUs, double toUs) {
     follow(toUs * US);
-    int most = 1;
+    int max = 1;
     for (int i = 0; i < movers.size(); i++) {
       Mover mover = movers.get(i);
       place(mover, fromUs * US, toUs * US);
       seek(mover);
-      most = Math.max(most, mover.looks);
+      max = Math.max(max, mover.samples);
     }
-    for (int step = 1; step <= most; step++) {
+    for (int step = 1; step <= max; step++) {
       for (int i = 0; i < movers.size(); i++) {
         Mover mover = movers.get(i);
-        if (mover.looks > 0 && step % (most / mover.looks) == 0) {
-          look(mover, (double) step / most, fromUs, toUs);
+        if (mover.samples > 0 && step % (max / mover.samples) == 0) {
+          sampleBrightness(mover, (double) step / max, fromUs, toUs);
         }
       }
     }
@@ -197,19 +197,19 @@ final class RoadPainter {
     mover.firstRow = (int) Math.max(0, Math.floor(Math.min(a.fromY, b.fromY)));
     mover.lastRow = (int) Math.min(rows - 1, Math.ceil(Math.max(a.toY, b.toY)));
     double motion = motion(a, b, Double.POSITIVE_INFINITY);
-    double seen = Math.max(motion(a, b, 1), Math.min(motion, 2 * LARGEST_MOTION_PX));
+    double seen = Math.max(motion(a, b, 1), Math.min(motion, 2 * MAX_MOTION_PX));
     double size = Math.min(b.toX - b.fromX, b.toY - b.fromY);
-    double most = Math.max(MIN_MOTION_PX, Math.min(LARGEST_MOTION_PX, size * MOTION_SHARE));
-    mover.looks = motion == 0 && !mover.isGone ? 0 : 1;
-    while (mover.looks > 0 && mover.looks < MAX_LOOKS && seen > most * mover.looks) {
-      mover.looks *= 2;
+    double max = Math.max(MIN_MOTION_PX, Math.min(MAX_MOTION_PX, size * MOTION_SHARE));
+    mover.samples = motion == 0 && !mover.isGone ? 0 : 1;
+    while (mover.samples > 0 && mover.samples < MAX_SAMPLES && seen > max * mover.samples) {
+      mover.samples *= 2;
     }
     mover.halvings = 0;
-    for (double px = motion / Math.max(1, mover.looks); px > TIMED_WITHIN_PX; px /= 2) {
+    for (double px = motion / Math.max(1, mover.samples); px > TIMED_WITHIN_PX; px /= 2) {
       mover.halvings++;
     }
     if (mover.firstColumn > mover.lastColumn || mover.firstRow > mover.lastRow) {
-      mover.looks = 0;
+      mover.samples = 0;
     }
   }
 
@@ -240,11 +240,11 @@ final class RoadPainter {
     }
   }
 
-  private void look(Mover mover, double share, double fromUs, double toUs) {
+  private void sampleBrightness(Mover mover, double share, double fromUs, double toUs) {
     gather(mover);
     double spanUs = toUs - fromUs;
     double nowUs = fromUs + share * spanUs;
-    double lastUs = nowUs - spanUs / mover.looks;
+    double lastUs = nowUs - spanUs / mover.samples;
     for (int y = mover.firstRow; y <= mover.lastRow; y++) {
       slice(y, share);
       for (int x = mover.firstColumn; x <= mover.lastColumn; x++) {
@@ -302,16 +302,16 @@ final class RoadPainter {
     ray.tangent = tangent[x];
     ray.inverseTangent = inverseTangent[x];
     double nearest = PaintedBox.NOWHERE;
-    Slice met = null;
+    Slice hit = null;
     for (int i = 0; i < slicesInRow; i++) {
       Slice slice = slices.get(i);
-      double range = slice.part.meetAcross(slice.middle, slice.enter, slice.leave, ray);
+      double range = slice.part.intersectAcross(slice.middle, slice.enter, slice.leave, ray);
       if (range < nearest) {
         nearest = range;
-        met = slice;
+        hit = slice;
       }
     }
-    return met == null ? 0 : met.part.lightAt(met.middle, met.near, ray, nearest);
+    return hit == null ? 0 : hit.part.lightAt(hit.middle, hit.near, ray, nearest);
   }
 
   /** Light of a pixel at a fraction of the interval. */
@@ -321,9 +321,9 @@ final class RoadPainter {
     ray.inverseCos = inverseCos[y];
     ray.inverseSin = inverseSin[y];
     double nearest = PaintedBox.NOWHERE;
-    PaintedBox met = null;
-    double metX = 0;
-    double metNear = 0;
+    PaintedBox hit = null;
+    double hitX = 0;
+    double hitNear = 0;
     for (int i = 0; i < candidates.size(); i++) {
       Mover mover = candidates.get(i);
       if (x < mover.firstColumn
@@ -337,15 +337,15 @@ final class RoadPainter {
       List<PaintedBox> parts = mover.vehicle.parts;
       for (int p = 0; p < parts.size(); p++) {
         PaintedBox part = parts.get(p);
-        double range = part.meet(middle, near, ray);
+        double range = part.intersect(middle, near, ray);
         if (range < nearest) {
           nearest = range;
-          met = part;
-          metX = middle;
-          metNear = near;
+          hit = part;
+          hitX = middle;
+          hitNear = near;
         }
       }
     }
-    return met == null ? 0 : met.lightAt(metX, metNear, ray, nearest);
+    return hit == null ? 0 : hit.lightAt(hitX, hitNear, ray, nearest);
   }
 }

@@ -38,10 +38,10 @@ final class RoadTruthRows {
               || view.fromY > other.view.toY + MARGIN_PX);
     }
 
-    double meet(Ray ray) {
+    double intersect(Ray ray) {
       double nearest = PaintedBox.NOWHERE;
       for (int i = 0; i < vehicle.parts.size(); i++) {
-        nearest = Math.min(nearest, vehicle.parts.get(i).meet(x, near, ray));
+        nearest = Math.min(nearest, vehicle.parts.get(i).intersect(x, near, ray));
       }
       return nearest;
     }
@@ -134,7 +134,7 @@ final class RoadTruthRows {
         double column = view.fromX + (j + 0.5) / SAMPLES * (view.toX - view.fromX);
         ray.tangent = camera.tangent(column);
         ray.inverseTangent = ray.tangent == 0 ? RoadPainter.STEEP : 1 / ray.tangent;
-        double range = seen.meet(ray);
+        double range = seen.intersect(ray);
         if (range < PaintedBox.NOWHERE) {
           own++;
           visible += isOnSensor(column, row) && !isHidden(range, before, ray) ? 1 : 0;
@@ -153,7 +153,7 @@ final class RoadTruthRows {
 
   private static boolean isHidden(double range, List<Seen> before, Ray ray) {
     for (int i = 0; i < before.size(); i++) {
-      if (before.get(i).meet(ray) < range) {
+      if (before.get(i).intersect(ray) < range) {
         return true;
       }
     }

@@ -95,7 +95,7 @@ final class TrafficPlan {
       Vehicle placed = vehicle.later(startS, 0);
       for (int i = all.size() - 1; i >= 0; i--) {
         Vehicle other = all.get(i);
-        if (other.leaveS > placed.enterS && !placed.keepsClearOf(other)) {
+        if (other.leaveS > placed.enterS && !placed.avoids(other)) {
           return false;
         }
       }

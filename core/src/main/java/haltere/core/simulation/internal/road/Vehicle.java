@@ -100,7 +100,7 @@ final class Vehicle {
   }
 
   /** Whether two vehicles keep their distance while both are there. */
-  boolean keepsClearOf(Vehicle other) {
+  boolean avoids(Vehicle other) {
     double untilS = Math.min(leaveS, other.leaveS);
     for (double s = Math.max(enterS, other.enterS); s <= untilS; s += CHECK_S) {
       double aside = Math.abs(x(s) - other.x(s));

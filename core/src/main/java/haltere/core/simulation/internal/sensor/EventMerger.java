@@ -18,7 +18,7 @@ import java.util.Arrays;
  */
 public final class EventMerger {
   /** Longest wait for the bus before an event is lost, microseconds. */
-  static final double LONGEST_WAIT_US = 1000;
+  static final double MAX_WAIT_US = 1000;
 
   private static final long NEVER = Long.MIN_VALUE / 2;
 
@@ -125,7 +125,7 @@ public final class EventMerger {
       sortedUs = new long[waitingUs.length];
       sortedAddress = new int[waitingUs.length];
     }
-    int kept = 0;
+    int count = 0;
     for (int i = 0; i < waiting; i++) {
       long offset = waitingUs[i] - releasedUs;
       if (offset < span) {
@@ -133,11 +133,11 @@ public final class EventMerger {
         sortedUs[place] = waitingUs[i];
         sortedAddress[place] = waitingAddress[i];
       } else {
-        waitingUs[kept] = waitingUs[i];
-        waitingAddress[kept++] = waitingAddress[i];
+        waitingUs[count] = waitingUs[i];
+        waitingAddress[count++] = waitingAddress[i];
       }
     }
-    waiting = kept;
+    waiting = count;
     releasedUs = untilUs;
     for (int i = 0; i < due; i++) {
       send(sortedUs[i], sortedAddress[i], out);
@@ -153,7 +153,7 @@ public final class EventMerger {
     long sentUs = timeUs;
     if (busSlotUs > 0) {
       double turnUs = Math.max(timeUs, busFreeUs);
-      if (turnUs - timeUs > LONGEST_WAIT_US) {
+      if (turnUs - timeUs > MAX_WAIT_US) {
         lost++;
         return;
       }

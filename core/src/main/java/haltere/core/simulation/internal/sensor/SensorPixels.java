@@ -52,13 +52,14 @@ abstract class SensorPixels {
     refractoryUs = settings.refractoryUs();
     double ratio = StrictMath.pow(2, balance);
     SeededRandom random = new SeededRandom(seed, "thresholds");
-    double least = MIN_THRESHOLD_SHARE * settings.threshold();
+    double minThreshold = MIN_THRESHOLD_SHARE * settings.threshold();
     for (int p = 0; p < state.length; p += FIELDS) {
       state[p + OFF_THRESHOLD] =
           ratio
-              * Math.max(least, settings.threshold() + settings.thresholdSd() * random.gaussian());
+              * Math.max(
+                  minThreshold, settings.threshold() + settings.thresholdSd() * random.gaussian());
       state[p + ON_THRESHOLD] =
-          Math.max(least, settings.threshold() + settings.thresholdSd() * random.gaussian())
+          Math.max(minThreshold, settings.threshold() + settings.thresholdSd() * random.gaussian())
               / ratio;
     }
   }
@@ -110,18 +111,18 @@ abstract class SensorPixels {
    * @param timeUs microseconds since the beginning
    */
   public final void advanceAll(double timeUs) {
-    int kept = 0;
+    int count = 0;
     for (int i = 0; i < busyCount; i++) {
       int pixel = busy[i];
       int p = pixel * FIELDS;
       advance(pixel, p, timeUs);
       if (canFire(p, timeUs)) {
-        busy[kept++] = pixel;
+        busy[count++] = pixel;
       } else {
         state[p + IS_BUSY] = 0;
       }
     }
-    busyCount = kept;
+    busyCount = count;
   }
 
   /** Marks a pixel that may fire, for {@link #advanceAll}. */

@@ -65,7 +65,7 @@ class Aedat1FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aFileWithoutAnyHeaderIsRecognisedByItsClock() throws IOException {
+  void headerlessFileIsRecognisedByItsClock() throws IOException {
     EventPacket events = EventPackets.uniform(DVS128, 1, 5000, 679_877_510, 180);
     Path file = AedatFile.empty().narrow(events).in(folder, "headerless.dat");
 
@@ -80,7 +80,7 @@ class Aedat1FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void headerlessFilesThatStartWithALineAreNotMistaken() throws IOException {
+  void headerlessFilesWithALineLikeStartAreRecognised() throws IOException {
     // y = 0x23 gives a first byte '#', the times have no control characters but one line feed.
     for (int lineFeedAt = 3; lineFeedAt < 30; lineFeedAt++) {
       EventPacket packet = new EventPacket(40);

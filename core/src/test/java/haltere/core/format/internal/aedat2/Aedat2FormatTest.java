@@ -27,7 +27,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-/** AEDAT-2.0 keeps the contract of all formats, and what it writes jAER can read. */
+/** AEDAT-2.0 keeps the contract of all formats, and jAER reads its files. */
 class Aedat2FormatTest extends RecordingFormatContract {
   private static final SensorGeometry DAVIS346 = new SensorGeometry(346, 260);
 
@@ -105,7 +105,7 @@ class Aedat2FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aFirstEventWhoseFirstByteIsANumberSignIsKeptHereAndInJaer() throws IOException {
+  void firstEventStartingWithANumberSignIsReadHereAndInJaer() throws IOException {
     EventPacket written = new EventPacket(3);
     written.append(5, 238, 0x23 << 2, true);
     written.append(6, 10, 0x23 << 2, false);
@@ -147,7 +147,7 @@ class Aedat2FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void timesBeyondThirtyTwoBitsComeBack() throws IOException {
+  void timesBeyond32BitsAreReadBack() throws IOException {
     Path file = folder.resolve("unix-time.aedat");
     EventPacket written =
         EventPackets.uniform(DAVIS346, 2, 1000, 1_718_925_184_590_631L, 10_000_000);
@@ -173,7 +173,7 @@ class Aedat2FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void anEventOutsideOfTheSensorIsLeftOutAndReported() throws IOException {
+  void eventOutsideTheSensorIsSkippedAndReported() throws IOException {
     Path file = folder.resolve("outside.aedat");
     EventPacket written = new EventPacket(3);
     written.append(0, 345, 259, true);
@@ -202,7 +202,7 @@ class Aedat2FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void writingGoesByTheEndingOfTheName() throws IOException {
+  void fileExtensionSelectsTheWrittenFormat() throws IOException {
     assertEquals("aedat2", Recordings.forWriting(Path.of("a.AEDAT")).name());
     assertEquals("csv", Recordings.forWriting(Path.of("a.csv")).name());
     RecordingProblem unknown =

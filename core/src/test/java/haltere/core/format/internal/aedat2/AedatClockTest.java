@@ -51,14 +51,14 @@ class AedatClockTest {
   }
 
   @Test
-  void aWrapFromPlusToMinusContinues() throws IOException {
+  void wrapFromPositiveToNegativeContinuesTheClock() throws IOException {
     StreamRecorder recorder = read(MAX - 5, MAX, MIN, MIN + 7);
     assertTimes(recorder, MAX - 5L, MAX, MAX + 1L, MAX + 8L);
     assertEquals(List.of(), recorder.notifications(Reset.class));
   }
 
   @Test
-  void aFullTurnOfTheClockContinuesForAsLongAsItLikes() throws IOException {
+  void clockContinuesOverManyWraps() throws IOException {
     int turns = 5;
     int steps = 16;
     int[] times = new int[turns * steps];
@@ -73,7 +73,7 @@ class AedatClockTest {
   }
 
   @Test
-  void aClockWithoutSignPassesFromAllOnesToZero() throws IOException {
+  void unsignedClockWrapsToZero() throws IOException {
     assertTimes(read(-2, -1, 0, 1), -2, -1, 0, 1);
   }
 
@@ -92,7 +92,7 @@ class AedatClockTest {
   }
 
   @Test
-  void aJumpBackOfHalfTheClockIsARestartAndOneMoreIsAWrap() throws IOException {
+  void backwardJumpsOfMoreThanHalfTheRangeAreWraps() throws IOException {
     assertEquals(
         List.of(restarted(1L << 30, -1L << 30)),
         read(1 << 30, -1 << 30).notifications(Reset.class));
@@ -102,7 +102,7 @@ class AedatClockTest {
   }
 
   @Test
-  void aRestartAfterAWrapBeginsTheFirstTurnAgain() throws IOException {
+  void restartAfterAWrapResetsTheWrapCount() throws IOException {
     StreamRecorder recorder = read(MAX, MIN, -5, 2_000_000_000, 7, 8);
     assertTimes(recorder, MAX, MAX + 1L, WRAP_US - 5, WRAP_US + 2_000_000_000, 7, 8);
     assertEquals(
@@ -110,21 +110,21 @@ class AedatClockTest {
   }
 
   @Test
-  void disorderAfterAWrapStaysInItsTurn() throws IOException {
+  void disorderedEventsAfterAWrapKeepTheWrapCount() throws IOException {
     StreamRecorder recorder = read(MAX, MIN + 100, MIN + 90);
     assertTimes(recorder, MAX, MAX + 101L, MAX + 91L);
     assertEquals(List.of(restarted(MAX + 101L, MAX + 91L)), recorder.notifications(Reset.class));
   }
 
   @Test
-  void lateEventsFromBeforeAWrapMakeNoJump() throws IOException {
+  void lateEventsFromBeforeAWrapCauseNoJump() throws IOException {
     StreamRecorder recorder = read(MAX, MIN, MAX - 3, MIN + 1);
     assertTimes(recorder, MAX, MAX + 1L, MAX - 3L, MAX + 2L);
     assertEquals(List.of(restarted(MAX + 1L, MAX - 3L)), recorder.notifications(Reset.class));
   }
 
   @Test
-  void everyRestartStartsASegmentThatCanBeSought() throws IOException {
+  void everyRestartStartsASeekableSegment() throws IOException {
     try (RecordingReader reader = Recordings.open(file(10, 20, 30, 5, 15, 25, 5))) {
       assertEquals(
           List.of(new TimeSegment(10, 30), new TimeSegment(5, 25), new TimeSegment(5, 5)),
@@ -138,7 +138,7 @@ class AedatClockTest {
   }
 
   @Test
-  void wrapsAndRestartsFallWhereTheyMayAmongPackets() throws IOException {
+  void wrapsAndRestartsDoNotDependOnPacketBoundaries() throws IOException {
     int[] times = new int[10_000];
     int time = MAX - 40_000;
     for (int i = 0; i < times.length; i++) {

@@ -140,7 +140,7 @@ class AedatFuzzTest {
   }
 
   @Test
-  void fiveThousandDamagedFilesOfVersionTwoDoNoHarm() {
+  void damagedFilesOfVersion2AreReadOrRejected() {
     assertTimeout(
         Duration.ofSeconds(120),
         () -> {
@@ -150,7 +150,7 @@ class AedatFuzzTest {
         });
   }
 
-  /** As the oldest files: no camera named and no end line. */
+  /** Header of the oldest files: no camera and no end line. */
   private static byte[] bareAedat2(long seed) {
     AedatFile bytes = AedatFile.version2().text("# Timestamps tick is 1 us\r\n");
     EventPacket events = events(DVS128, seed);
@@ -161,7 +161,7 @@ class AedatFuzzTest {
   }
 
   @Test
-  void fiveThousandDamagedFilesOfVersionOneDoNoHarm() {
+  void damagedFilesOfVersion1AreReadOrRejected() {
     assertTimeout(
         Duration.ofSeconds(120),
         () -> {

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Headers as they are found in the wild, and where the records behind them start. */
+/** Headers of existing files, and the start of the records behind them. */
 class AedatHeaderTest {
   @TempDir Path folder;
 
@@ -63,7 +63,7 @@ class AedatHeaderTest {
   }
 
   @Test
-  void bothKindsOfLineEndsMayStandInOneHeader() throws IOException {
+  void lineEndsMayBeMixedInOneHeader() throws IOException {
     assertEquals(
         expected(),
         read(threeEvents(AedatFile.version2().text("# from Windows\r\n# from Linux\n#x\r\n"))));
@@ -77,12 +77,12 @@ class AedatHeaderTest {
   }
 
   @Test
-  void aHeaderOfTheVersionLineAloneIsEnough() throws IOException {
+  void versionLineAloneIsAValidHeader() throws IOException {
     assertEquals(expected(), read(threeEvents(AedatFile.version2())));
   }
 
   @Test
-  void theFirstMentionOfAVersionCounts() throws IOException {
+  void firstVersionLineCounts() throws IOException {
     AedatFile bytes = AedatFile.version1().text("#!AER-DAT2.0 is what this was made from\r\n");
     bytes.narrow(0x1318, 10).narrow(0x1318, 20);
     assertEquals(2, read(bytes).size());
@@ -92,13 +92,13 @@ class AedatHeaderTest {
   }
 
   @Test
-  void aVersionLineMayHaveAMinorPartAndBlanks() throws IOException {
+  void versionLineMayHaveAMinorPartAndBlanks() throws IOException {
     assertEquals(expected(), read(threeEvents(AedatFile.empty().text("#!AER-DAT2.1 \n"))));
     assertEquals(expected(), read(threeEvents(AedatFile.empty().text("#!AER-DAT2\r\n"))));
   }
 
   @Test
-  void anotherVersionIsRefusedWithItsNumber() throws IOException {
+  void unknownVersionIsRejectedWithItsNumber() throws IOException {
     Path file = AedatFile.empty().text("#!AER-DAT5.1\r\n").in(folder, "three.aedat");
     RecordingProblem unknown = assertThrows(RecordingProblem.class, () -> Recordings.open(file));
     assertTrue(unknown.getMessage().contains("AEDAT-5.1"), unknown.getMessage());
@@ -111,7 +111,7 @@ class AedatHeaderTest {
   }
 
   @Test
-  void afterTheEndLineARecordMayBeginWithANumberSign() throws IOException {
+  void recordAfterTheEndLineMayStartWithANumberSign() throws IOException {
     AedatFile bytes =
         AedatFile.version2().text("# Haltere sensor: 1024x512\r\n#End Of ASCII Header\r\n");
     // Every byte of these records is that of some text, and they hold a line feed.
@@ -126,7 +126,7 @@ class AedatHeaderTest {
   }
 
   @Test
-  void withoutAnEndLineADavisRecordMayBeginWithANumberSign() throws IOException {
+  void davisRecordMayStartWithANumberSignWithoutAnEndLine() throws IOException {
     AedatFile bytes =
         AedatFile.version2().text("# AEChip: eu.seebetter.ini.chips.davis.DAVIS240C\r\n");
     for (int i = 0; i < 20; i++) {
@@ -139,7 +139,7 @@ class AedatHeaderTest {
   }
 
   @Test
-  void withoutAnEndLineARecordThatPassesForALineIsDeterminedByTheClock() throws IOException {
+  void recordLikeALineIsRecognisedByTheClockWithoutAnEndLine() throws IOException {
     for (int lineFeedAt = 0; lineFeedAt < 20; lineFeedAt++) {
       AedatFile bytes = AedatFile.version1().text("# Timestamps tick is 1 us\r\n");
       for (int i = 0; i < 25; i++) {
@@ -152,7 +152,7 @@ class AedatHeaderTest {
   }
 
   @Test
-  void aLineAsLongAsSomeRecordsIsStillALine() throws IOException {
+  void lineOfTheLengthOfRecordsIsALine() throws IOException {
     for (int length = 0; length < 40; length++) {
       AedatFile bytes = AedatFile.version2().text("#" + "x".repeat(length) + "\r\n");
       for (int i = 0; i < 100; i++) {
@@ -172,7 +172,7 @@ class AedatHeaderTest {
   }
 
   @Test
-  void aFileCutInARecordIsReadUpToThereAndCounted() throws IOException {
+  void fileTruncatedInARecordIsReadUpToItAndReported() throws IOException {
     byte[] whole = threeEvents(AedatFile.version2()).toBytes();
     for (int missing = 1; missing < 8; missing++) {
       Path file =
@@ -193,7 +193,7 @@ class AedatHeaderTest {
   }
 
   @Test
-  void aHeaderLongerThanTheFirstLookIsRead() throws IOException {
+  void headerLongerThanTheFirstReadIsRead() throws IOException {
     AedatFile bytes = AedatFile.version2();
     String line = "# <entry key=\"DVS128.IPot.cas\" value=\"54\"/>\r\n";
     bytes.text(line.repeat(700_000 / line.length()));
@@ -208,7 +208,7 @@ class AedatHeaderTest {
   }
 
   @Test
-  void aHeaderWithoutEndIsRefused() throws IOException {
+  void endlessHeaderIsRejected() throws IOException {
     String line = "# nothing but text, line after line after line after line after line\n";
     AedatFile bytes = AedatFile.version2().text(line.repeat((17 << 20) / line.length()));
     Path file = bytes.in(folder, "text.aedat");

@@ -47,7 +47,7 @@ class AedatSamplesTest {
     return APS | y << 22 | x << 12 | (signal ? SIGNAL : 0) | value;
   }
 
-  /** What a pixel is worth in the frames of these tests. */
+  /** Value of a pixel in the frames of these tests. */
   private static int brightness(int x, int y) {
     return (x * 3 + y) % 500;
   }
@@ -91,7 +91,7 @@ class AedatSamplesTest {
   }
 
   @Test
-  void aRegionEndsWhereTheNextFrameBegins() throws IOException {
+  void nextFrameEndsARegionOfInterest() throws IOException {
     AedatFile file = davis();
     for (int start = 1000; start <= 5000; start += 2000) {
       readOut(file, start, false, 100, 139, 50, 79);
@@ -140,7 +140,7 @@ class AedatSamplesTest {
   }
 
   @Test
-  void edgesOnTheInputOfADavisHaveTheirDirection() throws IOException {
+  void davisTriggersHaveTheirEdge() throws IOException {
     AedatFile file = davis();
     file.record(0x402, 10).record(0x403, 20).record(0x404, 30).davis240(30, 1, 1, true);
 
@@ -156,7 +156,7 @@ class AedatSamplesTest {
   }
 
   @Test
-  void marksOfADvs128AreReadFromBothVersions() throws IOException {
+  void dvs128TriggersAreReadFromBothVersions() throws IOException {
     Trigger expected = new Trigger(15, Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.PULSE, 0);
     AedatFile two = AedatFile.version2().text("# AEChip: DVS128\r\n").dvs128(10, 1, 1, true);
     two.record(0x8001, 15).dvs128(20, 2, 2, true);
@@ -169,7 +169,7 @@ class AedatSamplesTest {
   }
 
   @Test
-  void samplesStayOnTheirSideOfARestartOfTheClock() throws IOException {
+  void samplesStayOnTheirSideOfAClockRestart() throws IOException {
     AedatFile file = davis();
     for (int pass = 0; pass < 3; pass++) {
       file.record(0x402, 7_000_000).davis240(8_000_000 + pass, 1, 1, true);
@@ -202,7 +202,7 @@ class AedatSamplesTest {
   }
 
   @Test
-  void samplesAreNotGivenToWhoDoesNotWantThem() throws IOException {
+  void samplesAreDeliveredOnlyOnRequest() throws IOException {
     Path file = folder.resolve("events.aedat");
     Files.write(file, davis().record(0x402, 1).davis240(2, 1, 1, true).toBytes());
     StreamRecorder recorder = new StreamRecorder();

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Which camera a file is from, and what of its words are events. */
+/** The camera of a file, and the words that are events. */
 class AedatSensorTest {
   private static final SensorGeometry DVS128 = new SensorGeometry(128, 128);
   private static final SensorGeometry DAVIS240 = new SensorGeometry(240, 180);
@@ -56,7 +56,7 @@ class AedatSensorTest {
     "HardwareInterface: DVS128-V1 0392, 128x128",
     "Haltere sensor: 77x33, 77x33"
   })
-  void theHeaderNamesTheCamera(String line, String size) throws IOException {
+  void headerNamesTheCamera(String line, String size) throws IOException {
     AedatFile bytes = AedatFile.version2().text("# " + line + "\r\n").record(0, 0);
     try (RecordingReader reader = open(bytes)) {
       assertEquals(size, reader.geometry().toString());
@@ -120,7 +120,7 @@ class AedatSensorTest {
   }
 
   @Test
-  void aSizeIsGuessedFromTheWholeFile() throws IOException {
+  void sizeIsGuessedFromTheWholeFile() throws IOException {
     AedatFile bytes = AedatFile.version2();
     for (int i = 0; i < 300_000; i++) {
       bytes.davis240(i, i % 240, i % 180, true);
@@ -144,7 +144,7 @@ class AedatSensorTest {
   }
 
   @Test
-  void aSiliconCochleaIsNoRetina() throws IOException {
+  void siliconCochleaIsRejected() throws IOException {
     AedatFile bytes =
         AedatFile.version2()
             .text("# AEChip: ch.unizh.ini.jaer.chip.cochlea.CochleaAMS1c\r\n")
@@ -200,7 +200,7 @@ class AedatSensorTest {
   }
 
   @Test
-  void theTimesOfEventsOutsideDoNotMoveTheClock() throws IOException {
+  void eventsOutsideTheSensorDoNotAdvanceTheClock() throws IOException {
     AedatFile bytes =
         AedatFile.version2().text("# Haltere sensor: 240x180\n").davis240(100, 1, 1, true);
     bytes.record(500 << 22, 2_000_000_000).record(0x80000000, 1).davis240(200, 1, 1, true);
@@ -262,7 +262,7 @@ class AedatSensorTest {
   }
 
   @Test
-  void everyWordOfBothLayoutsGoesThereAndBack() {
+  void addressesOfBothLayoutsAreReversible() {
     Dvs128AddressDecoder dvs128 = new Dvs128AddressDecoder(DVS128);
     for (int word = 0; word < 0x8000; word++) {
       int address = dvs128.address(word);

@@ -25,7 +25,7 @@ class LargeAedatTest {
   @TempDir Path folder;
 
   @Test
-  void aRecordingOfMoreThanTwoGigabytesIsReadAndSoughtInToItsEnd() throws IOException {
+  void recordingOfMoreThanTwoGigabytesIsReadAndSeekable() throws IOException {
     byte[] start = AedatFile.version2().text("# AEChip: x.DVS128\r\n").toBytes();
     AedatFile end = AedatFile.empty();
     for (int i = 0; i < 1000; i++) {

@@ -161,7 +161,7 @@ class Aedat3FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void otherKindsOfPacketsAndEventsThatAreNotValidArePassedOver() throws IOException {
+  void otherPacketsAndInvalidEventsAreSkipped() throws IOException {
     EventPacket events = EventPackets.uniform(DAVIS240, 1, 900, 4_000, 30);
     byte[] bytes =
         new Builder()
@@ -184,7 +184,7 @@ class Aedat3FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void theAddressesOfVersionThreePointZeroAreOthers() throws IOException {
+  void version30HasAnotherAddressLayout() throws IOException {
     byte[] bytes =
         new Builder()
             .text("#!AER-DAT3.0\n#Format: RAW\n#Source 0: DVS128\n")
@@ -199,7 +199,7 @@ class Aedat3FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void anUnknownCamerasSizeIsTakenFromItsEvents() throws IOException {
+  void sizeOfAnUnknownCameraFollowsFromItsEvents() throws IOException {
     byte[] bytes =
         new Builder()
             .header("3.1", "Something")
@@ -215,7 +215,7 @@ class Aedat3FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void compressedPacketsAreRefused() throws IOException {
+  void compressedPacketsAreRejected() throws IOException {
     byte[] bytes = new Builder().text("#!AER-DAT3.1\n#Format: PNGFrames\n#!END-HEADER\n").toBytes();
     Path file = Files.write(folder.resolve("packed.aedat"), bytes);
     RecordingProblem refused =
@@ -224,7 +224,7 @@ class Aedat3FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void behindADamagedHeaderTheNextPacketIsFound() throws IOException {
+  void packetAfterADamagedHeaderIsFound() throws IOException {
     EventPacket events = EventPackets.uniform(DAVIS240, 2, 300, 4_000, 30);
     byte[] bytes = new Builder().header("3.1", "DAVIS240C").events(DAVIS240, events, 100).toBytes();
     int second = bytes.length - 2 * (28 + 800);
@@ -242,7 +242,7 @@ class Aedat3FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void twoThousandDamagedFilesDoNoHarm() throws IOException {
+  void damagedFilesAreReadOrRejected() throws IOException {
     EventPacket events = EventPackets.uniform(DAVIS240, 3, 150, 4_000, 30);
     byte[] whole = new Builder().header("3.1", "DAVIS240C").events(DAVIS240, events, 30).toBytes();
     int header = whole.length - 150 * 8 - 5 * 28;

@@ -132,7 +132,7 @@ class Aedat3SamplesTest {
   }
 
   @Test
-  void framesHaveTheirRegionAndColours() throws IOException {
+  void framesAreReadWithRegionAndColours() throws IOException {
     header();
     ByteBuffer frame = event(36 + 2 * 3 * 3 * 2).putInt(3 << 1 | 1);
     frame.putInt(100).putInt(400).putInt(200).putInt(300).putInt(3).putInt(2).putInt(10);

@@ -110,7 +110,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
 
   @ParameterizedTest
   @EnumSource(Aedat4Compression.class)
-  void everyPackingComesBack(Aedat4Compression compression) throws IOException {
+  void everyCompressionIsReadBack(Aedat4Compression compression) throws IOException {
     Path file = folder.resolve(compression + ".aedat4");
     EventPacket written = EventPackets.uniform(DAVIS346, 3, 50_000, 1_718_925_184_590_631L, 9);
     try (RecordingWriter writer =
@@ -185,7 +185,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aDamagedPacketIsLeftOutAndThoseBehindItAreFound() throws IOException {
+  void damagedPacketIsSkippedAndLaterOnesAreFound() throws IOException {
     EventPacket written = EventPackets.uniform(DAVIS346, 6, 3 * 8192, 0, 9);
     for (Aedat4Compression compression :
         new Aedat4Compression[] {Aedat4Compression.NONE, Aedat4Compression.LZ4}) {
@@ -243,7 +243,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void eventsOutsideOfTheSensorAreLeftOutAndReported() throws IOException {
+  void eventsOutsideTheSensorAreSkippedAndReported() throws IOException {
     Path file = folder.resolve("outside.aedat4");
     EventPacket written = new EventPacket(4);
     written.append(0, 345, 259, true);
@@ -274,7 +274,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aFileOfJaerCountsRowsFromTheBottom() throws IOException {
+  void jaerFileHasRowsFromTheBottom() throws IOException {
     Path file = folder.resolve("jaer.aedat4");
     EventPacket written = EventPackets.uniform(DAVIS346, 8, 900, 0, 9);
     write(file, DAVIS346, written);
@@ -295,7 +295,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void withoutADescriptionThePacketsTellTheStreamAndTheSize() throws IOException {
+  void missingDescriptionIsReplacedByTheContentOfPackets() throws IOException {
     Path file = folder.resolve("undescribed.aedat4");
     EventPacket written = new EventPacket(2);
     written.append(5, 0, 250, true);
@@ -328,7 +328,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void oneOfSeveralStreamsOfEventsIsChosen() throws IOException {
+  void firstOfSeveralEventStreamsIsRead() throws IOException {
     EventPacket first = EventPackets.uniform(DAVIS346, 8, 900, 0, 9);
     EventPacket second = EventPackets.uniform(DAVIS346, 9, 800, 0, 9);
     Path file = folder.resolve("one.aedat4");
@@ -361,7 +361,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aRecordingOfFramesAloneIsOneWithoutEvents() throws IOException {
+  void recordingOfFramesOnlyHasNoEvents() throws IOException {
     Path file = haltere.testing.Recorded.file("gray16-frame.aedat4");
     try (RecordingReader reader = Recordings.open(file)) {
       assertEquals(new SensorGeometry(2, 2, Origin.TOP), reader.geometry());

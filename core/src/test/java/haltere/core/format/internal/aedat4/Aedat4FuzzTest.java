@@ -141,7 +141,7 @@ class Aedat4FuzzTest {
   }
 
   @Test
-  void damagedFilesDoNoHarm() throws IOException {
+  void damagedFilesAreReadOrRejected() throws IOException {
     for (Aedat4Compression compression :
         new Aedat4Compression[] {
           Aedat4Compression.NONE, Aedat4Compression.LZ4, Aedat4Compression.ZSTD
@@ -176,7 +176,7 @@ class Aedat4FuzzTest {
   }
 
   @Test
-  void aFileCutAnywhereGivesItsWholePackets() throws IOException {
+  void truncatedFileYieldsItsCompletePackets() throws IOException {
     for (Aedat4Compression compression : Aedat4Compression.values()) {
       True truth = file(compression);
       SplittableRandom random = new SplittableRandom(7);
@@ -194,7 +194,7 @@ class Aedat4FuzzTest {
   }
 
   @Test
-  void aHeaderCutAtAnyByteIsRefusedInWords() throws IOException {
+  void truncatedHeaderIsRejectedWithAMessage() throws IOException {
     True truth = file(Aedat4Compression.NONE);
     for (int length = 0; length < truth.header; length++) {
       assertEquals(

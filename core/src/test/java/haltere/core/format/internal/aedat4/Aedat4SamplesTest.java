@@ -43,7 +43,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Samples come back from AEDAT-4 as they were written. */
+/** Samples are read back from AEDAT-4 unchanged. */
 class Aedat4SamplesTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(24, 17, Origin.TOP);
   private static final WriteOptions ALL =
@@ -79,8 +79,7 @@ class Aedat4SamplesTest {
 
   @ParameterizedTest
   @EnumSource
-  void samplesOfAllKindsComeBackAsTheyWereWritten(Aedat4Compression compression)
-      throws IOException {
+  void samplesOfAllKindsAreReadBackUnchanged(Aedat4Compression compression) throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 3, 30_000, 1_000_000, 100);
     List<SensorSample> samples = new RandomSamples(SENSOR, 4).all(1500, 900_000, 2000);
     Path file = folder.resolve("all.aedat4");
@@ -101,7 +100,7 @@ class Aedat4SamplesTest {
 
   @ParameterizedTest
   @ValueSource(longs = {0, 1, 300_000, 899_999})
-  void seekingGivesTheSamplesThatStandBeforeTheOnlyPacketOfEvents(long fromUs) throws IOException {
+  void seekYieldsSamplesStoredBeforeTheOnlyEventPacket(long fromUs) throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 3, 30, 1_000_000, 100);
     List<SensorSample> samples = new RandomSamples(SENSOR, 4).all(50, 900_000, 2000);
     Path file = folder.resolve("slow.aedat4");
@@ -122,7 +121,7 @@ class Aedat4SamplesTest {
   }
 
   @Test
-  void aRecordingOfADavisIsTheSameAfterAConversion() throws IOException {
+  void davisRecordingIsUnchangedByAConversion() throws IOException {
     Path original = Recorded.file("davis346-events-frames-imu.aedat4");
     Path copy = folder.resolve("copy.aedat4");
     ReadOptions options = ReadOptions.DEFAULT.withSamples(true);
@@ -151,7 +150,7 @@ class Aedat4SamplesTest {
   }
 
   @Test
-  void kindsThatTheHeaderDoesNotNameAreRefused() throws IOException {
+  void kindsMissingInTheHeaderAreRejected() throws IOException {
     RandomSamples random = new RandomSamples(SENSOR, 5);
     Path file = folder.resolve("some.aedat4");
     try (RecordingWriter writer =
@@ -174,7 +173,7 @@ class Aedat4SamplesTest {
   }
 
   @Test
-  void recordingsInPlaceHoldTheirSamplesAtAnyTime() throws IOException {
+  void recordingsInPlaceContainTheirSamplesAtAnyTime() throws IOException {
     Path file = folder.resolve("open.aedat4");
     List<SensorSample> samples = new RandomSamples(SENSOR, 6).all(50, 0, 100);
     try (Aedat4Writer writer = Aedat4Writer.createInPlace(file, ALL, Aedat4Compression.LZ4)) {
@@ -185,7 +184,7 @@ class Aedat4SamplesTest {
   }
 
   @Test
-  void aFrameOfHalfNumbersIsReadAsItsNumbers() throws DamagedPacketException {
+  void halfPrecisionFrameIsRead() throws DamagedPacketException {
     Frame frame =
         new Frame(new Frame.Times(7, 8), 0, 0, 2, 3, 1, Frame.Depth.UNSIGNED_16, halves());
     byte[][] written = new byte[1][];
@@ -223,7 +222,7 @@ class Aedat4SamplesTest {
   }
 
   @Test
-  void damagedSamplesDoNoWorseThanBeingLeftOut() throws IOException {
+  void damagedSamplesDoNotPreventOthers() throws IOException {
     Path file = folder.resolve("whole.aedat4");
     List<SensorSample> samples = new RandomSamples(SENSOR, 7).all(60, 0, 100);
     try (RecordingWriter writer = Aedat4Writer.create(file, ALL, Aedat4Compression.NONE)) {

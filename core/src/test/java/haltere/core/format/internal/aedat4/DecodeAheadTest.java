@@ -25,7 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** With a thread that helps to decompress, a recording gives the same events. */
+/** Decoding ahead on a second thread yields the same events. */
 class DecodeAheadTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(346, 260, Origin.TOP);
   private static final int PACKETS = 60;
@@ -52,7 +52,7 @@ class DecodeAheadTest {
   @EnumSource(
       value = Aedat4Compression.class,
       names = {"LZ4", "ZSTD"})
-  void aLongRecordingGivesItsEventsFromAnyTimeOn(Aedat4Compression compression) throws IOException {
+  void longRecordingIsReadFromAnyTime(Aedat4Compression compression) throws IOException {
     Path path = Files.write(folder.resolve("whole.aedat4"), file(compression));
     SplittableRandom random = new SplittableRandom(2);
     try (RecordingReader reader = Recordings.open(path)) {
@@ -77,7 +77,7 @@ class DecodeAheadTest {
   @EnumSource(
       value = Aedat4Compression.class,
       names = {"LZ4", "ZSTD"})
-  void damageIsFoundWhereverItIs(Aedat4Compression compression) throws IOException {
+  void damageIsDetectedAnywhere(Aedat4Compression compression) throws IOException {
     byte[] bytes = file(compression);
     ByteBuffer numbers = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     int at = 18 + numbers.getInt(14);
@@ -109,7 +109,7 @@ class DecodeAheadTest {
   }
 
   @Test
-  void theThreadEndsWithTheReader() throws IOException, InterruptedException {
+  void threadEndsWithTheReader() throws IOException, InterruptedException {
     Path path = Files.write(folder.resolve("threads.aedat4"), file(Aedat4Compression.LZ4));
     List<Thread> before = helpers();
     List<Thread> own;
@@ -126,7 +126,7 @@ class DecodeAheadTest {
   }
 
   @Test
-  void anInterruptedReaderDoesNotWaitForTheThread() throws IOException {
+  void interruptedReaderDoesNotWaitForTheThread() throws IOException {
     Path path = Files.write(folder.resolve("interrupt.aedat4"), file(Aedat4Compression.LZ4));
     try (RecordingReader reader = Recordings.open(path)) {
       reader.next(new StreamRecorder());

@@ -31,7 +31,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Seeking by the table of packets leads where seeking by a look at every event leads. */
+/** Seeking by the packet table equals seeking by reading all events. */
 class PacketTableTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(346, 260, Origin.TOP);
   private static final int TABLE_POSITION = Aedat4Header.TABLE_POSITION_OFFSET;
@@ -76,7 +76,7 @@ class PacketTableTest {
               header.compression());
       int stream =
           header.streams().stream().filter(Aedat4Stream::isEvents).findFirst().orElseThrow().id();
-      return PacketTable.believed(file, layout, stream).isPresent();
+      return PacketTable.readTable(file, layout, stream).isPresent();
     }
   }
 
@@ -110,8 +110,7 @@ class PacketTableTest {
 
   @ParameterizedTest
   @EnumSource(Aedat4Compression.class)
-  void segmentsAndSeeksAreTheSameWithTheTableAndWithoutIt(Aedat4Compression compression)
-      throws IOException {
+  void tableDoesNotChangeSegmentsAndSeeks(Aedat4Compression compression) throws IOException {
     byte[] bytes = file(compression);
     Path with = Files.write(folder.resolve("with.aedat4"), bytes);
     Path without = withoutTable(bytes);
@@ -121,7 +120,7 @@ class PacketTableTest {
   }
 
   @Test
-  void theTablesOfDvAreBelieved() throws IOException {
+  void tablesOfDvAreValid() throws IOException {
     for (RecordedPackets recording :
         List.of(RecordedPackets.DVXPLORER, RecordedPackets.DVS128_GESTURE)) {
       Path path = Recorded.file(recording.file());
@@ -131,7 +130,7 @@ class PacketTableTest {
   }
 
   @Test
-  void anInconsistentTableIsIgnored() throws IOException {
+  void inconsistentTableIsIgnored() throws IOException {
     byte[] bytes = file(Aedat4Compression.NONE);
     Path without = withoutTable(bytes);
     int table = (int) numbers(bytes).getLong(TABLE_POSITION);

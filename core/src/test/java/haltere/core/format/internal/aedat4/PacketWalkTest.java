@@ -13,14 +13,14 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The way from packet to packet through a damaged file. */
+/** Search for packets in a damaged file. */
 class PacketWalkTest {
   private static final int PACKETS = 20_000;
 
   @TempDir Path folder;
 
   @Test
-  void aWalkOverEmptyPacketsLooksAtEachOffsetAFewTimesAtMost() throws IOException {
+  void walkOverEmptyPacketsTakesLinearTime() throws IOException {
     int bytes = PACKETS * PacketWalk.HEADER_BYTES;
     Path file = Files.write(folder.resolve("empty"), new byte[bytes]);
     try (RecordingFile recording = new RecordingFile(file)) {

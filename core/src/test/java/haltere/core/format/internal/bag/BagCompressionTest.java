@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The reader of a bag names how the messages with events are compressed. */
+/** The reader of a bag states the compression of its event messages. */
 class BagCompressionTest {
   @TempDir Path folder;
 
@@ -36,13 +36,13 @@ class BagCompressionTest {
     "libcaer_cmp-lz4.mcap, lz4",
     "libcaer-flat.mcap, none"
   })
-  void isThatOfTheChunks(String name, String method) throws IOException {
+  void compressionIsThatOfTheChunks(String name, String method) throws IOException {
     Path file = Files.write(folder.resolve(name), BagResources.bytes(name));
     assertEquals(Optional.of(method), compression(file));
   }
 
   @Test
-  void isThatOfTheMessagesWhereNoChunkHasThem() throws IOException {
+  void compressionIsThatOfMessagesWithoutChunks() throws IOException {
     SensorGeometry sensor = new SensorGeometry(346, 260, Origin.TOP);
     Path file = folder.resolve("messages.db3");
     Files.write(

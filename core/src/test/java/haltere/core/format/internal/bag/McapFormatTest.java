@@ -95,7 +95,7 @@ class McapFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void behindADamagedChunkTheNextOneIsRead() throws IOException {
+  void chunkAfterADamagedOneIsRead() throws IOException {
     byte[] bytes = BagResources.bytes("array-zstd.mcap");
     List<Integer> chunks = new ArrayList<>();
     for (int at = McapIndex.FIRST_RECORD; bytes[at] != McapRecord.DATA_END; ) {
@@ -128,7 +128,7 @@ class McapFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void timesThatMessagesCannotHoldAreRefused() throws IOException {
+  void timesBeyondTheRangeOfMessagesAreRejected() throws IOException {
     for (long timeUs : new long[] {earliestUs() - 1, latestUs() + 1}) {
       EventPacket events = new EventPacket(1);
       events.append(timeUs, 0, 0, true);
@@ -142,7 +142,7 @@ class McapFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void manyDamagedFilesDoNoHarm() throws IOException {
+  void damagedFilesAreReadOrRejected() throws IOException {
     List<byte[]> wholes =
         List.of(
             BagResources.bytes("array-zstd.mcap"),

@@ -143,7 +143,7 @@ final class RosbagFile {
     return all;
   }
 
-  /** Where the chunks start. */
+  /** Offset of the first chunk. */
   List<Integer> chunks() {
     return chunks;
   }

@@ -114,8 +114,7 @@ class RosbagFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void chunksOfAllPackingsAndMessagesOfAllEncodingsAreReadAsAnotherProgramWroteThem()
-      throws IOException {
+  void allCompressionsAndEncodingsOfAnotherProgramAreRead() throws IOException {
     for (String name :
         new String[] {
           "array-lz4.bag", "array-bz2.bag", "mono.bag", "libcaer.bag", "libcaer_cmp.bag"
@@ -142,7 +141,7 @@ class RosbagFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void ofSeveralTopicsTheFirstWithEventsIsReadAndTheOthersAreNamed() throws IOException {
+  void firstTopicWithEventsIsReadAndOthersAreReported() throws IOException {
     EventPacket left = EventPackets.uniform(DAVIS346, 2, 500, 4_000, 30);
     EventPacket right = EventPackets.uniform(DAVIS346, 3, 400, 4_000, 30);
     byte[] bytes =
@@ -209,7 +208,7 @@ class RosbagFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void behindADamagedChunkTheNextOneIsRead() throws IOException {
+  void chunkAfterADamagedOneIsRead() throws IOException {
     EventPacket events = EventPackets.uniform(DAVIS346, 4, 9000, 4_000, 30);
     RosbagFile bag = bag(DAVIS346, events);
     byte[] bytes = bag.closed();
@@ -229,7 +228,7 @@ class RosbagFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void anUnstatedSensorSizeIsTheSmallestThatFitsTheEvents() throws IOException {
+  void unstatedSensorSizeIsTheSmallestThatFitsTheEvents() throws IOException {
     EventPacket events = EventPackets.uniform(DAVIS346, 5, 5000, 4_000, 30);
     byte[] message = RosBytes.array(false, DAVIS346, events);
     int height = 4 + 8 + 4 + "camera".length();
@@ -243,7 +242,7 @@ class RosbagFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void manyDamagedBagsDoNoHarm() throws IOException {
+  void damagedBagsAreReadOrRejected() throws IOException {
     EventPacket events = EventPackets.uniform(DAVIS346, 6, 150, 4_000, 30);
     List<byte[]> wholes =
         List.of(
@@ -279,7 +278,7 @@ class RosbagFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void theLineOfAnotherVersionIsNone() throws IOException {
+  void fileOfAnotherVersionIsNotRecognised() throws IOException {
     byte[] bytes = "#ROSBAG V1.2\n".getBytes(StandardCharsets.US_ASCII);
     Path file = Files.write(folder.resolve("old.bag"), bytes);
     assertThrows(

@@ -90,7 +90,7 @@ class SqliteBagFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void messagesThatRosbag2CompressedOneByOneAreRead() throws IOException {
+  void individuallyCompressedMessagesAreRead() throws IOException {
     for (String name : new String[] {"array-packed.db3", "array-packed.mcap"}) {
       Path file = Files.write(folder.resolve(name), BagResources.bytes(name));
       StreamRecorder recorder = new StreamRecorder();
@@ -108,7 +108,7 @@ class SqliteBagFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aCompressedMessageTooLargeForMemoryIsDecompressedPieceByPiece() throws IOException {
+  void largeCompressedMessageIsDecompressedInPieces() throws IOException {
     int count = 400_000;
     EventPacket events = EventPackets.uniform(DAVIS346, 3, count, 0, 1.5);
     Path file = folder.resolve("large.db3");
@@ -131,7 +131,7 @@ class SqliteBagFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void manyDamagedFilesDoNoHarm() throws IOException {
+  void damagedFilesAreReadOrRejected() throws IOException {
     assertReadable("array.db3", 9);
     assertReadable("array-packed.db3", 10);
   }

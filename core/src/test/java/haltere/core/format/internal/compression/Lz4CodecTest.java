@@ -10,7 +10,7 @@ import net.jpountz.lz4.LZ4Compressor;
 import net.jpountz.lz4.LZ4Factory;
 import org.junit.jupiter.api.Test;
 
-/** Blocks of LZ4, with native code and without, and what damaged ones must not do. */
+/** LZ4 blocks with and without native code, also damaged ones. */
 class Lz4CodecTest {
   private static final int BYTES = 4_000;
   private static final int MARGIN = 64;
@@ -43,14 +43,14 @@ class Lz4CodecTest {
   }
 
   @Test
-  void theChecksumIsThatOfXxHashWithSeedZero() {
+  void checksumIsXxHashWithSeedZero() {
     byte[] bytes = new byte[] {1, 2, 'a', 'b', 'c', 3};
     assertEquals(0x32D153FF, Lz4Codec.checksum(bytes, 2, 5));
     assertEquals(0x02CC5D05, Lz4Codec.checksum(bytes, 2, 2));
   }
 
   @Test
-  void damagedBlocksStayWithinTheRoomForThem() {
+  void damagedBlocksNeverExceedTheOutputBuffer() {
     byte[] sound = Lz4Codec.fast().compress(original);
     int damaged = 0;
     for (int i = 0; i < 20_000; i++) {

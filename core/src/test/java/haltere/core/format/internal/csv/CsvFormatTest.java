@@ -42,7 +42,7 @@ class CsvFormatTest {
   }
 
   @Test
-  void aRowHoldsTimeColumnRowAndPolarity() throws IOException {
+  void rowContainsTimeColumnRowAndPolarity() throws IOException {
     EventPacket packet = new EventPacket(4);
     packet.append(Long.MIN_VALUE, 0, 0, false);
     packet.append(-10, 639, 479, true);

@@ -135,7 +135,7 @@ class CsvReadingTest extends RecordingFormatContract {
   }
 
   @Test
-  void timesAreExactWhereFloatingPointNumbersAreNot() throws IOException {
+  void timesAreExactBeyondFloatingPointPrecision() throws IOException {
     EventPacket events =
         events(
             "timestamp_s,x,y,p\n"
@@ -153,7 +153,7 @@ class CsvReadingTest extends RecordingFormatContract {
   }
 
   @Test
-  void rowsThatAreNoneAreLeftOutAndCounted() throws IOException {
+  void invalidRowsAreSkippedAndCounted() throws IOException {
     Path file =
         Files.writeString(
             folder.resolve("damaged.csv"),
@@ -174,7 +174,7 @@ class CsvReadingTest extends RecordingFormatContract {
   }
 
   @Test
-  void theSizeComesFromTheFirstLineOrTheUserOrTheEvents() throws IOException {
+  void sizeComesFromTheFirstLineTheUserOrTheEvents() throws IOException {
     String rows = "1.5 3 2 1\n1.6 200 150 0\n";
     Path file = folder.resolve("size.txt");
     Files.writeString(file, "240 180\n" + rows);
@@ -192,7 +192,7 @@ class CsvReadingTest extends RecordingFormatContract {
   }
 
   @Test
-  void otherTextIsNotTakenForEvents() throws IOException {
+  void otherTextIsRejected() throws IOException {
     for (String text :
         List.of(
             "Dear reader,\nthis is a letter.\n",

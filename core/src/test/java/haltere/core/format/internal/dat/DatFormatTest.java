@@ -31,7 +31,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** DAT keeps the contract of all formats and says what its clock cannot hold. */
+/** DAT keeps the contract of all formats and reports times beyond its clock. */
 class DatFormatTest extends RecordingFormatContract {
   private static final SensorGeometry GEN4 = new SensorGeometry(1280, 720, Origin.TOP);
 
@@ -101,7 +101,7 @@ class DatFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void timesBeyondThirtyTwoBitsComeBackAndAreReported() throws IOException {
+  void timesBeyond32BitsAreReadBackAndReported() throws IOException {
     for (long startUs : new long[] {1_718_925_184_590_631L, -5_000_000_000L, 4_294_967_290L}) {
       Path file = folder.resolve("long" + startUs + ".dat");
       EventPacket written = EventPackets.uniform(GEN4, 1, 3000, startUs, 5_000_000);
@@ -127,7 +127,7 @@ class DatFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void theClockWrapsAndRestarts() throws IOException {
+  void clockWrapsAndRestarts() throws IOException {
     Path file = folder.resolve("wrap.dat");
     Files.write(
         file,
@@ -145,7 +145,7 @@ class DatFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void theFirstVersionHasNarrowerFields() throws IOException {
+  void version1HasNarrowerFields() throws IOException {
     Path file = folder.resolve("old.dat");
     Files.write(file, file("% Version 1\n", 0, 7, 303 | 239 << 9 | 1 << 17, 8, 5 | 1 << 9, 9, 304));
     try (RecordingReader reader = Recordings.open(file)) {
@@ -164,7 +164,7 @@ class DatFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void triggersAreNoRecordingOfPixelEvents() throws IOException {
+  void triggerFileIsRejected() throws IOException {
     Path file = folder.resolve("triggers.dat");
     Files.write(file, file("% Version 2\n% Width 10\n% Height 10\n", 0x0e, 1, 1));
     RecordingProblem refused =
@@ -184,7 +184,7 @@ class DatFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void eventsOutsideAreLeftOutAndReported() throws IOException {
+  void eventsOutsideTheSensorAreSkippedAndReported() throws IOException {
     EventPacket written = new EventPacket(0);
     written.append(0, 1279, 719, true);
     written.append(1, 1280, 0, true);

@@ -15,14 +15,14 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The size of a sensor that nobody states. */
+/** Guess of an unstated sensor size. */
 class SensorGuessTest {
   private static final int EVENTS = 1_100_000;
 
   @TempDir Path folder;
 
   @Test
-  void anEventFarBehindTheFirstOnesIsHeldByTheGuessedSensor() throws IOException {
+  void guessedSensorContainsLateEvents() throws IOException {
     ByteBuffer records = ByteBuffer.allocate(5 * EVENTS);
     for (int i = 0; i < EVENTS; i++) {
       boolean isLast = i == EVENTS - 1;

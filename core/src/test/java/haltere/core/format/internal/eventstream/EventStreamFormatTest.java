@@ -119,7 +119,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void ofAtisThePixelEventsAreRead() {
+  void pixelEventsOfAtisFilesAreRead() {
     ViolationCounts violations = new ViolationCounts();
     EventStreamDecoder decoder =
         new EventStreamDecoder(EventStreamDecoder.Kind.ATIS, SENSOR, violations);
@@ -140,7 +140,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void theAtisRecordingHasTheEventsThatItsAuthorsRead() throws IOException {
+  void atisRecordingMatchesTheReaderOfItsAuthors() throws IOException {
     Path file = Recorded.file("atis.es");
     byte[] bytes = Files.readAllBytes(file);
     ByteBuffer in = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).position(20);
@@ -166,7 +166,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aGenericRecordingIsAStreamWithoutPixelEvents() throws IOException {
+  void genericRecordingHasNoPixelEvents() throws IOException {
     try (RecordingReader reader = Recordings.open(Recorded.file("generic.es"))) {
       assertEquals(0, read(reader).events().size());
       assertEquals(List.of(), reader.segments());
@@ -178,7 +178,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void messagesThatLieAboutTheirLengthTakeNoMemory() throws IOException {
+  void messagesWithFalseLengthsTakeNoMemory() throws IOException {
     byte[] head = Arrays.copyOf("Event Stream\2\0\0\0".getBytes("ISO-8859-1"), 16);
     int[][] messages = {
       {5, 0x0a, 1, 2, 3, 4, 5, 6, 0x0a, 1, 2, 3, 4, 5}, // two true ones
@@ -202,7 +202,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void coloursAreNoPixelEventsWithAPolarity() throws IOException {
+  void colourEventsAreNotRead() throws IOException {
     Path file = folder.resolve("colour.es");
     byte[] head = "Event Stream\2\0\0\4\12\0\12\0".getBytes("ISO-8859-1");
     byte[] bytes = Arrays.copyOf(head, head.length + 9);
@@ -215,7 +215,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void startsBeyondTheClockRangeMoveToZeroAndAreReported() throws IOException {
+  void startsBeyondTheClockRangeAreShiftedToZeroAndReported() throws IOException {
     for (long startUs : new long[] {-5, 1_718_925_184_590_631L}) {
       EventPacket written = EventPackets.uniform(SENSOR, 1, 1000, startUs, 30);
       Path file = folder.resolve("start" + startUs + ".es");
@@ -236,7 +236,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void eventsOutsideAreLeftOutAndReported() throws IOException {
+  void eventsOutsideTheSensorAreSkippedAndReported() throws IOException {
     EventPacket written = new EventPacket(0);
     written.append(500, 320, 0, true);
     written.append(600, 319, 239, true);
@@ -253,7 +253,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void anotherVersionIsRefused() throws IOException {
+  void unknownVersionIsRejected() throws IOException {
     Path file = folder.resolve("version.es");
     Files.write(file, "Event Stream\3\0\0\1\12\0\12\0".getBytes("ISO-8859-1"));
     RecordingProblem refused =

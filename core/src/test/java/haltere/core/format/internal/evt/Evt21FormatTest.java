@@ -103,7 +103,7 @@ class Evt21FormatTest extends EvtContract {
   }
 
   @Test
-  void swappedHalvesAreReadWhetherTheHeaderSaysSoOrNot() throws IOException {
+  void swappedHalvesAreReadWithAndWithoutAHeaderEntry() throws IOException {
     EventPacket written = EventPackets.uniform(GEN3, 5, 5000, 0, 20);
     Path file = folder.resolve("legacy.raw");
     write(file, GEN3, written);
@@ -126,7 +126,7 @@ class Evt21FormatTest extends EvtContract {
   }
 
   @Test
-  void neighboursShareAWord() throws IOException {
+  void neighbouringEventsShareAWord() throws IOException {
     EventPacket written = new EventPacket(0);
     for (int x = 0; x < 640; x++) {
       written.append(7, x, 9, true);

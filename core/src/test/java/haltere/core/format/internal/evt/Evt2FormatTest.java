@@ -12,7 +12,7 @@ import java.nio.ByteOrder;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** EVT2 keeps the contract of RAW files, and its words mean what Prophesee says. */
+/** EVT2 keeps the contract of RAW files and matches Prophesee's specification. */
 class Evt2FormatTest extends EvtContract {
   @Override
   protected RecordingFormat format() {
@@ -95,7 +95,7 @@ class Evt2FormatTest extends EvtContract {
   }
 
   @Test
-  void theClockWrapsAfterTwoToTheThirtyFourAndRestartsOtherwise() {
+  void clockWrapsAfter34BitsAndRestartsOtherwise() {
     Evt2Decoder decoder = new Evt2Decoder(GEN3, 0, new ViolationCounts());
     EventPacket packet = new EventPacket(0);
     long lastUs = (1L << 34) - 64;

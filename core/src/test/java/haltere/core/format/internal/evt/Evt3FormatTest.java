@@ -21,7 +21,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** EVT3 keeps the contract of RAW files, and its words mean what Prophesee says. */
+/** EVT3 keeps the contract of RAW files and matches Prophesee's specification. */
 class Evt3FormatTest extends EvtContract {
   @Override
   protected RecordingFormat format() {
@@ -120,7 +120,7 @@ class Evt3FormatTest extends EvtContract {
   }
 
   @Test
-  void vectorWordsMayStandAloneOrInThreesAndBeCutAnywhere() {
+  void vectorWordsMayBeSingleGroupedOrTruncated() {
     int[] words = {
       0x8000, 0x6005, 0x0000, 0x3800 | 32, 0x4801, 0x4003, 0x5081, 0x4fff, 0x5000, 0x4001
     };
@@ -206,7 +206,7 @@ class Evt3FormatTest extends EvtContract {
   }
 
   @Test
-  void wordsMeanTheSameTogetherAsOneByOneOnSensorsOfAnySize() {
+  void wordsDecodeEquallyInBlocksAndOneByOne() {
     List<SensorGeometry> sensors =
         List.of(GEN3, GEN4, new SensorGeometry(100, 30), new SensorGeometry(3000, 4000));
     SplittableRandom random = new SplittableRandom(6);
@@ -225,7 +225,7 @@ class Evt3FormatTest extends EvtContract {
   }
 
   @Test
-  void theClockWrapsWhenItsHighPartFallsByHalf() {
+  void clockWrapsIfItsHighPartFallsByHalf() {
     Evt3Decoder decoder = new Evt3Decoder(GEN3, 0, new ViolationCounts());
     EventPacket packet = new EventPacket(0);
     ByteBuffer in =
@@ -242,7 +242,7 @@ class Evt3FormatTest extends EvtContract {
   }
 
   @Test
-  void neighboursBecomeVectors() throws IOException {
+  void neighbouringEventsAreWrittenAsVectors() throws IOException {
     EventPacket written = new EventPacket(0);
     for (int x = 0; x < 640; x++) {
       written.append(7, x, 9, true);
@@ -257,7 +257,7 @@ class Evt3FormatTest extends EvtContract {
   }
 
   @Test
-  void movingBarsComeBack() throws IOException {
+  void movingBarsAreReadBack() throws IOException {
     EventPacket written = EventPackets.movingBars(GEN4, 1, 300_000, 123);
     for (int i = 0; i < written.size(); i++) {
       // Many events at the same time, as dense recordings have them.

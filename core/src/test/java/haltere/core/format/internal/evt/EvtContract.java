@@ -31,7 +31,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** What the three encodings of RAW files keep. */
+/** Contract of the three encodings of RAW files. */
 abstract class EvtContract extends RecordingFormatContract {
   static final SensorGeometry GEN3 = new SensorGeometry(640, 480, Origin.TOP);
   static final SensorGeometry GEN4 = new SensorGeometry(1280, 720, Origin.TOP);
@@ -101,7 +101,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void timesSinceNineteenSeventyAndLongSilencesComeBack() throws IOException {
+  void timesSince1970AndLongSilencesAreReadBack() throws IOException {
     EventPacket written = new EventPacket(0);
     long timeUs = 1_718_925_184_590_631L;
     SplittableRandom random = new SplittableRandom(1);
@@ -125,7 +125,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void timesBeforeZeroComeBack() throws IOException {
+  void negativeTimesAreReadBack() throws IOException {
     EventPacket written = EventPackets.uniform(GEN3, 9, 1000, -30 * HOUR_US - 7, HOUR_US / 16);
     Path file = folder.resolve("negative.raw");
     writeWithBase(file, written);
@@ -135,7 +135,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void timesThatDescendWithinATurnAreRestored() throws IOException {
+  void descendingTimesWithinAWrapPeriodAreReadBack() throws IOException {
     List<EventPacket> packets = new ArrayList<>();
     for (long startUs : new long[] {16_000_000, 15_999_000, 9_000_000, 100, 99}) {
       packets.add(EventPackets.uniform(GEN3, startUs, 50, startUs, 3));
@@ -167,7 +167,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void anEventOutsideOfTheSensorIsLeftOutAndReported() throws IOException {
+  void eventOutsideTheSensorIsSkippedAndReported() throws IOException {
     EventPacket written = new EventPacket(0);
     written.append(0, 639, 479, true);
     written.append(0, 640, 479, true);
@@ -194,7 +194,7 @@ abstract class EvtContract extends RecordingFormatContract {
   }
 
   @Test
-  void metadataComeIntoTheHeaderAndCannotForgeIt() throws IOException {
+  void metadataAreWrittenToTheHeaderAndCannotForgeIt() throws IOException {
     Path file = folder.resolve("metadata.raw");
     WriteOptions options =
         new WriteOptions(
@@ -252,9 +252,9 @@ abstract class EvtContract extends RecordingFormatContract {
     assertTrue(refused.getMessage().contains("EVT4"), refused.getMessage());
   }
 
-  /** As a camera does: words in any order, cut at any place, with any size of packets. */
+  /** Decodes words in any order, truncated anywhere, with any packet size. */
   @Test
-  void anyBytesGiveTheSameEventsHoweverTheyAreCut() throws IOException {
+  void eventsOfArbitraryBytesDoNotDependOnPacketSizes() throws IOException {
     for (long seed = 0; seed < 40; seed++) {
       SplittableRandom random = new SplittableRandom(seed);
       byte[] words = randomWords(random);

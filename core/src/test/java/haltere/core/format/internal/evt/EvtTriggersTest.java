@@ -80,7 +80,7 @@ class EvtTriggersTest {
 
   @ParameterizedTest
   @MethodSource("formats")
-  void samplesWithoutAnEncodingAreRefused(RecordingFormat format) throws IOException {
+  void samplesWithoutAnEncodingAreRejected(RecordingFormat format) throws IOException {
     Path file = folder.resolve("refused." + format.name());
     try (RecordingWriter writer = format.create(file, WriteOptions.of(SENSOR)).orElseThrow()) {
       assertFalse(writer.write(new Trigger(1, Trigger.Source.EXPOSURE, Trigger.Edge.RISING, 0)));

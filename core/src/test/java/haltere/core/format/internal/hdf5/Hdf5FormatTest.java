@@ -34,7 +34,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** HDF5 keeps the contract of all formats, whoever laid the events out and however compressed. */
+/** HDF5 keeps the contract of all formats for all layouts and compressions. */
 class Hdf5FormatTest extends RecordingFormatContract {
   private static final SensorGeometry SENSOR = new SensorGeometry(346, 260);
   private static final int THEIRS = 300;
@@ -106,7 +106,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
     return file;
   }
 
-  /** What all of those files hold. */
+  /** Content of all of these files. */
   private static EventPacket theirEvents() {
     EventPacket events = new EventPacket(THEIRS);
     for (int i = 0; i < THEIRS; i++) {
@@ -164,7 +164,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
     "zstd, zstd",
     "new-run, none"
   })
-  void theReaderNamesTheCompression(String name, String method) throws IOException {
+  void readerStatesTheCompression(String name, String method) throws IOException {
     try (RecordingReader reader = Recordings.open(theirs(name))) {
       assertEquals(method, reader.compression().orElseThrow());
     }
@@ -221,7 +221,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
 
   @ParameterizedTest
   @MethodSource("layouts")
-  void otherProgramsFilesCutAnywhereGiveNoInventedEvent(String name) throws IOException {
+  void truncatedFilesOfOtherProgramsYieldNoInventedEvent(String name) throws IOException {
     byte[] whole = Files.readAllBytes(theirs(name));
     EventPacket events = theirEvents();
     Path file = folder.resolve("cut");
@@ -237,7 +237,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aDamagedChunkIsLeftOutAndTheNextIsRead() throws IOException {
+  void damagedChunkIsSkippedAndTheNextIsRead() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 1, 150_000, 5_000_000, 40);
     Path file = folder.resolve("chunks.h5");
     write(file, SENSOR, events);
@@ -255,7 +255,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void anyLevelOfPackingIsWrittenAndManyChunksMakeATree() throws IOException {
+  void everyCompressionLevelAndChunkTreesAreWritten() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 2, 200_000, -5_000_000, 40);
     for (int level : new int[] {0, 1, 9}) {
       Path file = folder.resolve("level-" + level + ".h5");
@@ -283,7 +283,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void eventsOutsideOfTheSensorAreLeftOutAndReported() throws IOException {
+  void eventsOutsideTheSensorAreSkippedAndReported() throws IOException {
     EventPacket events = new EventPacket(2);
     events.append(1, 345, 259, true);
     events.append(2, 346, 0, true);

@@ -43,7 +43,7 @@ class Hdf5TablesTest {
   }
 
   @Test
-  void aTableOfSeveralChunksReadsBackAsItWasWritten() throws IOException {
+  void tableOfSeveralChunksIsReadBack() throws IOException {
     for (int rows : new int[] {0, 1, 70_000}) {
       Path file = written(rows);
       assertTrue(Hdf5Tables.isHdf5(file));
@@ -71,7 +71,7 @@ class Hdf5TablesTest {
   }
 
   @Test
-  void aGroupOfListsAndAListOfElementsAreTables() throws IOException {
+  void groupsOfDatasetsAndCompoundDatasetsAreTables() throws IOException {
     for (String[] place : new String[][] {{"dsec", "events"}, {"prophesee", "CD/events"}}) {
       Path file = folder.resolve(place[0] + ".h5");
       try (InputStream in = Hdf5TablesTest.class.getResourceAsStream(place[0] + ".h5")) {

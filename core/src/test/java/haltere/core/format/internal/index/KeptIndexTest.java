@@ -27,7 +27,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The index that is kept beside a recording if the user asks. */
+/** The index stored beside a recording on request. */
 class KeptIndexTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(240, 180, Origin.TOP);
   private static final ReadOptions KEEP = ReadOptions.DEFAULT.withKeptIndex(true);
@@ -79,7 +79,7 @@ class KeptIndexTest {
   }
 
   @Test
-  void nobodyWhoDoesNotAskGetsAFile() throws IOException {
+  void indexIsWrittenOnlyOnRequest() throws IOException {
     Path file = write("plain.aedat");
     assertEquals(List.of(), checkSeeks(file, ReadOptions.DEFAULT));
     assertFalse(Files.exists(index(file)));
@@ -97,7 +97,7 @@ class KeptIndexTest {
   }
 
   @Test
-  void anIndexOfAnotherRecordingIsPassedOverAndMadeAgain() throws IOException {
+  void indexOfAnotherRecordingIsReplaced() throws IOException {
     Path file = write("changed.aedat");
     checkSeeks(file, KEEP);
     byte[] old = Files.readAllBytes(index(file));
@@ -113,7 +113,7 @@ class KeptIndexTest {
   }
 
   @Test
-  void aDamagedIndexDoesNoHarm() throws IOException {
+  void damagedIndexIsIgnored() throws IOException {
     Path file = write("damaged.aedat");
     checkSeeks(file, KEEP);
     byte[] whole = Files.readAllBytes(index(file));
@@ -130,7 +130,7 @@ class KeptIndexTest {
   }
 
   @Test
-  void aFolderInWhichNothingCanBeWrittenIsNoFailure() throws IOException {
+  void readOnlyFolderIsNoFailure() throws IOException {
     Path file = write("full.aedat");
     Files.createDirectory(index(file));
     Files.createFile(index(file).resolve("something"));

@@ -23,7 +23,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** N-MNIST keeps the contract of all formats as far as files without a mark can. */
+/** N-MNIST keeps the contract of all formats as far as files without a signature can. */
 class NmnistFormatTest extends RecordingFormatContract {
   private static final SensorGeometry CALTECH = new SensorGeometry(240, 180, Origin.TOP);
 
@@ -92,7 +92,7 @@ class NmnistFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void withoutASizeTheSmallestOfTheDataSetsIsTaken() throws IOException {
+  void unstatedSizeIsTheSmallestOfTheDataSets() throws IOException {
     for (SensorGeometry sensor : List.of(CALTECH, new SensorGeometry(34, 34, Origin.TOP))) {
       EventPacket written = EventPackets.uniform(sensor, 1, 5000, 0, 20);
       Path file = folder.resolve("size-" + sensor);
@@ -106,7 +106,7 @@ class NmnistFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aRowOf240LetsTimeGoOn() throws IOException {
+  void row240AdvancesTheClock() throws IOException {
     ByteBuffer bytes = ByteBuffer.allocate(25);
     put(bytes, 100, 1, 33, true);
     put(bytes, 101, 0, 240, false);
@@ -125,7 +125,7 @@ class NmnistFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void theClockWraps() throws IOException {
+  void clockWraps() throws IOException {
     EventPacket written = EventPackets.uniform(CALTECH, 1, 2000, 8_000_000, 2000);
     Path file = folder.resolve("wrap.bin");
     write(file, CALTECH, written);
@@ -135,7 +135,7 @@ class NmnistFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void otherBytesAreNotTakenForIt() throws IOException {
+  void otherFilesAreNotRecognised() throws IOException {
     byte[] noise = new byte[10_000];
     new java.util.Random(1).nextBytes(noise);
     Path file = Files.write(folder.resolve("noise.bin"), noise);

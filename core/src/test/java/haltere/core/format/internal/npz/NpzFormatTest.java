@@ -162,7 +162,7 @@ class NpzFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void compressedArraysOfAnyTypeAreReadAndSought() throws IOException {
+  void compressedArraysOfAnyTypeAreReadAndSeekable() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 1, 30_000, 1_718_925_184_590_631L, 40);
     for (boolean seconds : new boolean[] {true, false}) {
       Path file = folder.resolve("packed-" + seconds + ".npz");
@@ -182,7 +182,7 @@ class NpzFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void aStructuredArrayIsReadAloneAndInAZipFile() throws IOException {
+  void structuredArrayIsReadAloneAndInAZipFile() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 2, 10_000, 5, 40);
     ByteBuffer data = buffer(13 * events.size(), ByteOrder.LITTLE_ENDIAN);
     for (int i = 0; i < events.size(); i++) {
@@ -243,7 +243,7 @@ class NpzFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void otherProgramsFilesCutAnywhereGiveNoInventedEvent() throws IOException {
+  void truncatedFilesOfOtherProgramsYieldNoInventedEvent() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 6, 100, 5_000_000, 40);
     Map<String, byte[]> arrays = columns(events, true);
     byte[] whole = stored(arrays);
@@ -260,7 +260,7 @@ class NpzFormatTest extends RecordingFormatContract {
   }
 
   @Test
-  void polaritiesThatAreNoNumbersAreRefusedInsteadOfTakenForOn() throws IOException {
+  void nonNumericPolaritiesAreRejected() throws IOException {
     Map<String, byte[]> arrays = columns(EventPackets.uniform(SENSOR, 7, 10, 5, 40), false);
     arrays.put("polarity", array("'<U3'", "10,", buffer(120, ByteOrder.LITTLE_ENDIAN)));
     Path file = Files.write(folder.resolve("words.npz"), zipped(arrays));

@@ -50,7 +50,7 @@ class SampleOrderTest {
   }
 
   @Test
-  void aSampleFarAwayIsLookedForNearTheEventsOnly() throws IOException {
+  void distantSamplesAreReadOnlyNearTheEvents() throws IOException {
     LonelyTrigger file = new LonelyTrigger();
     try (SampleOrder order = new SampleOrder(file)) {
       for (long offset = 0; offset < FAR - (16 << 20); offset += 1 << 20) {
@@ -61,7 +61,7 @@ class SampleOrderTest {
   }
 
   @Test
-  void aSampleComesWhenTheEventsAreNearIt() throws IOException {
+  void sampleIsDeliveredAtItsTimeAmongEvents() throws IOException {
     try (SampleOrder order = new SampleOrder(new LonelyTrigger())) {
       assertFalse(order.isDueBefore(4_999, FAR - (16 << 20)));
       assertTrue(order.isDueBefore(5_000, FAR - (16 << 20)));
@@ -71,7 +71,7 @@ class SampleOrderTest {
   }
 
   @Test
-  void aSampleBehindAllEventsComesBeforeTheEnd() throws IOException {
+  void sampleAfterAllEventsIsDeliveredBeforeTheEnd() throws IOException {
     try (SampleOrder order = new SampleOrder(new LonelyTrigger())) {
       assertTrue(order.isDueBeforeEnd());
       assertFalse(order.isDueBeforeRestart(FAR - 1));

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The dots keep to their paths and their events to the dots. */
+/** Dots follow their paths, and events lie on the dots. */
 class MovingDotsSceneTest {
   private static MovingDotsSettings quiet(String... assignments) {
     return MovingDotsSettings.defaults()
@@ -54,7 +54,7 @@ class MovingDotsSceneTest {
   }
 
   @Test
-  void everyEventLiesOnTheEdgeOfADotOffInFrontAndOnBehind() {
+  void eventsLieOnDotEdgesWithOffInFrontAndOnBehind() {
     MovingDotsScene scene = new MovingDotsScene(quiet("run.durationS=1", "dots.radiusPx=5"));
     EventPacket events = SceneRuns.events(scene);
     int inFront = 0;
@@ -79,7 +79,7 @@ class MovingDotsSceneTest {
   }
 
   @Test
-  void thereAreAsManyEventsAsThePixelsThatAreSwept() {
+  void eventCountEqualsTheSweptPixels() {
     EventPacket events =
         SceneRuns.events(new MovingDotsScene(quiet("run.durationS=5", "dots.eventsPerPixel=2")));
     double expected = 4 * 2 * (2 * 3) * 150 * 2 * 5;
@@ -98,7 +98,7 @@ class MovingDotsSceneTest {
   }
 
   @Test
-  void theSameSettingsMakeTheSameEventsInOrder() {
+  void eventsAreReproducibleAndOrdered() {
     MovingDotsSettings settings = MovingDotsSettings.defaults().with("run.durationS=0.5");
 
     EventPacket events = SceneRuns.events(new MovingDotsScene(settings));

@@ -10,14 +10,14 @@ import haltere.core.simulation.SceneRuns;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The body flies as a body does, and all cameras see the same flight. */
+/** The flight is realistic, and all cameras see the same one. */
 class FlightSceneTest {
   private static FlightScene scene(String... assignments) {
     return new FlightScene(FlightSettings.defaults().with(assignments));
   }
 
   @Test
-  void theSameSettingsMakeTheSameEventsAndAllCamerasTheSameFlight() {
+  void eventsAreReproducibleAndCamerasSeeTheSameFlight() {
     EventPacket first = SceneRuns.events(scene("run.durationS=0.2"));
     assertEquals(first, SceneRuns.events(scene("run.durationS=0.2")));
     FlightScene other = scene("run.durationS=0.2", "view.camera=1");
@@ -28,7 +28,7 @@ class FlightSceneTest {
   }
 
   @Test
-  void eventsAreWhereTheOutlineOfTheBodyIs() {
+  void eventsLieOnTheContourOfTheBody() {
     FlightScene scene =
         scene(
             "run.durationS=0.5",
@@ -48,7 +48,7 @@ class FlightSceneTest {
   }
 
   @Test
-  void theAxisIsAUnitVectorTheHeadFliesInFrontAndTheBodyStaysInItsRoom() {
+  void axisIsAUnitVectorInFlightDirectionWithinTheRoom() {
     for (long seed = 1; seed <= 20; seed++) {
       FlightScene scene = scene("run.seed=" + seed);
       for (long timeUs = 0; timeUs < 20_000_000; timeUs += 37_000) {
@@ -69,7 +69,7 @@ class FlightSceneTest {
   }
 
   @Test
-  void detectionsHaveTheNoiseOutliersAndGapsThatAreAskedFor() {
+  void detectionsHaveTheConfiguredNoiseOutliersAndGaps() {
     FlightScene noisy = scene("view.cameras=4");
     FlightScene exact =
         scene(

@@ -22,7 +22,7 @@ class CoverageRasterTest {
   }
 
   @Test
-  void aRectangleCoversPixelsByTheirShares() {
+  void rectangleCoversSharesOfPixels() {
     CoverageRaster raster = new CoverageRaster(WIDTH, HEIGHT);
     raster.add(new double[] {3, 5.25, 5.25, 3}, new double[] {4, 4, 6.5, 6.5}, 4);
     double[] cover = cover(raster);
@@ -36,7 +36,7 @@ class CoverageRasterTest {
   }
 
   @Test
-  void trianglesOfAllKindsCoverAsManyPointsOfAPixelAsLieInThem() {
+  void coverageOfTrianglesMatchesSampledPoints() {
     SeededRandom random = new SeededRandom(3, "triangles");
     CoverageRaster raster = new CoverageRaster(WIDTH, HEIGHT);
     for (int i = 0; i < 200; i++) {

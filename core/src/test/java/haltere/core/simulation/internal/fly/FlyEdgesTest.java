@@ -9,11 +9,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Where the events of the fly's wings are, held against where the truth has their edges. */
+/** Positions of wing events compared with the true edges. */
 class FlyEdgesTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, 1.0, 2.5, 4.4})
-  void inPureGeometryEveryEventLiesOnAnEdgeThatPassesThroughTheHinge(double heading) {
+  void idealEventsLieOnEdgesThroughTheHinge(double heading) {
     Residuals residuals =
         residuals(
             SceneRuns.pure("fly.body.headingRad=" + heading, "fly.wing.visibleShare=0.2"), 0.05, 0);
@@ -26,7 +26,7 @@ class FlyEdgesTest {
   }
 
   @Test
-  void inPureGeometryEventsKeepToTheEdgesWhenTheBodyMovesAndTurns() {
+  void idealEventsFollowTheEdgesOfAMovingBody() {
     Residuals residuals =
         residuals(
             SceneRuns.pure(
@@ -57,7 +57,7 @@ class FlyEdgesTest {
   }
 
   @Test
-  void theLeadingEdgeMakesOffEventsAndTheTrailingEdgeOnEvents() {
+  void leadingEdgeMakesOffEventsAndTrailingEdgeOnEvents() {
     FlyScene scene = new FlyScene(SceneRuns.pure("run.durationS=0.05", "fly.wing.widthRad=0.1"));
     EventPacket events = SceneRuns.events(scene);
     for (int i = 0; i < events.size(); i++) {
@@ -73,7 +73,7 @@ class FlyEdgesTest {
   }
 
   @Test
-  void theEventsOfAWingLieBetweenTheRootAndTheTipOfItsBlade() {
+  void wingEventsLieBetweenRootAndTip() {
     FlyScene scene = new FlyScene(SceneRuns.pure("run.durationS=0.02", "fly.wing.lengthPx=30"));
     EventPacket events = SceneRuns.events(scene);
     for (int i = 0; i < events.size(); i++) {

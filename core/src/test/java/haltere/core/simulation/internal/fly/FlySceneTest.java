@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The fly as a stream of events. */
+/** The event stream of the fly scene. */
 class FlySceneTest {
   private static final StreamHandler NOBODY =
       new StreamHandler() {
@@ -32,14 +32,14 @@ class FlySceneTest {
       };
 
   @Test
-  void theSameSettingsMakeTheSameEventsOnEveryMachine() {
+  void eventsAreReproducibleOnEveryMachine() {
     StreamRecorder events = SceneRuns.record(new FlyScene(SceneRuns.fly("run.durationS=0.1")));
 
     assertEquals("425650ad of 46450", events.crc32() + " of " + events.events().size());
   }
 
   @Test
-  void anotherSeedMakesOtherEvents() {
+  void eventsDifferBetweenSeeds() {
     assertNotEquals(
         SceneRuns.events(SceneRuns.fly("run.seed=1"), 0.02),
         SceneRuns.events(SceneRuns.fly("run.seed=2"), 0.02));
@@ -47,7 +47,7 @@ class FlySceneTest {
 
   @ParameterizedTest
   @ValueSource(ints = {1, 7, 1000})
-  void theEventsDoNotDependOnHowTheyAreCutIntoPackets(int maxEvents) {
+  void eventsDoNotDependOnPacketBoundaries(int maxEvents) {
     FlySceneSettings settings = SceneRuns.fly("run.durationS=0.05");
     StreamRecorder cut = SceneRuns.record(new FlyScene(settings, maxEvents));
 
@@ -56,7 +56,7 @@ class FlySceneTest {
   }
 
   @Test
-  void theStreamKeepsTheGrammarAndItsPacketsAreSmall() {
+  void streamFollowsTheGrammarWithSmallPackets() {
     StreamRecorder stream =
         SceneRuns.record(
             new FlyScene(
@@ -73,7 +73,7 @@ class FlySceneTest {
   }
 
   @Test
-  void afterTheEndThereIsNothing() {
+  void nothingFollowsTheEnd() {
     FlyScene scene = new FlyScene(SceneRuns.fly("run.durationS=0.01"));
     SceneRuns.events(scene);
 
@@ -81,7 +81,7 @@ class FlySceneTest {
   }
 
   @Test
-  void aSceneWithoutALengthIsEndlessAndBreathesWhereNothingHappens() {
+  void endlessSceneSendsEmptyPacketsDuringSilence() {
     FlyScene scene = new FlyScene(SceneRuns.empty());
     int[] packets = new int[1];
     StreamGrammar grammar =
@@ -105,7 +105,7 @@ class FlySceneTest {
   }
 
   @Test
-  void theStreamIsMadeInConstantMemory() {
+  void streamTakesConstantMemory() {
     FlyScene scene = new FlyScene(SceneRuns.fly("disturbances.manoeuvres.turnRad=0.5"));
 
     long bytes =
@@ -120,7 +120,7 @@ class FlySceneTest {
   }
 
   @Test
-  void aSlowPixelCrowdsTheEventsAtTheReversalsAndAFastOneSpreadsThem() {
+  void slowPixelsConcentrateEventsAtTheReversals() {
     double slow = reversalShare("pixel.bandwidthHz=500");
     double fast = reversalShare("pixel.bandwidthHz=20000");
 
@@ -157,7 +157,7 @@ class FlySceneTest {
   }
 
   @Test
-  void aFewOrManyEventsPerEdgeAndBeatCanBeHad() {
+  void eventsPerEdgeAndBeatAreConfigurable() {
     double few = eventsPerEdgeAndBeat("fly.wing.visibleShare=0.012");
     double usual = eventsPerEdgeAndBeat("run.seed=1");
     double many =
@@ -180,14 +180,14 @@ class FlySceneTest {
   }
 
   @Test
-  void theDefaultSceneHasTheRateOfAGoodRecording() {
+  void defaultSceneHasARealisticEventRate() {
     double rate = SceneRuns.events(SceneRuns.fly(), 0.5).size() / 0.5;
 
     assertTrue(rate > 200_000 && rate < 500_000, rate + " events a second");
   }
 
   @Test
-  void wiresAreOpaque() {
+  void wiresHideWings() {
     FlySceneSettings settings =
         SceneRuns.pure(
             "disturbances.wire.widthPx=4",
@@ -200,7 +200,7 @@ class FlySceneTest {
   }
 
   @Test
-  void theBodyHidesTheWings() {
+  void bodyHidesTheWings() {
     FlyScene scene =
         new FlyScene(SceneRuns.pure("stroke.beat.clapAndFling=true", "run.durationS=0.05"));
     BodyShape shape = new BodyShape(scene.settings().fly().body().lengthPx());
@@ -212,7 +212,7 @@ class FlySceneTest {
   }
 
   @Test
-  void theOutlineOfASwayingBodyFlickersAndThatOfOneAtRestDoesNot() {
+  void onlyASwayingBodyMakesContourEvents() {
     String[] noWings = {"fly.wing.visibleShare=0", "fly.body.contrast=1.5"};
     FlySceneSettings still = SceneRuns.pure(noWings);
     FlySceneSettings swaying = still.with("fly.body.wobblePx=0.5");
@@ -230,7 +230,7 @@ class FlySceneTest {
   }
 
   @Test
-  void theBusLimitBoundsTheRateOfTheStream() {
+  void busLimitBoundsTheEventRate() {
     FlyScene scene =
         new FlyScene(
             SceneRuns.fly("run.durationS=0.1", "pixel.busLimitEps=100000", "noise.hotPixels=0"));
@@ -241,7 +241,7 @@ class FlySceneTest {
   }
 
   @Test
-  void aSensorOfAnotherSizeShowsTheWholeFly() {
+  void otherSensorSizesShowTheWholeFly() {
     FlySceneSettings settings =
         SceneRuns.fly(
             "sensor.widthPx=640",
@@ -261,7 +261,7 @@ class FlySceneTest {
   }
 
   @Test
-  void aFlyAtTheEdgeOfTheSensorIsCutOff() {
+  void flyAtTheBorderIsClipped() {
     EventPacket events =
         SceneRuns.events(SceneRuns.pure("fly.body.offsetXPx=60", "fly.body.offsetYPx=-60"), 0.02);
 

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The truth about the fly keeps its definitions. */
+/** The truth of the fly matches its definitions. */
 class FlyTruthTest {
   private static final String[] STEADY = {
     "stroke.beat.frequencySdHz=0", "stroke.beat.amplitudeSdRad=0"
@@ -59,7 +59,7 @@ class FlyTruthTest {
   }
 
   @Test
-  void phaseIsZeroWhereTheWingPassesItsCentreTowardsTheTail() {
+  void phaseIsZeroAtThePassageOfTheCentreTowardsTheTail() {
     FlyScene scene = steady();
     FlyTruth before = scene.truthAt(0);
     int passages = 0;
@@ -77,7 +77,7 @@ class FlyTruthTest {
   }
 
   @Test
-  void phaseIsTheIntegralOfTheFrequencyAlsoInManoeuvres() {
+  void phaseIsTheIntegralOfTheFrequencyEvenInManoeuvres() {
     FlyScene scene = new FlyScene(SceneRuns.fly("disturbances.manoeuvres.everyS=2"));
     ToDoubleFunction<FlyTruth> phase = FlyTruth::rightPhaseRad;
     ToDoubleFunction<FlyTruth> frequency = FlyTruth::rightFrequencyHz;
@@ -98,7 +98,7 @@ class FlyTruthTest {
   }
 
   @Test
-  void overALongRunTheFrequencyHasItsMeanAndItsStandardDeviation() {
+  void frequencyHasItsMeanAndStandardDeviation() {
     FlyScene scene = new FlyScene(SceneRuns.fly("disturbances.manoeuvres.everyS=0", "run.seed=11"));
     int n = 20_000;
     double sum = 0;
@@ -118,7 +118,7 @@ class FlyTruthTest {
   }
 
   @Test
-  void theSlowChangesAreSlow() {
+  void frequencyVariesSlowlyBetweenBeats() {
     FlyScene scene = new FlyScene(SceneRuns.fly("disturbances.manoeuvres.everyS=0"));
     for (int i = 0; i < 10_000; i++) {
       double now = scene.truthAt(i * 5_000L).leftFrequencyHz();
@@ -128,7 +128,7 @@ class FlyTruthTest {
   }
 
   @Test
-  void aFrequencyManoeuvreRisesAndFallsWithItsTimeConstant() {
+  void frequencyManoeuvreFollowsItsTimeConstant() {
     FlyScene scene = steady("disturbances.manoeuvres.everyS=3", "stroke.beat.frequencyHz=200");
     Manoeuvres manoeuvres =
         new Manoeuvres(scene.settings().disturbances().manoeuvres(), scene.settings().run().seed());
@@ -159,7 +159,7 @@ class FlyTruthTest {
   }
 
   @Test
-  void saccadesTurnTheHeadingWithinEightyMillisecondsAndTheNextOneTurnsItBack() {
+  void saccadesTurnTheHeadingWithin80MsAndAlternate() {
     FlyScene scene =
         steady("disturbances.manoeuvres.everyS=3", "disturbances.manoeuvres.turnRad=0.6");
     Manoeuvres manoeuvres = new Manoeuvres(scene.settings().disturbances().manoeuvres(), 1);
@@ -179,7 +179,7 @@ class FlyTruthTest {
   }
 
   @Test
-  void theLeadingEdgeIsAheadOfTheTrailingOneByTheWidthOfTheWing() {
+  void edgesDifferByTheWidthOfTheWing() {
     FlyScene scene = steady("fly.wing.widthRad=0.06");
     for (int us = 0; us < 10_000; us += 7) {
       FlyTruth.Wing now = scene.truthAt(us).right();
@@ -195,7 +195,7 @@ class FlyTruthTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.7, 1.9, 3.3, 5.9})
-  void theHingesLieAcrossTheHeadingAndTheCentreIsTheirMiddle(double heading) {
+  void hingesLieAcrossTheHeadingAboutTheCentre(double heading) {
     FlyTruth truth =
         new FlyScene(SceneRuns.fly("fly.body.headingRad=" + heading, "fly.body.hingeOffsetPx=5"))
             .truthAt(123_456);
@@ -211,7 +211,7 @@ class FlyTruthTest {
   }
 
   @Test
-  void aPhaseLagPutsAWingBehindTheBeat() {
+  void phaseLagDelaysAWing() {
     FlyScene scene = steady("stroke.left.phaseLagRad=0", "stroke.right.phaseLagRad=0.3");
     FlyTruth truth = scene.truthAt(12_345);
 
@@ -219,7 +219,7 @@ class FlyTruthTest {
   }
 
   @Test
-  void aFrequencyOffsetMakesAWingBeatFaster() {
+  void frequencyOffsetChangesTheBeatOfAWing() {
     FlyScene scene = steady("stroke.left.frequencyOffsetHz=3");
     FlyTruth truth = scene.truthAt(12_345);
 
@@ -239,7 +239,7 @@ class FlyTruthTest {
   }
 
   @Test
-  void inAClapTheWingsNearlyMeetBehindTheBody() {
+  void clapBringsTheWingsTogetherBehindTheBody() {
     FlyScene scene = new FlyScene(SceneRuns.pure("stroke.beat.clapAndFling=true"));
     double most = 0;
     for (int us = 0; us < 20_000; us++) {

@@ -44,7 +44,7 @@ class RenderedFlySceneTest {
   }
 
   @Test
-  void theSameSettingsMakeTheSameEventsOnEveryMachine() {
+  void eventsAreReproducibleOnEveryMachine() {
     StreamRecorder events = SceneRuns.record(usual("run.durationS=0.02"));
 
     assertEquals("1f295588 of 18170", events.crc32() + " of " + events.events().size());
@@ -52,7 +52,7 @@ class RenderedFlySceneTest {
 
   @ParameterizedTest
   @ValueSource(ints = {1, 1000})
-  void theEventsDoNotDependOnHowTheyAreCutIntoPackets(int maxEvents) {
+  void eventsDoNotDependOnPacketBoundaries(int maxEvents) {
     RenderedFlySceneSettings settings =
         RenderedFlySceneSettings.defaults().with("run.durationS=0.008");
     StreamRecorder cut = SceneRuns.record(new RenderedFlyScene(settings, maxEvents));
@@ -62,7 +62,7 @@ class RenderedFlySceneTest {
   }
 
   @Test
-  void aLongerSceneBeginsAsAShorterOne() {
+  void longerSceneStartsLikeAShorterOne() {
     EventPacket shorter = SceneRuns.events(usual("run.durationS=0.004"));
     EventPacket longer = SceneRuns.events(usual("run.durationS=0.006"));
     EventPacket begin = new EventPacket(shorter.size());
@@ -73,7 +73,7 @@ class RenderedFlySceneTest {
   }
 
   @Test
-  void theStreamIsMadeInConstantMemory() {
+  void streamTakesConstantMemory() {
     RenderedFlyScene scene = usual("run.durationS=0.1");
     StreamRecorder first = new StreamRecorder();
     for (int i = 0; i < 20; i++) {
@@ -100,7 +100,7 @@ class RenderedFlySceneTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {0, 1.0, 2.5, 4.4})
-  void theTruthIsTheLongAxisOfTheWingInTheImage(double heading) {
+  void truthIsTheLongAxisOfTheWingInTheImage(double heading) {
     RenderedFlyScene scene = pure("fly.body.headingRad=" + heading);
     for (long us = 0; us < 10_000; us += 470) {
       FlyTruth truth = scene.truthAt(us);
@@ -151,7 +151,7 @@ class RenderedFlySceneTest {
   }
 
   @Test
-  void theTruthOfBothEdgesEnclosesTheDarkPixels() {
+  void truthOfBothEdgesEnclosesTheDarkPixels() {
     RenderedFlyScene scene =
         pure("fly.wing.rootExponent=1", "fly.wing.tipExponent=0.1", "fly.wing.axisShare=0.25");
     for (long us = 0; us < 10_000; us += 470) {
@@ -177,7 +177,7 @@ class RenderedFlySceneTest {
   }
 
   @Test
-  void theApparentStrokeKeepsItsDefinitions() {
+  void apparentStrokeMatchesItsDefinitions() {
     RenderedFlyScene scene = pure("stroke.beat.frequencySdHz=0", "stroke.beat.amplitudeSdRad=0");
     double sum = 0;
     double least = 9;
@@ -204,7 +204,7 @@ class RenderedFlySceneTest {
   }
 
   @Test
-  void aWingBrightensAndDarkensAsItPitchesAndIsSeenEdgeOnInTheFlip() {
+  void brightnessOfAWingFollowsItsPitch() {
     RenderedFlyScene scene = pure("fly.pitch.flipAdvanceRad=0", "stroke.beat.waveform=sinusoid");
     double least = Double.POSITIVE_INFINITY;
     double most = 0;
@@ -222,7 +222,7 @@ class RenderedFlySceneTest {
   }
 
   @Test
-  void theEdgeInFrontMakesOffEventsAndTheEdgeBehindOnEvents() {
+  void frontEdgeMakesOffEventsAndRearEdgeOnEvents() {
     RenderedFlyScene scene = pure("run.durationS=0.02", "fly.wing.transmission=0.5");
     EventPacket events = SceneRuns.events(scene);
     int right = 0;
@@ -269,7 +269,7 @@ class RenderedFlySceneTest {
   }
 
   @Test
-  void slowPixelsSeeTheWingLater() {
+  void slowPixelsDelayTheWing() {
     double fast = meanLag("pixel.bandwidthHz=0");
     double slow = meanLag("pixel.bandwidthHz=2000");
     // an event comes when the edge has covered (1 - e^-0.3) / 0.3 of the pixel, beyond its middle
@@ -277,7 +277,7 @@ class RenderedFlySceneTest {
     assertTrue(slow > fast + 0.02, slow + " " + fast);
   }
 
-  /** How far OFF events of the left wing are behind its leading edge in mid stroke, radians. */
+  /** Mean lag of OFF events behind the left leading edge in mid stroke, radians. */
   private static double meanLag(String assignment) {
     RenderedFlyScene scene =
         pure(
@@ -303,7 +303,7 @@ class RenderedFlySceneTest {
   }
 
   @Test
-  void theLightMayFadeTowardsTheCornersAndFlicker() {
+  void lightMayHaveVignettingAndFlicker() {
     double[] image = pure("light.vignetting=0.4").imageAt(0);
     assertEquals(0.6, image[0], 1e-9);
     assertEquals(1, image[64 * 128 + 64], 1e-3);
@@ -320,7 +320,7 @@ class RenderedFlySceneTest {
   }
 
   @Test
-  void badSettingsAreRefusedInWords() {
+  void invalidSettingsAreRejectedWithAMessage() {
     RenderedFlySceneSettings settings = RenderedFlySceneSettings.defaults();
     for (String bad :
         List.of(

@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The published waveforms have the numbers they were published with. */
+/** The published waveforms have their published figures. */
 class StrokeWaveformTest {
   @ParameterizedTest
   @CsvSource({
@@ -18,7 +18,7 @@ class StrokeWaveformTest {
     "CHEN_SUN, 129.6, 0.559",
     "SINUSOID, 120.0, 0.5"
   })
-  void aPublishedStrokeHasItsPeakToPeakAndItsShareOfTheCycleFromMaximumToMinimum(
+  void publishedStrokeHasItsAmplitudeAndDownstrokeShare(
       StrokeWaveform waveform, double peakToPeakDeg, double share) {
     Waveform published = waveform.published();
 
@@ -28,7 +28,7 @@ class StrokeWaveformTest {
 
   @ParameterizedTest
   @CsvSource({"MUIJRES, 3.3, 3.4", "FRY, 3.0, 3.3", "MAEDA, 3.0, 3.35", "CHEN_SUN, 6.8, 7.0"})
-  void theBestSinusoidLeavesTheResidualThatWasComputedForTheStroke(
+  void bestSinusoidLeavesTheComputedResidual(
       StrokeWaveform waveform, double leastDeg, double mostDeg) {
     double residual = residualOfBestSinusoid(waveform.published());
 
@@ -37,7 +37,7 @@ class StrokeWaveformTest {
 
   @ParameterizedTest
   @EnumSource(StrokeWaveform.class)
-  void aNormalisedStrokePassesItsMeanTowardsTheTailAtPhaseZero(StrokeWaveform waveform) {
+  void normalisedStrokePassesItsMeanAtPhaseZero(StrokeWaveform waveform) {
     Waveform normal = waveform.normalised(HarmonicSettings.defaults());
 
     assertEquals(0, normal.at(0), 1e-12);
@@ -52,7 +52,7 @@ class StrokeWaveformTest {
 
   @ParameterizedTest
   @EnumSource(StrokeWaveform.class)
-  void theSlopeIsTheDerivativeOfTheStroke(StrokeWaveform waveform) {
+  void slopeIsTheDerivativeOfTheStroke(StrokeWaveform waveform) {
     Waveform normal = waveform.normalised(HarmonicSettings.defaults());
 
     for (double phase = 0; phase < 6.28; phase += 0.1) {
@@ -62,7 +62,7 @@ class StrokeWaveformTest {
   }
 
   @Test
-  void theFreeStrokeHasTheHarmonicsOfItsSettings() {
+  void freeStrokeHasTheConfiguredHarmonics() {
     Waveform normal = StrokeWaveform.FREE.normalised(new HarmonicSettings(0.15, 0.4, 0.05, -1));
 
     double first = magnitude(normal, 1);

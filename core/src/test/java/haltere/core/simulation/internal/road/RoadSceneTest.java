@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The road as a stream of events. */
+/** The event stream of the road scene. */
 class RoadSceneTest {
   private static final StreamHandler NOBODY =
       new StreamHandler() {
@@ -47,7 +47,7 @@ class RoadSceneTest {
   }
 
   @Test
-  void theSameSettingsMakeTheSameEventsOnEveryMachine() {
+  void eventsAreReproducibleOnEveryMachine() {
     StreamRecorder events =
         SceneRuns.record(new RoadScene(road("run.durationS=0.5", "rain.streaksPerS=100")));
 
@@ -55,7 +55,7 @@ class RoadSceneTest {
   }
 
   @Test
-  void anotherSeedMakesOtherTraffic() {
+  void trafficDiffersBetweenSeeds() {
     assertNotEquals(
         new RoadScene(road("run.seed=1")).truthRows(0).toString(),
         new RoadScene(road("run.seed=2")).truthRows(0).toString());
@@ -63,7 +63,7 @@ class RoadSceneTest {
 
   @ParameterizedTest
   @ValueSource(ints = {1, 7, 1000})
-  void theEventsDoNotDependOnHowTheyAreCutIntoPackets(int maxEvents) {
+  void eventsDoNotDependOnPacketBoundaries(int maxEvents) {
     RoadSceneSettings settings = road("run.durationS=0.3", "noise.shotHz=20");
     StreamRecorder cut = SceneRuns.record(new RoadScene(settings, maxEvents));
 
@@ -72,7 +72,7 @@ class RoadSceneTest {
   }
 
   @Test
-  void theEventsDoNotDependOnTheTruthBeingAskedFor() {
+  void eventsDoNotDependOnQueriesOfTheTruth() {
     RoadSceneSettings settings = road("run.durationS=0.2");
     RoadScene asked = new RoadScene(settings);
     asked.truthRows(3_600_000_000L);
@@ -82,7 +82,7 @@ class RoadSceneTest {
   }
 
   @Test
-  void theStreamKeepsTheGrammarAndItsPacketsAreSmall() {
+  void streamFollowsTheGrammarWithSmallPackets() {
     StreamRecorder stream =
         SceneRuns.record(
             new RoadScene(
@@ -105,7 +105,7 @@ class RoadSceneTest {
   }
 
   @Test
-  void afterTheEndThereIsNothing() {
+  void nothingFollowsTheEnd() {
     RoadScene scene = new RoadScene(road("run.durationS=0.01"));
     SceneRuns.events(scene);
 
@@ -113,7 +113,7 @@ class RoadSceneTest {
   }
 
   @Test
-  void theStreamIsMadeInConstantMemory() {
+  void streamTakesConstantMemory() {
     RoadScene scene = new RoadScene(road());
     for (int i = 0; i < 50; i++) {
       scene.next(NOBODY);
@@ -131,7 +131,7 @@ class RoadSceneTest {
   }
 
   @Test
-  void everyEventLiesInTheBoxOfAVehicle() {
+  void eventsLieInTheBoxesOfVehicles() {
     RoadScene scene = new RoadScene(pure("run.durationS=6"));
     EventPacket events = SceneRuns.events(scene);
     int outside = 0;
@@ -161,7 +161,7 @@ class RoadSceneTest {
   }
 
   @Test
-  void theEventsOfAVehicleAreSpreadOverItsBoxAboutItsCentre() {
+  void eventsOfAVehicleAreSpreadAboutTheCentreOfItsBox() {
     RoadScene scene =
         new RoadScene(
             pure(
@@ -198,7 +198,7 @@ class RoadSceneTest {
   }
 
   @Test
-  void aRoadWithoutLanesHasNothingButNoise() {
+  void roadWithoutLanesHasOnlyNoise() {
     EventPacket events =
         SceneRuns.events(
             new RoadScene(
@@ -216,7 +216,7 @@ class RoadSceneTest {
   }
 
   @Test
-  void rainMakesShortStreaksOfOnAndOffEvents() {
+  void rainMakesShortStreaksOfBothPolarities() {
     EventPacket events =
         SceneRuns.events(
             new RoadScene(
@@ -234,7 +234,7 @@ class RoadSceneTest {
   }
 
   @Test
-  void vehiclesOfOneLightWithoutContrastAreNotSeen() {
+  void vehiclesWithoutContrastMakeNoEvents() {
     EventPacket events =
         SceneRuns.events(
             new RoadScene(pure("vehicles.contrast=0", "vehicles.texture=0", "run.durationS=1")));
@@ -243,7 +243,7 @@ class RoadSceneTest {
   }
 
   @Test
-  void aLargerSensorSeesTheSameTrafficInMorePixels() {
+  void largerSensorSeesTheSameTraffic() {
     RoadTruth small = new RoadScene(road()).truthRows(1_000_000).get(0);
     RoadScene scene =
         new RoadScene(road("sensor.widthPx=1280", "sensor.heightPx=720", "run.durationS=0.02"));

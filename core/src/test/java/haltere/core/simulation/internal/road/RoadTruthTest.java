@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The truth about the vehicles: geometry, speeds and what they do. */
+/** The truth of the vehicles: geometry, speeds and manoeuvres. */
 class RoadTruthTest {
   private static final String[] NOTHING_BUT = {
     "traffic.encounters.cruise=0",
@@ -44,7 +44,7 @@ class RoadTruthTest {
   }
 
   @Test
-  void theCameraSeesTheBottomRowAndTheVanishingPointWhereTheSettingsSay() {
+  void bottomRowAndVanishingPointMatchTheSettings() {
     RoadCameraSettings settings = new RoadCameraSettings(5, 2, 300, 0.25, 0.75);
     RoadCamera camera = new RoadCamera(settings, new SensorSettings(129, 101));
 
@@ -61,7 +61,7 @@ class RoadTruthTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {3, 6.5, 20, 77, 250})
-  void theMapFromTheRoadToPixelsAndItsInverseBelongTogether(double d) {
+  void roadMappingAndItsInverseMatch(double d) {
     RoadCamera camera = new RoadCamera(RoadCameraSettings.defaults(), SensorSettings.defaults());
     for (double x = -7; x <= 7; x += 1.75) {
       double row = camera.row(d, 0);
@@ -73,7 +73,7 @@ class RoadTruthTest {
   }
 
   @Test
-  void theSpotOfAFlatVehicleIsOnItAndMovesAtItsSpeed() {
+  void positionOfAFlatVehicleLiesOnItAndMovesAtItsSpeed() {
     RoadScene scene = only("cruise", "vehicles.heightShare=0");
     int far = 0;
     for (long us = 0; us < 20_000_000; us += 100_000) {
@@ -111,7 +111,7 @@ class RoadTruthTest {
   }
 
   @Test
-  void aCruisingVehicleKeepsItsSpeedAndItsLaneExactly() {
+  void cruisingVehicleKeepsItsSpeedAndLane() {
     for (List<RoadTruth> rows : watch(only("cruise"), 30).values()) {
       RoadTruth first = rows.get(0);
       RoadTruth last = rows.get(rows.size() - 1);
@@ -126,7 +126,7 @@ class RoadTruthTest {
   }
 
   @Test
-  void aFastVehiclePassesASlowOneByTheNextLaneAndComesBack() {
+  void fastVehicleOvertakesInTheNextLaneAndReturns() {
     int passed = 0;
     Map<Integer, List<RoadTruth>> seen = watch(only("overtake", "traffic.roadM=200"), 60);
     for (List<RoadTruth> rows : seen.values()) {
@@ -159,7 +159,7 @@ class RoadTruthTest {
   }
 
   @Test
-  void aVehicleStandsAsLongAsTheSettingsSayAndContinues() {
+  void vehicleStopsForTheConfiguredTime() {
     int stops = 0;
     for (List<RoadTruth> rows : watch(only("stop", "traffic.encounters.stopS=1.5"), 60).values()) {
       int first = -1;
@@ -182,7 +182,7 @@ class RoadTruthTest {
   }
 
   @Test
-  void aMotorcycleRidesBesideALorry() {
+  void motorcycleRidesBesideALorry() {
     RoadScene scene = only("sideBySide");
     int beside = 0;
     for (long us = 0; us < 20_000_000; us += 100_000) {
@@ -204,7 +204,7 @@ class RoadTruthTest {
   }
 
   @Test
-  void aVehicleSlowsDownAndSpeedsUpAgain() {
+  void vehicleBrakesAndAccelerates() {
     int changes = 0;
     for (List<RoadTruth> rows : watch(only("speedChange"), 40).values()) {
       double least = rows.stream().mapToDouble(row -> Math.abs(row.vyMS())).min().orElseThrow();
@@ -217,7 +217,7 @@ class RoadTruthTest {
   }
 
   @Test
-  void vehiclesNeverTouchAndNearerOnesHideFartherOnes() {
+  void vehiclesNeverCollideAndNearerOnesHideFartherOnes() {
     RoadScene scene = new RoadScene(RoadSceneSettings.defaults());
     int hidden = 0;
     int most = 0;

@@ -8,7 +8,7 @@ import haltere.core.simulation.SceneRuns;
 import haltere.core.simulation.internal.fly.FlySceneSettings;
 import org.junit.jupiter.api.Test;
 
-/** Noise has the rates of its settings, within what chance allows. */
+/** Noise has the configured rates, within statistical bounds. */
 class BackgroundNoiseTest {
   private static final int PIXELS = 128 * 128;
 
@@ -17,7 +17,7 @@ class BackgroundNoiseTest {
   }
 
   @Test
-  void shotNoiseHasItsRateAndBothPolaritiesAlike() {
+  void shotNoiseHasItsRateAndBalancedPolarities() {
     EventPacket events = SceneRuns.events(SceneRuns.empty("noise.shotHz=5"), 4);
 
     assertRate(5 * 4 * PIXELS, events.size());
@@ -25,7 +25,7 @@ class BackgroundNoiseTest {
   }
 
   @Test
-  void shotNoiseIsSpreadEvenlyOverThePixelsAndOverTime() {
+  void shotNoiseIsUniformOverPixelsAndTime() {
     EventPacket events = SceneRuns.events(SceneRuns.empty("noise.shotHz=5"), 4);
     int[] places = new int[1024];
     int[] times = new int[400];
@@ -50,7 +50,7 @@ class BackgroundNoiseTest {
   }
 
   @Test
-  void leakMakesOnEventsOnlyAndDiffersFromPixelToPixel() {
+  void leakMakesOnlyOnEventsAndVariesBetweenPixels() {
     EventPacket events =
         SceneRuns.events(SceneRuns.empty("noise.leakHz=5", "noise.leakSpreadDecades=0.2"), 4);
     int[] counts = new int[PIXELS];
@@ -72,7 +72,7 @@ class BackgroundNoiseTest {
   }
 
   @Test
-  void hotPixelsFireAtTheirRateAndNowhereElse() {
+  void hotPixelsFireAtTheirRate() {
     FlySceneSettings settings = SceneRuns.empty("noise.hotPixels=6", "noise.hotRateHz=500");
     EventPacket events = SceneRuns.events(settings, 4);
     int[] counts = new int[PIXELS];
@@ -92,7 +92,7 @@ class BackgroundNoiseTest {
   }
 
   @Test
-  void withoutNoiseAndWingsNothingHappens() {
+  void sceneWithoutNoiseAndWingsHasNoEvents() {
     assertTrue(SceneRuns.events(SceneRuns.empty(), 1).isEmpty());
   }
 }

@@ -9,7 +9,7 @@ import haltere.core.simulation.RunSettings;
 import haltere.core.simulation.SceneRuns;
 import org.junit.jupiter.api.Test;
 
-/** From changes to a stream in order of time. */
+/** Merging of pixel events into an ordered stream. */
 class EventMergerTest {
   private static final SensorSettings SENSOR = new SensorSettings(128, 128);
 
@@ -26,7 +26,7 @@ class EventMergerTest {
   }
 
   @Test
-  void theDelayHasItsMeanAndItsStandardDeviationAndTheStreamStaysInOrder() {
+  void delayHasItsMeanAndDeviationAndTheStreamStaysOrdered() {
     EventMerger merger = merger(100, 20, 0, 0, 0);
     EventPacket out = new EventPacket(16);
     int perInterval = 200;
@@ -101,7 +101,7 @@ class EventMergerTest {
   }
 
   @Test
-  void nothingComesAfterTheEnd() {
+  void nothingFollowsTheEnd() {
     EventMerger merger = merger(100, 0, 0, 0, 0.001);
     EventPacket out = new EventPacket(16);
     merger.add(899, address(1));

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A pixel that low-passes the photocurrent, against the formulas of its model. */
+/** A pixel that low-passes the photocurrent, compared with its model equations. */
 class PhotoreceptorArrayTest {
   private static final double TAU_US = 100;
   private static final double THRESHOLD = 0.2;
@@ -49,7 +49,7 @@ class PhotoreceptorArrayTest {
   }
 
   @Test
-  void theCurrentFollowsTheLightAndItsLogarithmIsCompared() {
+  void logarithmOfTheFilteredCurrentIsCompared() {
     // 1 - 0.6 (1 - e^(-t / tau)) = e^-(n threshold)
     EventPacket events = step(TAU_US, false, 0.4);
 
@@ -64,7 +64,7 @@ class PhotoreceptorArrayTest {
   }
 
   @Test
-  void inLessLightThePixelIsSlowerByAsMuch() {
+  void pixelSpeedIsProportionalToLight() {
     EventPacket plain = step(TAU_US, false, 0.5);
     EventPacket following = step(TAU_US, true, 0.5);
 
@@ -76,7 +76,7 @@ class PhotoreceptorArrayTest {
   }
 
   @Test
-  void moreLightMakesEventsSoonerThanLessLight() {
+  void moreLightReducesTheLatency() {
     EventPacket more = step(TAU_US, true, 1.5);
     EventPacket less = step(TAU_US, true, 1 / 1.5);
 
@@ -105,7 +105,7 @@ class PhotoreceptorArrayTest {
   }
 
   @Test
-  void aSourceFollowerDelaysEventsOnceMore() {
+  void sourceFollowerDelaysEvents() {
     double[] step = {500, 0.1, 0.5};
     EventPacket without = events(50, false, 0, 0, step);
     EventPacket with = events(50, false, 80, 0, step);
@@ -117,7 +117,7 @@ class PhotoreceptorArrayTest {
   }
 
   @Test
-  void theSourceFollowerLowPassesTheLogarithm() {
+  void sourceFollowerLowPassesTheLogarithm() {
     EventPacket events = events(TAU_US, false, TAU_US, 0, new double[] {500, 0.1, 0.6});
     double current = 1;
     double level = 0;
@@ -135,7 +135,7 @@ class PhotoreceptorArrayTest {
   }
 
   @Test
-  void timesWithinAnEvenChangeAreNotBoundToItsEnds() {
+  void eventTimesLieWithinAnEvenChange() {
     // ln(1 - 0.5 t / 1000) = -n threshold
     EventPacket events = events(0, true, 0, 0, new double[] {1500, 1000, 0.5});
 
@@ -158,7 +158,7 @@ class PhotoreceptorArrayTest {
   }
 
   @Test
-  void lightThatStaysMakesNoEvent() {
+  void constantLightMakesNoEvent() {
     assertTrue(events(TAU_US, true, 50, 0, new double[] {500, 10, 1, 5000, 10, 0.9}).isEmpty());
   }
 }

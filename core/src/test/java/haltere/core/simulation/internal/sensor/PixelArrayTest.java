@@ -8,7 +8,7 @@ import haltere.core.simulation.RunSettings;
 import haltere.core.simulation.SceneRuns;
 import org.junit.jupiter.api.Test;
 
-/** A pixel against the formulas of its model. */
+/** A pixel compared with its model equations. */
 class PixelArrayTest {
   private static final double TAU_US = 100;
   private static final double BANDWIDTH_HZ = 1e6 / (2 * Math.PI * TAU_US);
@@ -34,7 +34,7 @@ class PixelArrayTest {
   }
 
   @Test
-  void aShadowDarkensAndThenLightensOnePixel() {
+  void shadowMakesAnOffAndThenAnOnEvent() {
     EventPacket events = shadow(pixel(0, 0), 0.3, 50);
 
     assertEquals(2, events.size());
@@ -59,14 +59,14 @@ class PixelArrayTest {
   }
 
   @Test
-  void thePhotoreceptorDelaysAnEventByTheTimeItTakesToTheThreshold() {
+  void photoreceptorDelaysAnEventUntilTheThreshold() {
     EventPacket events = shadow(pixel(BANDWIDTH_HZ, 30), 0.5, 10_000);
 
     assertEquals((long) (1000 - TAU_US * Math.log(1 - 0.2 / 0.5)), events.timeUs(0));
   }
 
   @Test
-  void aDeepShadowMakesAnEventForEachThresholdItCrosses() {
+  void deepShadowMakesAnEventPerThreshold() {
     EventPacket events = shadow(pixel(BANDWIDTH_HZ, 0), 0.7, 10_000);
 
     assertEquals(3, SceneRuns.count(events, i -> !events.isOn(i)));
@@ -89,7 +89,7 @@ class PixelArrayTest {
   }
 
   @Test
-  void aSlowPixelStillFiresLongAfterTheChange() {
+  void slowPixelFiresLongAfterAChange() {
     double tauUs = 20_000;
     EventPacket events = shadow(pixel(1e6 / (2 * Math.PI * tauUs), 0), 0.3, 80_000);
 
@@ -98,7 +98,7 @@ class PixelArrayTest {
   }
 
   @Test
-  void thresholdsDifferFromPixelToPixelAsTheSettingsSay() {
+  void thresholdsVaryBetweenPixelsAsConfigured() {
     PixelSettings settings = new PixelSettings(0.2, 0.03, 0, 0, 0, 0, 0);
     SensorSettings sensor = new SensorSettings(100, 100);
     int[] fired = new int[3];

@@ -6,17 +6,17 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 
-/** The random numbers of scenes, and the functions from tables beside them. */
+/** Random numbers of scenes, and tabulated functions. */
 class SeededRandomTest {
   @Test
-  void aSeedAndAPurposeAlwaysGiveTheSameNumbers() {
+  void numbersAreReproducibleForSeedAndPurpose() {
     SeededRandom random = new SeededRandom(1, "noise");
 
     assertEquals(-1559538142592218250L, random.nextLong());
   }
 
   @Test
-  void anotherPurposeGivesOtherNumbers() {
+  void numbersDifferBetweenPurposes() {
     assertNotEquals(
         new SeededRandom(1, "noise").nextLong(), new SeededRandom(1, "jitter").nextLong());
     assertNotEquals(
@@ -26,7 +26,7 @@ class SeededRandomTest {
   }
 
   @Test
-  void normalNumbersHaveMeanZeroVarianceOneAndTheKurtosisOfTheNormalDistribution() {
+  void normalNumbersHaveTheMomentsOfTheNormalDistribution() {
     SeededRandom random = new SeededRandom(3, "test");
     int n = 1_000_000;
     double[] moment = new double[5];
@@ -61,7 +61,7 @@ class SeededRandomTest {
   }
 
   @Test
-  void wholeNumbersStayBelowTheirBoundAndReachAllOfIt() {
+  void integersAreUniformBelowTheirBound() {
     SeededRandom random = new SeededRandom(5, "test");
     int[] counts = new int[7];
     for (int i = 0; i < 70_000; i++) {
@@ -74,7 +74,7 @@ class SeededRandomTest {
   }
 
   @Test
-  void theTableOfTheDecayIsTheExponential() {
+  void decayTableIsTheExponential() {
     for (double x = 0; x < 40; x += 0.001237) {
       assertEquals(Math.exp(-x), Exponential.decay(x), 2e-11 * Math.exp(-x) + 1e-17);
     }
@@ -83,7 +83,7 @@ class SeededRandomTest {
   }
 
   @Test
-  void theTableOfTheLogarithmIsTheLogarithm() {
+  void logarithmTableIsTheLogarithm() {
     for (double x = 1e-300; x < 1e300; x *= 1.37) {
       assertEquals(Math.log(x), Exponential.log(x), 1e-13 * Math.max(1, Math.abs(Math.log(x))));
     }

@@ -29,7 +29,7 @@ class TunableSceneTest {
         .filter(name -> Scenes.named(name).create(List.of()) instanceof TunableScene<?>);
   }
 
-  /** What a scene makes with a change in the middle. */
+  /** Events of a scene with a change in the middle. */
   private static StreamRecorder run(String name, UnaryOperator<SensorTuning> change)
       throws IOException {
     TunableScene<?> scene = (TunableScene<?>) Scenes.named(name).create(List.of());
@@ -66,7 +66,7 @@ class TunableSceneTest {
   }
 
   @Test
-  void thereAreTunableScenes() {
+  void tunableScenesExist() {
     assertEquals(List.of("fly", "rendered-fly", "road"), tunable().toList());
   }
 
@@ -81,7 +81,7 @@ class TunableSceneTest {
 
   @ParameterizedTest
   @MethodSource("tunable")
-  void aHigherThresholdMakesFewerEventsAndALowerOneMore(String name) throws IOException {
+  void eventRateFallsWithTheThreshold(String name) throws IOException {
     UnaryOperator<SensorTuning> quiet = tuning -> tuning.with("shotHz", 0).with("leakHz", 0);
     long usual = after(name, run(name, quiet));
     long high = after(name, run(name, tuning -> quiet.apply(tuning).with("threshold", 0.6)));
@@ -91,7 +91,7 @@ class TunableSceneTest {
 
   @ParameterizedTest
   @MethodSource("tunable")
-  void balanceMovesEventsFromOnePolarityToTheOther(String name) throws IOException {
+  void balanceShiftsEventsBetweenPolarities(String name) throws IOException {
     double off = shareOn(name, run(name, t -> new SensorTuning(t.pixel(), t.noise(), -1)));
     double usual = shareOn(name, run(name, tuning -> tuning));
     double on = shareOn(name, run(name, t -> new SensorTuning(t.pixel(), t.noise(), 1)));
@@ -99,14 +99,14 @@ class TunableSceneTest {
   }
 
   @Test
-  void aSlowPhotoreceptorSeesLessOfABeatingWing() throws IOException {
+  void slowPhotoreceptorMakesFewerWingEvents() throws IOException {
     long usual = after("fly", run("fly", tuning -> tuning));
     long slow = after("fly", run("fly", tuning -> tuning.with("bandwidthHz", 100)));
     assertTrue(slow < 0.7 * usual, slow + " " + usual);
   }
 
   @Test
-  void noiseIsTunedToo() throws IOException {
+  void noiseIsTuned() throws IOException {
     UnaryOperator<SensorTuning> quiet = tuning -> tuning.with("shotHz", 0).with("leakHz", 0);
     long without = after("road", run("road", quiet));
     long with = after("road", run("road", tuning -> quiet.apply(tuning).with("shotHz", 10)));
@@ -115,14 +115,14 @@ class TunableSceneTest {
   }
 
   @Test
-  void theSameChangesMakeTheSameEvents() throws IOException {
+  void tuningIsReproducible() throws IOException {
     UnaryOperator<SensorTuning> change =
         tuning -> tuning.with("threshold", 0.3).with("shotHz", 3).with("latencyUs", 0);
     assertEquals(run("fly", change).crc32(), run("fly", change).crc32());
   }
 
   @Test
-  void valuesOutOfRangeAreRefused() {
+  void valuesOutOfRangeAreRejected() {
     SensorTuning usual = new SensorTuning(PixelSettings.defaults(), NoiseSettings.defaults(), 0);
     assertThrows(SettingsProblem.class, () -> usual.with("threshold", 5));
     assertThrows(SettingsProblem.class, () -> usual.with("no-such", 1));

@@ -64,7 +64,7 @@ public sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
    * @param count their number
    * @return true if the axis may be wrong
    */
-  boolean doubts(LineMeasurement[] lines, int count);
+  boolean needsSearch(LineMeasurement[] lines, int count);
 
   /**
    * Adds an alternative axis.

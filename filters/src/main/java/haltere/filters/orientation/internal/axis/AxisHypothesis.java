@@ -228,7 +228,7 @@ final class AxisHypothesis {
     double angle = Vectors.angle(u, direction);
     double opposite = logOf(Math.PI - angle, variance);
     if (opposite - logOf(angle, variance) > FLIES_BACKWARDS) {
-      turnRound();
+      reverse();
       flightLog = opposite;
     }
   }
@@ -257,7 +257,7 @@ final class AxisHypothesis {
   }
 
   /** Exchanges head and tail; a smoother stops at this time. */
-  private void turnRound() {
+  private void reverse() {
     for (int k = 0; k < 3; k++) {
       u[k] = -u[k];
       e1[k] = -e1[k];

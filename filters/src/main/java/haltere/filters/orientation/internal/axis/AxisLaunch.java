@@ -64,7 +64,7 @@ public final class AxisLaunch {
   }
 
   /** Reverses the axis. */
-  public void turnRound() {
+  public void reverse() {
     System.arraycopy(Vectors.scaled(-1, axis), 0, axis, 0, 3);
   }
 

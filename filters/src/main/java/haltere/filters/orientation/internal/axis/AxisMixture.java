@@ -16,7 +16,7 @@ final class AxisMixture {
   private final double unknownVariance;
   private final AxisHypothesis mean = new AxisHypothesis();
   private final AxisDifference difference = new AxisDifference();
-  private final GaussianState[] parts = new GaussianState[HypothesisSet.MAX_KEPT];
+  private final GaussianState[] parts = new GaussianState[HypothesisSet.MAX_LASTING];
   private final GaussianState mixed = new GaussianState(4);
   private double unknown;
   private boolean isPresent;

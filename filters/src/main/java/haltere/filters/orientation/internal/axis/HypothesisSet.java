@@ -7,7 +7,7 @@ import java.util.Comparator;
 /** Hypotheses of one time and of the previous time, in a fixed number of reused objects. */
 final class HypothesisSet {
   /** Largest number between two times. */
-  static final int MAX_KEPT = 20;
+  static final int MAX_LASTING = 20;
 
   /** Largest number during an update. */
   private static final int CAPACITY = 64;
@@ -71,9 +71,9 @@ final class HypothesisSet {
     return size < CAPACITY ? now[size++] : null;
   }
 
-  /** Adds a hypothesis that is kept; replaces the least likely one of a full set. */
-  AxisHypothesis addKept() {
-    if (size >= MAX_KEPT) {
+  /** Adds a hypothesis that outlasts the step; replaces the least likely one of a full set. */
+  AxisHypothesis addLasting() {
+    if (size >= MAX_LASTING) {
       size--;
     }
     return add();
@@ -84,16 +84,16 @@ final class HypothesisSet {
    * weight of the case that no hypothesis is true and returns its probability.
    */
   double settle(double none) {
-    double most = Math.log(none);
+    double max = Math.log(none);
     for (int i = 0; i < size; i++) {
-      most = Math.max(most, now[i].logWeight);
+      max = Math.max(max, now[i].logWeight);
     }
     double sum = 0;
     for (int i = 0; i < size; i++) {
-      now[i].weight = Math.exp(now[i].logWeight - most);
+      now[i].weight = Math.exp(now[i].logWeight - max);
       sum += now[i].weight;
     }
-    double noneWeight = none > 0 ? Math.exp(Math.log(none) - most) : 0;
+    double noneWeight = none > 0 ? Math.exp(Math.log(none) - max) : 0;
     if (!(sum > 0)) {
       now[0].weight = 1e-300;
       sum = 1e-300;
@@ -106,7 +106,7 @@ final class HypothesisSet {
     }
     merge();
     sort();
-    size = Math.min(size, MAX_KEPT);
+    size = Math.min(size, MAX_LASTING);
     normalise();
     return unknown;
   }
@@ -114,7 +114,7 @@ final class HypothesisSet {
   /** Splits each wide hypothesis into three, while the set has room. */
   void split() {
     int count = size;
-    for (int i = 0; i < count && size + 2 <= MAX_KEPT; i++) {
+    for (int i = 0; i < count && size + 2 <= MAX_LASTING; i++) {
       AxisHypothesis middle = now[i];
       if (middle.narrow(shift)) {
         middle.weight *= 0.5;
@@ -136,10 +136,10 @@ final class HypothesisSet {
    * Couples the axis to the flight ({@link AxisHypothesis#coupleToFlight}); vague hypotheses may
    * have exchanged head and tail.
    */
-  void coupleToFlight(double[] direction, double variance, double fresh, boolean vague) {
+  void coupleToFlight(double[] direction, double variance, double fresh, boolean ambiguous) {
     for (int i = 0; i < size; i++) {
       AxisHypothesis each = now[i];
-      if (vague) {
+      if (ambiguous) {
         each.face(direction, variance);
       }
       each.coupleToFlight(direction, variance, fresh);
@@ -187,7 +187,7 @@ final class HypothesisSet {
       for (int j = i + 1; j < size; j++) {
         AxisHypothesis other = now[j];
         double share = other.weight / (now[i].weight + other.weight);
-        if (areAlike(now[i], other, share)) {
+        if (areSimilar(now[i], other, share)) {
           difference.merge(share);
           now[i].saccadeShare += share * (other.saccadeShare - now[i].saccadeShare);
           now[i].weight += other.weight;
@@ -200,7 +200,7 @@ final class HypothesisSet {
   }
 
   /** Whether two hypotheses have one mode and are similar, by the variances of each entry. */
-  private boolean areAlike(AxisHypothesis a, AxisHypothesis b, double share) {
+  private boolean areSimilar(AxisHypothesis a, AxisHypothesis b, double share) {
     double limit = Math.max(MERGE_DISTANCE, MERGE_DISTANCE_BY_SHARE / share);
     double variance = a.angleVariance() + b.angleVariance();
     double cos = Vectors.dot(a.u, b.u);

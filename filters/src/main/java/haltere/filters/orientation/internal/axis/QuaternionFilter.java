@@ -163,13 +163,13 @@ public final class QuaternionFilter implements AxisFilter {
    * rejected; an established one after several times in a row.
    */
   @Override
-  public boolean doubts(LineMeasurement[] lines, int count) {
+  public boolean needsSearch(LineMeasurement[] lines, int count) {
     int used = 0;
     for (int i = 0; i < count; i++) {
       used += lines[i].used ? 1 : 0;
     }
-    boolean isMost = count <= 2 ? used < count : 2 * used <= count;
-    rejectedTimes = count == 0 || !isMost ? 0 : rejectedTimes + 1;
+    boolean isMajority = count <= 2 ? used < count : 2 * used <= count;
+    rejectedTimes = count == 0 || !isMajority ? 0 : rejectedTimes + 1;
     agreements += count > 1 && used == count ? 1 : 0;
     return rejectedTimes > 0 && (agreements < ESTABLISHED || rejectedTimes >= LOST_AFTER);
   }

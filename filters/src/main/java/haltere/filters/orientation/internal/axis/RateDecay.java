@@ -27,18 +27,18 @@ final class RateDecay {
   /** Sets a step in seconds, at least 0. */
   void step(double dtS) {
     double h = dtS / tauS;
-    double gone = -Math.expm1(-h);
-    left = 1 - gone;
-    reachS = tauS * gone;
-    rateNoise = gone * (2 - gone);
-    jointNoise = tauS * gone * gone;
-    angleNoise = tauS * tauS * angleNoise(h, gone);
+    double decayed = -Math.expm1(-h);
+    left = 1 - decayed;
+    reachS = tauS * decayed;
+    rateNoise = decayed * (2 - decayed);
+    jointNoise = tauS * decayed * decayed;
+    angleNoise = tauS * tauS * angleNoise(h, decayed);
   }
 
   /** 2h − 3 + 4e^(−h) − e^(−2h), by its series where the terms cancel. */
-  private static double angleNoise(double h, double gone) {
+  private static double angleNoise(double h, double decayed) {
     if (h > 0.05) {
-      return 2 * (h - gone) - gone * gone;
+      return 2 * (h - decayed) - decayed * decayed;
     }
     return h * h * h * (2.0 / 3 + h * (-0.5 + h * (7.0 / 30 + h * (-1.0 / 12 + h * 31.0 / 1260))));
   }

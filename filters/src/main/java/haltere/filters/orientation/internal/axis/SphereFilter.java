@@ -36,7 +36,7 @@ public final class SphereFilter implements AxisFilter {
   private static final double GATE_VARIANCE = Math.toRadians(15) * Math.toRadians(15);
 
   /** Variance of the axis above which a hypothesis may have exchanged head and tail. */
-  private static final double VAGUE_VARIANCE = Math.toRadians(15) * Math.toRadians(15);
+  private static final double AMBIGUOUS_VARIANCE = Math.toRadians(15) * Math.toRadians(15);
 
   /** Variance of a random axis in each of two directions. */
   private static final double UNKNOWN_VARIANCE = (Math.PI - 2) / 2;
@@ -70,9 +70,11 @@ public final class SphereFilter implements AxisFilter {
   public SphereFilter(AxisModel model) {
     this.model = model;
     double calm = model.calmRateRadS();
-    double wild = model.saccadeRateRadS();
+    double saccade = model.saccadeRateRadS();
     rateVariances =
-        calm == wild ? new double[] {calm * calm} : new double[] {calm * calm, wild * wild};
+        calm == saccade
+            ? new double[] {calm * calm}
+            : new double[] {calm * calm, saccade * saccade};
     decay = new RateDecay(model.decayS());
     gateRad = model.gateRad();
     outliers = model.outlierShare();
@@ -158,10 +160,10 @@ public final class SphereFilter implements AxisFilter {
 
   /** Continues a hypothesis in calm flight and in a saccade. */
   private void continueWith(AxisHypothesis hypothesis, LineMeasurement[] lines, int count) {
-    double wild = nextSaccadeShare(hypothesis);
+    double saccade = nextSaccadeShare(hypothesis);
     int modes = hasStepped ? rateVariances.length : 1;
     for (int mode = 0; mode < modes; mode++) {
-      double share = modes == 1 ? 1 : mode == 0 ? 1 - wild : wild;
+      double share = modes == 1 ? 1 : mode == 0 ? 1 - saccade : saccade;
       AxisHypothesis next = hypotheses.add();
       if (next == null) {
         return;
@@ -268,18 +270,19 @@ public final class SphereFilter implements AxisFilter {
 
   @Override
   public void coupleToFlight(double[] direction, double variance, double fresh) {
-    hypotheses.coupleToFlight(direction, variance, fresh, mixture.axisVariance() > VAGUE_VARIANCE);
+    hypotheses.coupleToFlight(
+        direction, variance, fresh, mixture.axisVariance() > AMBIGUOUS_VARIANCE);
     mixture.changed(unknown);
   }
 
   @Override
-  public boolean doubts(LineMeasurement[] lines, int count) {
+  public boolean needsSearch(LineMeasurement[] lines, int count) {
     return unknown > SEARCH_THRESHOLD;
   }
 
   @Override
   public boolean offer(AxisLaunch found) {
-    AxisHypothesis hypothesis = hypotheses.addKept();
+    AxisHypothesis hypothesis = hypotheses.addLasting();
     if (hypothesis == null) {
       return false;
     }

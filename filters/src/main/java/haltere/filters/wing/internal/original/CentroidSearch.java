@@ -80,7 +80,7 @@ public final class CentroidSearch implements FlySearch {
 
   /** Two means always exist, also without a second wing. */
   @Override
-  public FoundFly lookForBoth(long timeUs, WingSearchSettings settings) {
+  public FoundFly findBoth(long timeUs, WingSearchSettings settings) {
     return null;
   }
 
@@ -145,18 +145,18 @@ public final class CentroidSearch implements FlySearch {
    */
   private double vote(double bodyX, double bodyY, double heading, int turn, double reach) {
     double average = Math.PI / 2;
-    double least = average;
-    double most = average;
+    double min = average;
+    double max = average;
     for (int i = 0; i < size; i++) {
       double dx = x[i] - bodyX;
       double dy = y[i] - bodyY;
       double angle = Angles.wrapTwoPi(turn * (Math.atan2(dy, dx) - heading));
       if (!on[i] && angle < Math.PI && Math.hypot(dx, dy) <= reach) {
         average += MIXING * (angle - average);
-        least = Math.min(least, average);
-        most = Math.max(most, average);
+        min = Math.min(min, average);
+        max = Math.max(max, average);
       }
     }
-    return least < Math.PI - most ? least - most : most - least;
+    return min < Math.PI - max ? min - max : max - min;
   }
 }

@@ -11,7 +11,7 @@ import java.util.Arrays;
  */
 final class BeatSpectrum {
   /** Ratio of explained variances above which two frequencies differ: half power. */
-  static final double CLEARLY = 2;
+  static final double SIGNIFICANT_RATIO = 2;
 
   private static final double BIN_S = 250e-6;
   private static final double STEP_HZ = 1;
@@ -101,7 +101,7 @@ final class BeatSpectrum {
   }
 
   /** Largest explained share of a range, in steps of half the resolution. */
-  double mostExplained(double fromHz, double toHz) {
+  double maxExplained(double fromHz, double toHz) {
     return gain(bestOf(fromHz, toHz, 0.5 / (bins * BIN_S))) / scatter;
   }
 

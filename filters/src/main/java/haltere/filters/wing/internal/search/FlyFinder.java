@@ -24,9 +24,9 @@ final class FlyFinder {
   private static final double OTHER_AXIS_RAD = 0.35;
 
   /** Distance of the hinge from the middle of a single wing's events, as a share of their reach. */
-  private static final double ALONE_SHARE = 0.6;
+  private static final double SINGLE_SHARE = 0.6;
 
-  private static final double ALONE_INLIERS = 0.45;
+  private static final double SINGLE_INLIERS = 0.45;
 
   /** Cosine of the largest phase between the wings. */
   private static final double MIN_TOGETHER = 0.5;
@@ -76,11 +76,11 @@ final class FlyFinder {
     double byMeans =
         Math.atan2(means.secondY - means.firstY, means.secondX - means.firstX) + Math.PI / 2;
     double size = Math.hypot(means.firstX - means.secondX, means.firstY - means.secondY);
-    say(nowUs, Phase.TWO_MEANS, Double.NaN, Angles.wrapPi(byMeans), size);
+    publish(nowUs, Phase.TWO_MEANS, Double.NaN, Angles.wrapPi(byMeans), size);
     if (spectrum.explained < MIN_EXPLAINED) {
       return null;
     }
-    say(nowUs, Phase.BEAT, spectrum.frequencyHz, spectrum.axisRad, size);
+    publish(nowUs, Phase.BEAT, spectrum.frequencyHz, spectrum.axisRad, size);
     if (!fitBest(byMeans)) {
       return null;
     }
@@ -88,20 +88,20 @@ final class FlyFinder {
     StrokeSeed seed = fly.seeds()[fly.seeds()[0] != null ? 0 : 1];
     double beatHz = seed.omega() / (2 * Math.PI);
     FlyGeometry found = fly.geometry();
-    say(nowUs, Phase.HINGES, beatHz, found, Double.NaN);
-    say(nowUs, Phase.HEAD_AND_TAIL, beatHz, found, found.headTailConfidence());
+    publish(nowUs, Phase.HINGES, beatHz, found, Double.NaN);
+    publish(nowUs, Phase.HEAD_AND_TAIL, beatHz, found, found.headTailConfidence());
     return fly;
   }
 
   /** Reports a step before the hinges are found. */
-  private void say(long nowUs, Phase phase, double hz, double heading, double size) {
+  private void publish(long nowUs, Phase phase, double hz, double heading, double size) {
     double x = (means.firstX + means.secondX) / 2;
     double y = (means.firstY + means.secondY) / 2;
     FlyGeometry about = new FlyGeometry(x, y, heading, size, x, y, x, y, Double.NaN, nowUs);
-    say(nowUs, phase, hz, about, Double.NaN);
+    publish(nowUs, phase, hz, about, Double.NaN);
   }
 
-  private void say(long nowUs, Phase phase, double hz, FlyGeometry g, double confidence) {
+  private void publish(long nowUs, Phase phase, double hz, FlyGeometry g, double confidence) {
     steps.accept(WingTrackerState.of(nowUs, phase, sample.supportedCount, hz, g, confidence));
   }
 
@@ -119,17 +119,17 @@ final class FlyFinder {
     if (!means.divide(px, py, n, geometry.width(), geometry.height())) {
       return false;
     }
-    double leastHz = Math.min(settings.leastFrequencyHz(), settings.mostFrequencyHz());
-    double mostHz = Math.max(settings.leastFrequencyHz(), settings.mostFrequencyHz());
+    double minHz = Math.min(settings.leastFrequencyHz(), settings.mostFrequencyHz());
+    double maxHz = Math.max(settings.leastFrequencyHz(), settings.mostFrequencyHz());
     double givenHz = settings.startFrequencyHz();
-    boolean found = spectrum.search(leastHz, mostHz);
+    boolean found = spectrum.search(minHz, maxHz);
     if (givenHz == 0 || !found) {
       return found;
     }
-    double most = spectrum.explained;
+    double explained = spectrum.explained;
     return !spectrum.search(givenHz * 0.8, givenHz * 1.25)
-        || spectrum.explained * BeatSpectrum.CLEARLY >= most
-        || spectrum.search(leastHz, mostHz);
+        || spectrum.explained * BeatSpectrum.SIGNIFICANT_RATIO >= explained
+        || spectrum.search(minHz, maxHz);
   }
 
   /** Fits along the axis of the beat and, if it differs, of 2-means; keeps the better fit. */
@@ -140,14 +140,14 @@ final class FlyFinder {
       double other = fit(byMeans);
       score = other > score ? other : fit(axis);
     }
-    return score > 0 && fitted[0] && fitted[1] || fitAlone();
+    return score > 0 && fitted[0] && fitted[1] || fitSingle();
   }
 
   /** Fits all events as those of one wing, on either side of the axis. */
-  private boolean fitAlone() {
+  private boolean fitSingle() {
     fittedAxis = spectrum.axisRad;
     split.along(fittedAxis);
-    double across = ALONE_SHARE * split.reach(split.middleX, split.middleY);
+    double across = SINGLE_SHARE * split.reach(split.middleX, split.middleY);
     double omega = 2 * Math.PI * spectrum.frequencyHz;
     for (int side = 0; side < 2; side++) {
       double sign = side == 0 ? 1 : -1;
@@ -160,7 +160,7 @@ final class FlyFinder {
         fitted[side] =
             fits[side].fit(split, side, fittedAxis, lines.x, lines.y, outerPx, omega, false)
                 && isWing(fits[side])
-                && fits[side].inliers > ALONE_INLIERS * fits[side].events;
+                && fits[side].inliers > SINGLE_INLIERS * fits[side].events;
       }
     }
     if (fitted[0] && fitted[1]) {
@@ -194,7 +194,7 @@ final class FlyFinder {
       }
       if (pass == 0 && fitted[0] && fitted[1]) {
         // a hinge undetermined by the events of one wing follows from the other's
-        bodyLine.bring(fits, axis);
+        bodyLine.adjust(fits, axis);
       }
       StrokeFit first = fits[fitted[0] ? 0 : 1];
       StrokeFit second = fits[fitted[1] ? 1 : 0];
@@ -235,7 +235,7 @@ final class FlyFinder {
     StrokeFit first = fits[fitted[0] ? 0 : 1];
     StrokeFit second = fits[fitted[1] ? 1 : 0];
     double turn =
-        fitted[0] && fitted[1] && bodyLine.bring(fits, fittedAxis)
+        fitted[0] && fitted[1] && bodyLine.adjust(fits, fittedAxis)
             ? bodyLine.turnRad
             : (first.centre() - second.centre()) / 2;
     boolean flipped = first.asymmetry() + second.asymmetry() < 0;

@@ -35,5 +35,5 @@ public interface FlySearch {
    * @param settings of the search
    * @return a fly with both wings, or null
    */
-  FoundFly lookForBoth(long timeUs, WingSearchSettings settings);
+  FoundFly findBoth(long timeUs, WingSearchSettings settings);
 }

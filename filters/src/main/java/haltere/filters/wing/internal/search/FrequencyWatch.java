@@ -15,19 +15,19 @@ public final class FrequencyWatch {
   /** Smallest explained share of a beat. */
   private static final double MIN_EXPLAINED = 0.25;
 
-  private static final int LOOKS = 2;
+  private static final int CONFIRMATIONS = 2;
 
   private final BeatSpectrum spectrum = new BeatSpectrum();
-  private int wrong;
-  private boolean right;
+  private int disagreements;
+  private boolean agrees;
 
   /** A watch without events. */
   public FrequencyWatch() {}
 
   /** Restarts. */
   public void launch() {
-    wrong = 0;
-    right = false;
+    disagreements = 0;
+    agrees = false;
   }
 
   /**
@@ -59,32 +59,32 @@ public final class FrequencyWatch {
   }
 
   private void judge(WingSearchSettings settings, double... all) {
-    double least = 1;
+    double min = 1;
     for (double hz : all) {
-      least = Double.isNaN(hz) ? least : Math.min(least, spectrum.explainedNear(Math.max(1, hz)));
+      min = Double.isNaN(hz) ? min : Math.min(min, spectrum.explainedNear(Math.max(1, hz)));
     }
-    double most = least;
-    if (BeatSpectrum.CLEARLY * least < 1) {
-      most =
-          spectrum.mostExplained(
+    double max = min;
+    if (BeatSpectrum.SIGNIFICANT_RATIO * min < 1) {
+      max =
+          spectrum.maxExplained(
               Math.min(settings.leastFrequencyHz(), settings.mostFrequencyHz()),
               Math.max(settings.leastFrequencyHz(), settings.mostFrequencyHz()));
     }
-    if (most < MIN_EXPLAINED) {
-      wrong = 0;
+    if (max < MIN_EXPLAINED) {
+      disagreements = 0;
       return;
     }
-    right = BeatSpectrum.CLEARLY * least >= most;
-    wrong = right ? 0 : wrong + 1;
+    agrees = BeatSpectrum.SIGNIFICANT_RATIO * min >= max;
+    disagreements = agrees ? 0 : disagreements + 1;
   }
 
   /** {@return whether a frequency has differed from the spectrum twice in a row} */
   public boolean isWrong() {
-    return wrong >= LOOKS;
+    return disagreements >= CONFIRMATIONS;
   }
 
   /** {@return whether all frequencies agreed with the last usable spectrum} */
   public boolean isRight() {
-    return right;
+    return agrees;
   }
 }

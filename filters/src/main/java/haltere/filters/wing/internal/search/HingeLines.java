@@ -30,8 +30,8 @@ final class HingeLines {
     y = startY;
     for (double scale : SCALES_PX) {
       normal.clear();
-      normal.believe(0, startX - x, SLACK_PX / scale);
-      normal.believe(1, startY - y, SLACK_PX / scale);
+      normal.addPrior(0, startX - x, SLACK_PX / scale);
+      normal.addPrior(1, startY - y, SLACK_PX / scale);
       int lines = 0;
       int from = 0;
       for (int i = 0; i < sample.size; i++) {

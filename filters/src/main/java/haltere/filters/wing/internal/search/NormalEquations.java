@@ -57,7 +57,7 @@ final class NormalEquations {
   }
 
   /** Adds a prior of one unknown: its mean minus the present value, and its standard deviation. */
-  void believe(int index, double difference, double sd) {
+  void addPrior(int index, double difference, double sd) {
     double weight = 1 / (sd * sd);
     a.data[index * n + index] += weight;
     b[index] += weight * difference;

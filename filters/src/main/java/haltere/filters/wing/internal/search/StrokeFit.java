@@ -28,7 +28,7 @@ final class StrokeFit {
   private static final int WITH_HARMONICS = 3;
   private static final int WITH_HINGE = 6;
   private static final int WITH_EDGES = 10;
-  private static final double LONGEST_STEP_PX = 1.5;
+  private static final double MAX_STEP_PX = 1.5;
   private static final double FURTHEST_PX = 10;
 
   /** Prior standard deviation of the hinge about its start. */
@@ -38,7 +38,7 @@ final class StrokeFit {
   private static final int QUICK_EVENTS = 800;
   private static final int MAX_EVENTS = 3000;
   private static final double PIXEL = 0.7;
-  private static final double BLADE = 0.01;
+  private static final double SHAPE_RAD = 0.01;
   private static final double TIMING_S = 40e-6;
   private static final double[] SERIES_SD = {1, 0.08, 0.03, 0.012};
 
@@ -222,7 +222,7 @@ final class StrokeFit {
         return false;
       }
       double moved = Math.hypot(step[HINGE_X], step[HINGE_Y]);
-      double share = moved > LONGEST_STEP_PX ? LONGEST_STEP_PX / moved : 1;
+      double share = moved > MAX_STEP_PX ? MAX_STEP_PX / moved : 1;
       for (int i = 0; i < unknowns; i++) {
         p[i] += share * step[i];
       }
@@ -253,15 +253,15 @@ final class StrokeFit {
   private boolean accumulate(int round) {
     StrokeSample sample = split.sample;
     normal.clear();
-    believe(CENTRE, 1.7, 0.5);
-    believe(OMEGA, prior[OMEGA], 2 * Math.PI * 8);
-    believe(HINGE_X, prior[HINGE_X], round < WITH_HINGE ? 1e-4 : SLACK_PX);
-    believe(HINGE_Y, prior[HINGE_Y], round < WITH_HINGE ? 1e-4 : SLACK_PX);
-    believe(WIDTH, 0.03, round < WITH_EDGES ? 1e-6 : 0.03);
-    believe(LAG, 0, round < WITH_EDGES ? 1e-9 : 200e-6);
+    addPrior(CENTRE, 1.7, 0.5);
+    addPrior(OMEGA, prior[OMEGA], 2 * Math.PI * 8);
+    addPrior(HINGE_X, prior[HINGE_X], round < WITH_HINGE ? 1e-4 : SLACK_PX);
+    addPrior(HINGE_Y, prior[HINGE_Y], round < WITH_HINGE ? 1e-4 : SLACK_PX);
+    addPrior(WIDTH, 0.03, round < WITH_EDGES ? 1e-6 : 0.03);
+    addPrior(LAG, 0, round < WITH_EDGES ? 1e-9 : 200e-6);
     for (int k = 1; k <= HARMONICS; k++) {
-      believe(SERIES + 2 * k - 2, 0, SERIES_SD[k - 1]);
-      believe(SERIES + 2 * k - 1, 0, SERIES_SD[k - 1]);
+      addPrior(SERIES + 2 * k - 2, 0, SERIES_SD[k - 1]);
+      addPrior(SERIES + 2 * k - 1, 0, SERIES_SD[k - 1]);
     }
     double wide =
         round < WITH_HARMONICS ? 6 : round < WITH_HINGE ? 4 : round < WITH_EDGES ? 3 : WIDE;
@@ -313,7 +313,8 @@ final class StrokeFit {
       model += ahead * p[WIDTH];
       double angle = turn * (Math.atan2(dy, dx) - referenceRad);
       double y = Angles.wrapPi(near(angle, p[CENTRE]) - model);
-      double variance = BLADE * BLADE + PIXEL * PIXEL / rr + speed * speed * (TIMING_S * TIMING_S);
+      double variance =
+          SHAPE_RAD * SHAPE_RAD + PIXEL * PIXEL / rr + speed * speed * (TIMING_S * TIMING_S);
       double scaled = y * y / (variance * wide * wide);
       double w = 1 / ((1 + scaled) * (1 + scaled));
       inliers += w;
@@ -341,7 +342,7 @@ final class StrokeFit {
     equations.addInformation(normal, from, 1 / (repeating * Math.max(1, residual * residual)));
   }
 
-  private void believe(int index, double value, double sd) {
-    normal.believe(index, value - p[index], sd);
+  private void addPrior(int index, double value, double sd) {
+    normal.addPrior(index, value - p[index], sd);
   }
 }

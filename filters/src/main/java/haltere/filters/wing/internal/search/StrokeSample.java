@@ -12,7 +12,7 @@ import java.util.Arrays;
 final class StrokeSample {
   private static final int SUPPORT_US = 300;
   private static final int SUPPORT_PX = 4;
-  private static final int LONGEST_LOOK_BACK = 160;
+  private static final int MAX_LOOK_BACK = 160;
   private static final int HOT_COUNT = 24;
   private static final double HOT_TIMES_MEAN = 8;
 
@@ -80,7 +80,7 @@ final class StrokeSample {
       boolean runs =
           last != Long.MIN_VALUE
               && (last & 1) == (on ? 1 : 0)
-              && timeUs - startUs - (last >> 1) < PolarityRuns.LONGEST_RUN_US;
+              && timeUs - startUs - (last >> 1) < PolarityRuns.MAX_RUN_US;
       if (countOfPixel[pixel] > hot || runs) {
         continue;
       }
@@ -145,8 +145,8 @@ final class StrokeSample {
   private void findSupport() {
     Arrays.fill(supported, 0, size, false);
     for (int i = 0; i < size; i++) {
-      int least = Math.max(0, i - LONGEST_LOOK_BACK);
-      for (int j = i - 1; j >= least && timesUs[i] - timesUs[j] <= SUPPORT_US; j--) {
+      int oldest = Math.max(0, i - MAX_LOOK_BACK);
+      for (int j = i - 1; j >= oldest && timesUs[i] - timesUs[j] <= SUPPORT_US; j--) {
         double dx = Math.abs(x[i] - x[j]);
         double dy = Math.abs(y[i] - y[j]);
         if (dx <= SUPPORT_PX && dy <= SUPPORT_PX && dx + dy > 0) {

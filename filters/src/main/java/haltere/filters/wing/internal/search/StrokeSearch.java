@@ -11,8 +11,8 @@ import java.util.function.Consumer;
  */
 public final class StrokeSearch implements FlySearch {
   private static final int FIRST_WAIT_US = 10_000;
-  private static final int LONGEST_WAIT_US = 80_000;
-  private static final int LONGEST_WAIT_ONE_WING_US = 320_000;
+  private static final int MAX_WAIT_US = 80_000;
+  private static final int MAX_WAIT_ONE_WING_US = 320_000;
 
   private final FlyFinder finder;
   private final RecentEvents recent;
@@ -55,13 +55,13 @@ public final class StrokeSearch implements FlySearch {
     }
     FoundFly found = finder.find(recent, timeUs, settings);
     if (found == null) {
-      waitLonger(timeUs, LONGEST_WAIT_US);
+      waitLonger(timeUs, MAX_WAIT_US);
     }
     return found;
   }
 
   @Override
-  public FoundFly lookForBoth(long timeUs, WingSearchSettings settings) {
+  public FoundFly findBoth(long timeUs, WingSearchSettings settings) {
     if (timeUs < nextUs) {
       return null;
     }
@@ -69,7 +69,7 @@ public final class StrokeSearch implements FlySearch {
     if (found != null && found.seeds()[0] != null && found.seeds()[1] != null) {
       return found;
     }
-    waitLonger(timeUs, LONGEST_WAIT_ONE_WING_US);
+    waitLonger(timeUs, MAX_WAIT_ONE_WING_US);
     return null;
   }
 

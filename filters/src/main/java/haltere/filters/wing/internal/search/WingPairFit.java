@@ -36,7 +36,7 @@ final class WingPairFit {
    * Adjusts both fits, the wing counterclockwise of the axis first. False without a change if the
    * equations have no solution.
    */
-  boolean bring(StrokeFit[] fits, double axisRad) {
+  boolean adjust(StrokeFit[] fits, double axisRad) {
     Arrays.fill(moved, 0);
     for (int round = 0; round < ROUNDS; round++) {
       if (!improve(fits, axisRad)) {
@@ -57,21 +57,21 @@ final class WingPairFit {
     for (int side = 0; side < 2; side++) {
       fits[side].addTo(normal, side * StrokeFit.SIZE, REPEATING);
     }
-    normal.believe(TURN, 0, TURN_SD_RAD);
-    believeInSymmetry(fits);
-    believeInHinges(fits, axisRad + moved[TURN]);
+    normal.addPrior(TURN, 0, TURN_SD_RAD);
+    addSymmetryPrior(fits);
+    addHingePrior(fits, axisRad + moved[TURN]);
     return normal.solve(SIZE, moved);
   }
 
-  private void believeInSymmetry(StrokeFit[] fits) {
+  private void addSymmetryPrior(StrokeFit[] fits) {
     Arrays.fill(row, 0);
     row[StrokeFit.CENTRE] = 0.5;
     row[StrokeFit.SIZE + StrokeFit.CENTRE] = -0.5;
     row[TURN] = -1;
-    believe((fits[0].centre() - fits[1].centre()) / 2, SYMMETRY_SD_RAD);
+    addPrior((fits[0].centre() - fits[1].centre()) / 2, SYMMETRY_SD_RAD);
   }
 
-  private void believeInHinges(StrokeFit[] fits, double heading) {
+  private void addHingePrior(StrokeFit[] fits, double heading) {
     int other = StrokeFit.SIZE;
     double cos = Math.cos(heading);
     double sin = Math.sin(heading);
@@ -86,11 +86,11 @@ final class WingPairFit {
     row[other + StrokeFit.HINGE_Y] = -sin;
     row[TURN] = nowY * cos - nowX * sin;
     // the value at the fits themselves, by the slope where the fits are moved to
-    believe(x * cos + y * sin - row[TURN] * moved[TURN], HINGES_SD_PX);
+    addPrior(x * cos + y * sin - row[TURN] * moved[TURN], HINGES_SD_PX);
   }
 
   /** Adds the prior that a value with the derivatives {@link #row} is 0 within a deviation. */
-  private void believe(double value, double sd) {
+  private void addPrior(double value, double sd) {
     normal.add(1 / (sd * sd), row, SIZE, -value);
   }
 }

@@ -24,7 +24,7 @@ final class BeatClock {
   void update(long timeUs, double phase, double omega, StrokeShape shape) {
     if (phase < lastPhase - Math.PI) {
       double crossingUs = timeUs - phase / omega * 1e6;
-      beats.beat(side, crossingUs, crossingUs - lastCrossingUs, shape.least, shape.most);
+      beats.beat(side, crossingUs, crossingUs - lastCrossingUs, shape.min, shape.max);
       lastCrossingUs = crossingUs;
       lastPhase = phase;
     } else if (phase - lastPhase < Math.PI) {

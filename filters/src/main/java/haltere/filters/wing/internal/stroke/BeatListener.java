@@ -10,8 +10,8 @@ public interface BeatListener {
    * @param side which wing
    * @param timeUs microseconds, with fractions
    * @param periodUs since the last beat; NaN for the first one
-   * @param leastRad smallest stroke angle of the beat
-   * @param mostRad largest stroke angle of the beat
+   * @param minRad smallest stroke angle of the beat
+   * @param maxRad largest stroke angle of the beat
    */
-  void beat(WingPart side, double timeUs, double periodUs, double leastRad, double mostRad);
+  void beat(WingPart side, double timeUs, double periodUs, double minRad, double maxRad);
 }

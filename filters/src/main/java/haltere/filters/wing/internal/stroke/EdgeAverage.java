@@ -11,16 +11,16 @@ import haltere.filters.wing.WingTrackerSettings;
  * interpolated. The average lags and underestimates the extremes.
  */
 final class EdgeAverage extends EdgeEstimator {
-  private static final double LONGEST_SILENCE_US = 30_000;
+  private static final double MAX_SILENCE_US = 30_000;
   private static final double MAX_PERIODS = 5;
-  private static final double LONGEST_PERIOD_US = 20_000;
+  private static final double MAX_PERIOD_US = 20_000;
 
   private RunningAverageSettings settings;
   private double position;
   private double hysteresis;
   private double periodUs;
-  private double leastNow;
-  private double mostNow;
+  private double minNow;
+  private double maxNow;
   private double sum;
   private int count;
   private boolean armed;
@@ -56,8 +56,8 @@ final class EdgeAverage extends EdgeEstimator {
   }
 
   private void beginBeat() {
-    leastNow = position;
-    mostNow = position;
+    minNow = position;
+    maxNow = position;
     sum = 0;
     count = 0;
   }
@@ -79,10 +79,10 @@ final class EdgeAverage extends EdgeEstimator {
     count++;
     position = before + share * off;
     taken++;
-    if (position < leastNow) {
-      leastNow = position;
-    } else if (position > mostNow) {
-      mostNow = position;
+    if (position < minNow) {
+      minNow = position;
+    } else if (position > maxNow) {
+      maxNow = position;
     }
     boolean ended = follow(timeUs, before);
     lastEventUs = timeUs;
@@ -107,12 +107,12 @@ final class EdgeAverage extends EdgeEstimator {
 
   private void endBeat() {
     armed = false;
-    least = leastNow;
-    most = mostNow;
+    min = minNow;
+    max = maxNow;
     if (!Double.isNaN(lastPassedUs)) {
       periodUs = passedUs - lastPassedUs;
       omega = 2e6 * Math.PI / periodUs;
-      amplitude = (most - least) / 2;
+      amplitude = (max - min) / 2;
       adapt();
       centre = sum / count;
     }
@@ -133,7 +133,6 @@ final class EdgeAverage extends EdgeEstimator {
   @Override
   boolean isLost(long timeUs) {
     double since = timeUs - (Double.isNaN(lastPassedUs) ? launchedUs : lastPassedUs);
-    return since
-        > Math.max(LONGEST_SILENCE_US, MAX_PERIODS * Math.min(periodUs, LONGEST_PERIOD_US));
+    return since > Math.max(MAX_SILENCE_US, MAX_PERIODS * Math.min(periodUs, MAX_PERIOD_US));
   }
 }

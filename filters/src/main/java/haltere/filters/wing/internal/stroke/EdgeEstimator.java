@@ -23,9 +23,9 @@ abstract class EdgeEstimator {
   double omega;
 
   /** Smallest and largest angle of the last beat. */
-  double least;
+  double min;
 
-  double most;
+  double max;
 
   /** Normalised innovation squared of the last event, NaN if the method has none. */
   double nis = Double.NaN;

@@ -31,7 +31,7 @@ final class EdgeFilter extends EdgeEstimator {
   private static final double WIDEST_GATE_SD = 30;
 
   /** Variance of a measurement if the settings give none, squared radians. */
-  private static final double USUAL_MEASUREMENT = 0.006;
+  private static final double DEFAULT_VARIANCE = 0.006;
 
   /** Units of the process noise of an update. */
   private static final List<String> UPDATE_UNITS =
@@ -88,7 +88,7 @@ final class EdgeFilter extends EdgeEstimator {
   private void setMeasurement(double variance) {
     rSource = variance > 0 ? Source.BY_HAND : Source.SETTINGS;
     r = variance > 0 ? variance : settings.measurement();
-    r = r > 0 ? r : USUAL_MEASUREMENT;
+    r = r > 0 ? r : DEFAULT_VARIANCE;
   }
 
   @Override
@@ -136,8 +136,8 @@ final class EdgeFilter extends EdgeEstimator {
     centre = belief.mean(CENTRE);
     amplitude = belief.mean(AMPLITUDE);
     omega = belief.mean(OMEGA);
-    least = centre - amplitude;
-    most = centre + amplitude;
+    min = centre - amplitude;
+    max = centre + amplitude;
   }
 
   /** Predicts phase and covariance. */
@@ -168,12 +168,12 @@ final class EdgeFilter extends EdgeEstimator {
       gated++;
     } else if (belief.correct(innovation, r)) {
       gated = 0;
-      mend();
+      normalise();
     }
   }
 
   /** Wraps the phase, for precision, and keeps the amplitude positive. */
-  private void mend() {
+  private void normalise() {
     double phase = belief.mean(PHASE);
     if (belief.mean(AMPLITUDE) < 0) {
       belief.setMean(AMPLITUDE, -belief.mean(AMPLITUDE));

@@ -102,7 +102,7 @@ public final class EdgesEstimator implements SideEstimator {
     double omega = Math.max(1, mean(edge -> edge.omega));
     double passedUs = nowUs - Angles.wrapPi(wingPhase(nowUs)) / omega / US;
     beats.beat(
-        side, passedUs, passedUs - lastPassedUs, mean(edge -> edge.least), mean(edge -> edge.most));
+        side, passedUs, passedUs - lastPassedUs, mean(edge -> edge.min), mean(edge -> edge.max));
     lastPassedUs = passedUs;
   }
 

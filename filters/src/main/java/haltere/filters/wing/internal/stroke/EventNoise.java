@@ -58,7 +58,7 @@ final class EventNoise {
   }
 
   /**
-   * Judges a residual whose {@link #variance} was just asked for.
+   * Judges a residual whose {@link #variance} was just computed.
    *
    * @param y the residual
    * @param expected variance of its expectation

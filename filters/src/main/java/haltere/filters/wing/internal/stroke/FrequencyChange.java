@@ -10,7 +10,7 @@ final class FrequencyChange {
   private static final int SAMPLES = 6;
 
   /** Multiple of the mean square up to which a square is usual. */
-  private static final double USUAL_TIMES = 2;
+  private static final double BASELINE_FACTOR = 2;
 
   /** Initial mean square, as a share of the variance of the filter. */
   private static final double FIRST_SHARE = 0.2;
@@ -19,7 +19,7 @@ final class FrequencyChange {
   private static final double MAX_WEIGHT = 400;
 
   private double change;
-  private double usual;
+  private double baseline;
   private double weight;
 
   /** Excess of the squared change over the usual one, squared radians a squared second. */
@@ -28,16 +28,16 @@ final class FrequencyChange {
   /** Update about once a millisecond; in calm flight the change counts as usual. Other: or null. */
   void update(FrequencyHistory history, boolean calm, FrequencyChange other) {
     if (weight == 0) {
-      usual = FIRST_SHARE * history.variance[history.ago(0)];
+      baseline = FIRST_SHARE * history.variance[history.ago(0)];
       weight = FIRST_WEIGHT;
     }
     change = history.change(SAMPLES);
     double mean = other == null ? change : (change + other.change) / 2;
-    double clearly = USUAL_TIMES * usual;
-    excess = Math.max(0, mean * mean - clearly);
+    double threshold = BASELINE_FACTOR * baseline;
+    excess = Math.max(0, mean * mean - threshold);
     if (calm && change != 0) {
       weight = Math.min(MAX_WEIGHT, weight + 1);
-      usual += (Math.min(mean * mean, clearly) - usual) / weight;
+      baseline += (Math.min(mean * mean, threshold) - baseline) / weight;
     }
   }
 }

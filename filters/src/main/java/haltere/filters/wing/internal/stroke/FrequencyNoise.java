@@ -51,9 +51,9 @@ final class FrequencyNoise {
   }
 
   /** Update, about once a millisecond, with the largest added density. */
-  void update(double dtS, StrokeEkf filter, double most) {
+  void update(double dtS, StrokeEkf filter, double maxDensity) {
     double omega = filter.x[StrokeEkf.OMEGA];
-    detector.update(dtS, omega, most, other == null ? null : other.detector);
+    detector.update(dtS, omega, maxDensity, other == null ? null : other.detector);
     boolean calm = isCalm();
     history.add(dtS, filter);
     // manoeuvres come in series

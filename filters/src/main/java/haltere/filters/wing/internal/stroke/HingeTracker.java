@@ -25,8 +25,8 @@ final class HingeTracker {
   private final DMatrixRMaj sums = new DMatrixRMaj(RIGHT + 1, RIGHT + 1);
 
   private final DMatrixRMaj p = new DMatrixRMaj(2, 2);
-  private final DMatrixRMaj usual = new DMatrixRMaj(3, 3);
-  private int usualLooks;
+  private final DMatrixRMaj offsetSums = new DMatrixRMaj(3, 3);
+  private int offsetSamples;
   private final LinearSolverDense<DMatrixRMaj> solver = LinearSolverFactory_DDRM.chol(SHIFT);
   private final DMatrixRMaj nuisances = new DMatrixRMaj(3, 3);
   private final DMatrixRMaj coupled = new DMatrixRMaj(3, 3);
@@ -46,8 +46,8 @@ final class HingeTracker {
   void launch(double sdPx) {
     CommonOps_DDRM.setIdentity(p);
     CommonOps_DDRM.scale(sdPx * sdPx, p);
-    usual.zero();
-    usualLooks = 0;
+    offsetSums.zero();
+    offsetSamples = 0;
     sums.zero();
   }
 
@@ -113,13 +113,13 @@ final class HingeTracker {
     solver.solve(coupled, taken);
     CommonOps_DDRM.multAddTransA(-1, coupled, taken, seen);
     CommonOps_DDRM.scale(1 / inflation, seen);
-    if (byHand && usualLooks < OFFSET_SAMPLES) {
-      usualLooks++;
-      CommonOps_DDRM.addEquals(usual, seen);
+    if (byHand && offsetSamples < OFFSET_SAMPLES) {
+      offsetSamples++;
+      CommonOps_DDRM.addEquals(offsetSums, seen);
       return false;
     }
     if (byHand) {
-      split(usual);
+      split(offsetSums);
       if (CommonOps_DDRM.det(information) > 0 && CommonOps_DDRM.invert(information)) {
         CommonOps_DDRM.mult(information, right, shift);
         split(seen);

@@ -9,23 +9,23 @@ final class InnovationBaseline {
   private static final double FIRST_WEIGHT = 60;
   private static final double MAX_WEIGHT = 400;
 
-  private final double times;
-  private final double least;
-  private final double most;
-  private double usual = FIRST;
+  private final double factor;
+  private final double min;
+  private final double max;
+  private double baseline = FIRST;
   private double weight = FIRST_WEIGHT;
 
   /**
    * A baseline without data.
    *
-   * @param times multiple of the baseline above which a square is an excess
-   * @param least smallest threshold, as a multiple of the expectation
-   * @param most largest threshold, as a multiple of the expectation
+   * @param factor multiple of the baseline above which a square is an excess
+   * @param min smallest threshold, as a multiple of the expectation
+   * @param max largest threshold, as a multiple of the expectation
    */
-  InnovationBaseline(double times, double least, double most) {
-    this.times = times;
-    this.least = least;
-    this.most = most;
+  InnovationBaseline(double factor, double min, double max) {
+    this.factor = factor;
+    this.min = min;
+    this.max = max;
   }
 
   /**
@@ -39,11 +39,11 @@ final class InnovationBaseline {
   double excess(double y, double w, boolean calm) {
     double square = y / w * (y / w);
     double variance = REPEATING / w;
-    double clearly = Math.max(least, Math.min(most, times * usual));
+    double threshold = Math.max(min, Math.min(max, factor * baseline));
     if (calm) {
       weight = Math.min(MAX_WEIGHT, weight + 1);
-      usual += (Math.min(square / variance, clearly) - usual) / weight;
+      baseline += (Math.min(square / variance, threshold) - baseline) / weight;
     }
-    return Math.max(0, square - clearly * variance);
+    return Math.max(0, square - threshold * variance);
   }
 }

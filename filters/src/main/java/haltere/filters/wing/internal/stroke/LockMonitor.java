@@ -5,10 +5,10 @@ package haltere.filters.wing.internal.stroke;
  * by chance, and a possible state of a wing.
  */
 final class LockMonitor {
-  private static final int PATIENCE = 25;
+  private static final int MAX_UNLOCKED = 25;
   private static final double MIN_EXCESS = 0.1;
   private static final double SILENT_SHARE = 0.12;
-  private static final double USUAL_S = 0.5;
+  private static final double RATE_MEMORY_S = 0.5;
   private static final double QUICK_BEATS = 3;
   private static final double MIN_OMEGA = 2 * Math.PI * 30;
   private static final double MAX_OMEGA = 2 * Math.PI * 1000;
@@ -17,9 +17,9 @@ final class LockMonitor {
 
   private long counted;
   private double quickRate;
-  private double usualRate;
+  private double meanRate;
   private double sinceLaunchS;
-  private int poor;
+  private int unlocked;
 
   /**
    * Update, about once a millisecond.
@@ -36,18 +36,18 @@ final class LockMonitor {
     double quickS = QUICK_BEATS * 2 * Math.PI / Math.max(MIN_OMEGA, omega);
     quickRate += dtS / (dtS + quickS) * (rate - quickRate);
     sinceLaunchS += dtS;
-    usualRate += dtS / Math.min(sinceLaunchS, USUAL_S) * (rate - usualRate);
+    meanRate += dtS / Math.min(sinceLaunchS, RATE_MEMORY_S) * (rate - meanRate);
     boolean possible =
         omega > MIN_OMEGA
             && omega < MAX_OMEGA
             && amplitude > MIN_AMPLITUDE
             && amplitude < MAX_AMPLITUDE;
-    boolean good = quickRate >= SILENT_SHARE * usualRate && excess >= MIN_EXCESS;
-    poor = !possible ? poor + PATIENCE : good ? 0 : poor + 1;
+    boolean locked = quickRate >= SILENT_SHARE * meanRate && excess >= MIN_EXCESS;
+    unlocked = !possible ? unlocked + MAX_UNLOCKED : locked ? 0 : unlocked + 1;
   }
 
   /** Whether lock was lost for long enough. */
   boolean isLost() {
-    return poor >= PATIENCE;
+    return unlocked >= MAX_UNLOCKED;
   }
 }

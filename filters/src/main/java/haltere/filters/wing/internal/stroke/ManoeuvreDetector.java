@@ -35,10 +35,10 @@ final class ManoeuvreDetector {
    * Update, about once a millisecond, from the residuals of the last beat. The other wing may be
    * null.
    */
-  void update(double dtS, double omega, double most, ManoeuvreDetector other) {
+  void update(double dtS, double omega, double maxDensity, ManoeuvreDetector other) {
     if (w > 0) {
       double excess = excess(other);
-      density = Math.max(density * Math.exp(-dtS / HOLD_S), Math.min(most, DENSITY * excess));
+      density = Math.max(density * Math.exp(-dtS / HOLD_S), Math.min(maxDensity, DENSITY * excess));
       if (density < MIN_DENSITY) {
         density = 0;
       }

@@ -88,17 +88,17 @@ final class RadialResiduals {
     double ambiguous = AMBIGUOUS_VARIATION * apartS;
     chordShare = variation == 0 ? 0 : variation / (variation + ambiguous * ambiguous);
     bendVariance = middle.variance();
-    double most = Math.max(sum[0], sum[1]);
-    answeredShare = most == 0 ? 0 : Math.max(0, 2 * Math.min(sum[0], sum[1]) / most - 1);
-    double kept = Math.exp(-dtS / MEMORY_S);
+    double max = Math.max(sum[0], sum[1]);
+    answeredShare = max == 0 ? 0 : Math.max(0, 2 * Math.min(sum[0], sum[1]) / max - 1);
+    double decay = Math.exp(-dtS / MEMORY_S);
     double seen = isSpread || variation > 0 ? 1 : apart.probability(ambiguous * ambiguous);
-    wideTime += (1 - kept) * (seen - wideTime);
+    wideTime += (1 - decay) * (seen - wideTime);
     wideShare = Math.max(0, 2 * wideTime - 1);
     notNarrowShare = Math.min(1, 2 * wideTime);
     for (int ring = 0; ring < RINGS; ring++) {
       for (int edge = 0; edge < 2; edge++) {
-        moment[edge][ring] *= kept;
-        weight[edge][ring] *= kept;
+        moment[edge][ring] *= decay;
+        weight[edge][ring] *= decay;
       }
     }
   }

@@ -59,10 +59,10 @@ public final class StrokeFrame {
   /**
    * Sets whether the hinge was set manually.
    *
-   * @param said true if it was
+   * @param byHand true if it was
    */
-  public void setByHand(boolean said) {
-    isByHand = said;
+  public void setByHand(boolean byHand) {
+    isByHand = byHand;
   }
 
   /**

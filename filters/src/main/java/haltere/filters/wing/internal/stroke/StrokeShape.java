@@ -19,16 +19,16 @@ final class StrokeShape {
   private double[] seen = new double[0];
 
   /** Smallest and largest stroke angle. */
-  double least;
+  double min;
 
-  double most;
+  double max;
 
   /** Phase of the passage of the centre towards the tail. */
   double crossingRad;
 
   /** Half of peak to peak. */
   double amplitude() {
-    return (most - least) / 2;
+    return (max - min) / 2;
   }
 
   /** Sets the stroke of a filter; repeated if centre, amplitude or harmonics have changed. */
@@ -44,8 +44,8 @@ final class StrokeShape {
       low = value[i] < value[low] ? i : low;
       high = value[i] > value[high] ? i : high;
     }
-    least = vertex(low);
-    most = vertex(high);
+    min = vertex(low);
+    max = vertex(high);
     double phase = 0;
     for (int round = 0; round < 4; round++) {
       double c = Math.cos(phase);
@@ -65,7 +65,7 @@ final class StrokeShape {
     double before = value[(at + STEPS - 1) % STEPS];
     double after = value[(at + 1) % STEPS];
     double bend = before - 2 * value[at] + after;
-    double lean = (after - before) / 2;
-    return bend == 0 ? value[at] : value[at] - lean * lean / (2 * bend);
+    double slope = (after - before) / 2;
+    return bend == 0 ? value[at] : value[at] - slope * slope / (2 * bend);
   }
 }

@@ -114,18 +114,18 @@ public final class WingEstimator implements SideEstimator {
       return;
     }
     appliedNoise = settings;
-    giveBackNoise();
+    releaseNoise();
     Arrays.fill(byHand, false);
-    takeNoise();
+    setProcessNoise();
   }
 
-  private void giveBackNoise() {
+  private void releaseNoise() {
     measurementByHand = false;
     noise.apply(options.gateSd(), settings.measurement());
   }
 
   /** Process noise from the settings, except for edited entries. */
-  private void takeNoise() {
+  private void setProcessNoise() {
     double[] set = new double[q.length];
     set[StrokeEkf.CENTRE] = settings.centre();
     set[StrokeEkf.AMPLITUDE] = settings.amplitude();
@@ -200,16 +200,16 @@ public final class WingEstimator implements SideEstimator {
       y += 2 * Math.PI;
     }
     int edge = on ? 1 : 0;
-    EventNoise worth = noise.of(edge);
-    double variance = worth.variance(frame.square, speed);
+    EventNoise edgeNoise = noise.of(edge);
+    double variance = edgeNoise.variance(frame.square, speed);
     double full = x[StrokeEkf.AMPLITUDE] * x[StrokeEkf.OMEGA];
-    double belief = worth.judge(y, expected[edge], speed, full);
+    double belief = edgeNoise.judge(y, expected[edge], speed, full);
     noise.count(edge, y, belief > 0);
     if (belief == 0) {
-      if (noise.isOneOfTooMany(y)) {
+      if (noise.isExcessRejection(y)) {
         // a diverged phase accepts only events that agree by chance
-        double most = options.gateSd() * Math.sqrt(variance + expected[edge]);
-        frequencyNoise.add(Math.max(-most, Math.min(most, y)), slope / variance, slope);
+        double limit = options.gateSd() * Math.sqrt(variance + expected[edge]);
+        frequencyNoise.add(Math.max(-limit, Math.min(limit, y)), slope / variance, slope);
       }
       return Double.NaN;
     }
@@ -314,7 +314,7 @@ public final class WingEstimator implements SideEstimator {
     }
     passedAddress = -1;
     if (!both) {
-      takeFromOther();
+      copyFromOther();
     }
     lock.update(
         dtS,
@@ -330,7 +330,7 @@ public final class WingEstimator implements SideEstimator {
    * Copies unobservable parameters from the other wing if that has events of both edges and this
    * one of one only: the lag of ON events, and for ON events alone also the waveform.
    */
-  private void takeFromOther() {
+  private void copyFromOther() {
     if (other == null || !other.hasBothEdges()) {
       return;
     }
@@ -564,11 +564,11 @@ public final class WingEstimator implements SideEstimator {
       case PROCESS_NOISE -> {
         byHand[row] = !edit.givesBack();
         q[row] = edit.notNegative();
-        takeNoise();
+        setProcessNoise();
       }
       case MEASUREMENT_NOISE -> {
         if (edit.givesBack()) {
-          giveBackNoise();
+          releaseNoise();
         } else {
           noise.apply(options.gateSd(), edit.notNegative());
           measurementByHand = edit.value() > 0;

@@ -16,11 +16,11 @@ final class WingEventNoise {
   /**
    * Share of events near the wing rejected beyond outliers, above which the filter has diverged.
    */
-  private static final double TOO_MANY = 0.1;
+  private static final double MAX_EXCESS = 0.1;
 
-  private final double[] judged = new double[2];
+  private final double[] counted = new double[2];
   private final EventNoise[] edges;
-  private double refused;
+  private double rejected;
 
   /**
    * Initial noise. Innovations beyond the gate are rejected; a fixed variance of 0 is estimated.
@@ -41,19 +41,19 @@ final class WingEventNoise {
 
   /** Counts an event of an edge. */
   void count(int edge, double y, boolean taken) {
-    judged[edge]++;
-    refused += FOLLOW * ((taken || Math.abs(y) >= NEAR_RAD ? 0 : 1) - refused);
+    counted[edge]++;
+    rejected += FOLLOW * ((taken || Math.abs(y) >= NEAR_RAD ? 0 : 1) - rejected);
   }
 
-  /** Whether a rejected residual is one of too many near the wing. */
-  boolean isOneOfTooMany(double y) {
+  /** Whether a residual is near the wing while more are rejected there than outliers explain. */
+  boolean isExcessRejection(double y) {
     double outliers = 2 * NEAR_RAD * mean(edges[0].outliers(), edges[1].outliers());
-    return Math.abs(y) < NEAR_RAD && refused > TOO_MANY + outliers;
+    return Math.abs(y) < NEAR_RAD && rejected > MAX_EXCESS + outliers;
   }
 
   private double mean(double leading, double trailing) {
-    double all = judged[0] + judged[1];
-    return all == 0 ? leading : (judged[0] * leading + judged[1] * trailing) / all;
+    double all = counted[0] + counted[1];
+    return all == 0 ? leading : (counted[0] * leading + counted[1] * trailing) / all;
   }
 
   /** Recent mean normalised innovation squared of both edges. */

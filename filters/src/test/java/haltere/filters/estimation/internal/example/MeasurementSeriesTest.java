@@ -39,7 +39,7 @@ class MeasurementSeriesTest {
   }
 
   @Test
-  void quantisationIsNoise() {
+  void quantisationCountsAsNoise() {
     MeasurementSeries rows = series(400, 0, t -> Math.rint(t * 300) / 100, t -> Double.NaN);
     assertEquals(0.01 / Math.sqrt(12), rows.noiseM(), 0.0005);
     MeasurementSeries slow = series(400, 0, t -> Math.rint(t * 2) / 100, t -> Double.NaN);
@@ -57,7 +57,7 @@ class MeasurementSeriesTest {
   }
 
   @Test
-  void measuredAccelerationsMakeAFallAndAnOscillationSurer() {
+  void measuredAccelerationsReduceTheDeviations() {
     double alone = end(new FallingWeight(fall(100, 0.004, false)).estimates(), 2, -2);
     assertTrue(end(new FallingWeight(fall(100, 0.004, true)).estimates(), 2, -2) < 0.8 * alone);
     DoubleUnaryOperator x = t -> 0.1 * Math.cos(5 * (t - 3));

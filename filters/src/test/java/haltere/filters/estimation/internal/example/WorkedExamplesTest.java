@@ -19,7 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What docs/estimation.md says of its two examples. */
+/** Statements of docs/estimation.md about its two examples. */
 class WorkedExamplesTest {
   private static final int RUNS = 100;
 
@@ -34,7 +34,7 @@ class WorkedExamplesTest {
   }
 
   @Test
-  void aFallOfFourTenthsOfASecondGivesGravity() {
+  void fallOf400MsYieldsGravity() {
     Estimate end = last(new FallingWeight(SimulatedVideo.fallingWeight(SHOWN_FALL)).estimates());
     double deviation = end.standardDeviation(2);
     assertTrue(deviation <= 0.1, "standard deviation " + deviation + " m/s²");
@@ -43,7 +43,7 @@ class WorkedExamplesTest {
   }
 
   @Test
-  void overAHundredFallsGravityIsFoundAsOftenWithinOneDeviationAsItShould() {
+  void gravityOfAHundredFallsIsConsistent() {
     int within = 0;
     double sum = 0;
     double nees = 0;
@@ -115,7 +115,7 @@ class WorkedExamplesTest {
 
   @ParameterizedTest
   @ValueSource(booleans = {true, false})
-  void releasedOrPushedFromTheSourcesStartAnOscillatorIsFoundWithinItsDeviations(boolean released) {
+  void releasedAndPushedOscillatorsAreIdentifiedWithinDeviations(boolean released) {
     int[] at = {240, 480, 1201};
     Estimate[][] runs = runs(released, Oscillator.START_FREQUENCY_RAD_S, at);
     int dampingWithin = 0;
@@ -145,7 +145,7 @@ class WorkedExamplesTest {
 
   @ParameterizedTest
   @CsvSource({"false, 1", "false, 0.3333", "false, 3", "true, 0.3333", "true, 3"})
-  void anOscillatorIsFoundFromAFrequencyWrongByThree(boolean released, double factor) {
+  void oscillatorIsIdentifiedFromAnInitialFrequencyWrongByThree(boolean released, double factor) {
     double nees = 0;
     Estimate[][] runs = runs(released, factor * FREQUENCY_RAD_S, 1201);
     for (int seed = 0; seed < RUNS; seed++) {
@@ -159,7 +159,7 @@ class WorkedExamplesTest {
   }
 
   @Test
-  void fromTheReportsOwnStartItsResultsAreReached() {
+  void resultsOfCasperAreReproducedFromHisInitialState() {
     double[] afterASecond = new double[RUNS];
     for (int seed = 0; seed < RUNS; seed++) {
       List<Estimate> pass = new Oscillator(pushed(seed)).plainFilter(0.27);
@@ -173,7 +173,7 @@ class WorkedExamplesTest {
   }
 
   @Test
-  void withTheTrueNoiseAnExtendedFilterDivergesFromThisInitialState() {
+  void extendedFilterDivergesFromThisInitialStateWithTheTrueNoise() {
     int found = 0;
     int within = 0;
     for (int seed = 0; seed < RUNS; seed++) {

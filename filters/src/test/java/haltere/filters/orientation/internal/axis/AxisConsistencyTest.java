@@ -13,19 +13,19 @@ import java.util.SplittableRandom;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
 
-/** On data drawn from its own model the filter is as sure as it says. */
+/** The filter is consistent on data of its own model. */
 class AxisConsistencyTest {
   private static final int RUNS = 200;
   private static final int STEPS = 60;
   private static final double TAU_S = 0.1;
 
   @Test
-  void meanNeesAndNisLieInTheirBands() {
+  void meanNeesAndNisLieInTheirBandsForTheModel() {
     assertConsistent(2, 1, 6, 1000, RUNS);
   }
 
   @Test
-  void theyDoWithFewCamerasAndLargeAnglesTooWhereTheModelIsNotLinear() {
+  void meanNeesAndNisLieInTheirBandsForNonlinearAngles() {
     assertConsistent(5, 2, 4, 5000, 2 * RUNS);
   }
 

@@ -41,7 +41,7 @@ class AxisFilterTest {
   }
 
   @Test
-  void theGradientOfAnAngleIsThatOfDifferencesToTheNinthDigit() {
+  void gradientOfAnAngleMatchesDifferences() {
     SplittableRandom random = new SplittableRandom(1);
     double[] gradient = new double[3];
     int compared = 0;
@@ -85,7 +85,7 @@ class AxisFilterTest {
   }
 
   @Test
-  void theSecondOrderTermsAreThoseOfTheGradientsDifferences() {
+  void secondOrderTermsMatchDifferencesOfTheGradient() {
     SplittableRandom random = new SplittableRandom(8);
     int compared = 0;
     for (int i = 0; i < 300; i++) {
@@ -147,7 +147,7 @@ class AxisFilterTest {
   }
 
   @Test
-  void theGradientByTheQuaternionIsThatOfDifferencesToTheNinthDigit() {
+  void gradientByTheQuaternionMatchesDifferences() {
     SplittableRandom random = new SplittableRandom(2);
     double[] gradient = new double[3];
     double[] u = new double[3];
@@ -209,7 +209,7 @@ class AxisFilterTest {
   }
 
   @Test
-  void theDerivativeOfTheQuaternionKeepsItsLength() {
+  void derivativeOfTheQuaternionPreservesItsLength() {
     SplittableRandom random = new SplittableRandom(3);
     for (int i = 0; i < 100; i++) {
       double[] x = state(random);
@@ -220,7 +220,7 @@ class AxisFilterTest {
   }
 
   @Test
-  void neighbouringWaysOnTheSpherePartAsTheTransitionSays() {
+  void transitionMatchesNeighbouringPathsOnTheSphere() {
     SplittableRandom random = new SplittableRandom(4);
     for (int i = 0; i < 50; i++) {
       double dtS = random.nextDouble(1e-4, 0.03);
@@ -254,7 +254,7 @@ class AxisFilterTest {
   }
 
   @Test
-  void theAxisStaysOfLengthOneAndItsFrameSquare() {
+  void axisStaysUnitAndItsFrameOrthonormal() {
     SplittableRandom random = new SplittableRandom(5);
     for (OrientationSettings settings :
         new OrientationSettings[] {
@@ -281,7 +281,7 @@ class AxisFilterTest {
   }
 
   @Test
-  void rollIsNeverCertain() {
+  void rollStaysUncertain() {
     SplittableRandom random = new SplittableRandom(6);
     for (String form : new String[] {"error-state", "quaternion"}) {
       OrientationSettings settings = OrientationSettings.defaults().with("form=" + form);
@@ -302,7 +302,7 @@ class AxisFilterTest {
   }
 
   @Test
-  void bothFormsAgreeOnABodyThatTurnsCalmly() {
+  void bothFormsAgreeOnASlowRotation() {
     SplittableRandom random = new SplittableRandom(7);
     OrientationSettings settings =
         OrientationSettings.defaults()

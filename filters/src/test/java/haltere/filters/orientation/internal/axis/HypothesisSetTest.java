@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 class HypothesisSetTest {
   @Test
-  void hypothesesFarApartHaveTheirMeanBetweenTheirHeads() {
+  void meanOfDistantHypothesesLiesBetweenTheirHeads() {
     HypothesisSet hypotheses = new HypothesisSet();
     double[] small = {1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4};
     double[] left = {Math.cos(1), Math.sin(1), 0};

@@ -45,7 +45,7 @@ public final class SpherePath {
     best.error.setMean(3, Vectors.dot(v, best.e2));
   }
 
-  /** What a filter holds, all hypotheses together. */
+  /** Moments of a filter over all hypotheses. */
   public static AxisState state(SphereFilter filter) {
     return filter.mixture.mean().state();
   }

@@ -23,7 +23,7 @@ class TwoMeansTest {
   }
 
   @Test
-  void findsBothCloudsInAllDirections() {
+  void bothClustersAreFoundInAllDirections() {
     for (int step = 0; step < 16; step++) {
       double direction = Math.PI * step / 16;
       clouds(direction, step);
@@ -36,7 +36,7 @@ class TwoMeansTest {
   }
 
   @Test
-  void endsInNumbersWhereAllPointsLieInOneCorner() {
+  void pointsInOneCornerGiveFiniteMeans() {
     SplittableRandom random = new SplittableRandom(1);
     for (int i = 0; i < POINTS; i++) {
       x[i] = 120 + random.nextInt(3);

@@ -10,7 +10,7 @@ class EventNoiseTest {
   private static final double FAR_SQUARE = 50 * 50;
 
   @Test
-  void learnsTheBladesPartAtTheReversalsAndTheTimesInTheMiddleOfTheStroke() {
+  void noiseIsSeparatedIntoWingShapeAndTiming() {
     SplittableRandom random = new SplittableRandom(1);
     EventNoise noise = new EventNoise(4, 0);
     double full = 1500;
@@ -26,7 +26,7 @@ class EventNoiseTest {
   }
 
   @Test
-  void anEventNearTheHingeIsWorthLessByThePixelsSize() {
+  void eventNearTheHingeHasALargerVariance() {
     EventNoise noise = new EventNoise(4, 0);
     double near = noise.variance(10 * 10, 0);
     double far = noise.variance(40 * 40, 0);
@@ -34,7 +34,7 @@ class EventNoiseTest {
   }
 
   @Test
-  void anEventBeyondTheGateIsRejectedAndItsWeightFallsWithTheShareOfOutliers() {
+  void eventBeyondTheGateIsRejectedAndOutliersReduceWeights() {
     EventNoise noise = new EventNoise(4, 0);
     double sd = Math.sqrt(noise.variance(FAR_SQUARE, 0));
     assertEquals(0, noise.judge(4.1 * sd, 0, 0, 1500));

@@ -47,7 +47,7 @@ class FrequencyChangeTest {
   }
 
   @Test
-  void usualInnovationsAreNoChange() {
+  void usualInnovationsGiveNoExcess() {
     flySteadily();
     assertEquals(0, wings[1].excess);
     look(OMEGA + 0.2, OMEGA + 0.2);
@@ -55,14 +55,14 @@ class FrequencyChangeTest {
   }
 
   @Test
-  void wingsThatChangeAgainstEachOtherAreNoise() {
+  void oppositeChangesOfBothWingsAreNoise() {
     flySteadily();
     look(OMEGA + 8, OMEGA - 8);
     assertEquals(0, wings[1].excess);
   }
 
   @Test
-  void aChangeIsOverWhenTheFrequencyStays() {
+  void constantFrequencyEndsAChange() {
     flySteadily();
     for (int i = 0; i < 6; i++) {
       look(OMEGA + 8, OMEGA + 8);

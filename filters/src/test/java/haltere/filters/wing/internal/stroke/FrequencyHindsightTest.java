@@ -11,7 +11,7 @@ class FrequencyHindsightTest {
   private static final double SECONDS = 1;
   private static final double OMEGA = 2 * Math.PI * 200;
 
-  /** What the filter thinks its frequency is off by, radians a second. */
+  /** Stated deviation of the filter's frequency, radians a second. */
   private static final double SD = 2;
 
   /** A flight whose angular frequency changes evenly, and what a filter says of it. */
@@ -33,7 +33,7 @@ class FrequencyHindsightTest {
   }
 
   @Test
-  void noiseOfTheFrequencyIsFound() {
+  void noiseOfTheFrequencyIsEstimated() {
     SplittableRandom random = new SplittableRandom(1);
     FrequencyHindsight hindsight =
         after(0, t -> OMEGA + (random.nextBoolean() ? 1.2 : -1.2), true, 0);
@@ -41,13 +41,13 @@ class FrequencyHindsightTest {
   }
 
   @Test
-  void lagBehindAFrequencyThatChangesIsFound() {
+  void lagBehindAChangingFrequencyIsEstimated() {
     FrequencyHindsight hindsight = after(100, t -> OMEGA + 100 * t - 1.5, true, 0);
     assertEquals(2.25 / (SD * SD), hindsight.share(null), 0.03);
   }
 
   @Test
-  void bothWingsTellTogether() {
+  void bothWingsContribute() {
     FrequencyHindsight one = after(0, t -> OMEGA + 1, true, 0);
     FrequencyHindsight other = after(0, t -> OMEGA + 2, true, 0);
     assertEquals((one.share(null) + other.share(null)) / 2, one.share(other), 1e-9);
@@ -55,7 +55,7 @@ class FrequencyHindsightTest {
   }
 
   @Test
-  void neitherManoeuvresNorStretchesWithGapsTellAnything() {
+  void manoeuvresAndGapsAreExcluded() {
     double usual = after(0, t -> OMEGA + 3, false, 0).share(null);
     assertEquals(0.2, usual, 1e-9);
     assertEquals(usual, after(0, t -> OMEGA + 3, true, 0.03).share(null), 1e-9);

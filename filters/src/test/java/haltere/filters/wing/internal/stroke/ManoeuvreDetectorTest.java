@@ -23,7 +23,7 @@ class ManoeuvreDetectorTest {
   }
 
   @Test
-  void anErrorTooSmallForOneWingIsDetectedInBothTogether() {
+  void smallErrorIsDetectedInBothWingsTogether() {
     assertTrue(wings(0.12, 0.12)[0].density() > 1000);
     ManoeuvreDetector alone = new ManoeuvreDetector();
     alone.add(0.12, 1000, 1);
@@ -37,7 +37,7 @@ class ManoeuvreDetectorTest {
   }
 
   @Test
-  void aLargeErrorOfOneWingIsDetectedAndTheNoiseDecaysAfterwards() {
+  void largeErrorOfOneWingIsDetectedAndTheNoiseDecays() {
     ManoeuvreDetector[] wings = wings(0.25, -0.25);
     assertTrue(wings[0].density() > 1000);
     for (int i = 0; i < 600; i++) {

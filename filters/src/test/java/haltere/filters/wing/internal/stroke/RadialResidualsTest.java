@@ -38,26 +38,26 @@ class RadialResidualsTest {
   }
 
   @Test
-  void edgesThatComeTogetherTowardsTheTipAreThoseOfAChord() {
+  void edgesConvergingTowardsTheTipIndicateAChord() {
     look(4000, 1, share -> 300e-6 * (1 - share), 0);
     assertTrue(radial.chordShare > 0.8, "" + radial.chordShare);
     assertEquals(0, radial.bendVariance, 1e-11);
   }
 
   @Test
-  void edgesThatKeepTheirDistanceAreThoseOfALag() {
+  void edgesAtConstantAngleIndicateALag() {
     look(4000, 1, share -> HALF_APART_S, 0);
     assertTrue(radial.chordShare < 0.05, "" + radial.chordShare);
   }
 
   @Test
-  void fewEventsSayNothingOfAChord() {
+  void fewEventsGiveNoChord() {
     look(20, 1, share -> HALF_APART_S, 0);
     assertTrue(radial.chordShare < 0.2, "" + radial.chordShare);
   }
 
   @Test
-  void aCurvedMiddleIsDetected() {
+  void curvedMiddleLineIsDetected() {
     double bendS = 200e-6;
     look(4000, 1, share -> HALF_APART_S, bendS);
     // the share of the length has a variance of 1/18 over a disc
@@ -65,7 +65,7 @@ class RadialResidualsTest {
   }
 
   @Test
-  void passagesThatOneEdgeAnswersAreCounted() {
+  void passagesWithOneRespondingEdgeAreCounted() {
     look(2000, 1, share -> HALF_APART_S, 0);
     assertEquals(1, radial.answeredShare, 1e-9);
     look(2000, 0.75, share -> HALF_APART_S, 0);
@@ -75,7 +75,7 @@ class RadialResidualsTest {
   }
 
   @Test
-  void aWideWingIsDetectedByTheRadiusOrByTheTimes() {
+  void wideWingIsDetectedByRadiusOrTimes() {
     look(4000, 1, share -> HALF_APART_S, 0);
     assertEquals(0, radial.wideShare);
     look(4000, 1, share -> 300e-6 * (1 - share), 0);
@@ -86,14 +86,14 @@ class RadialResidualsTest {
   }
 
   @Test
-  void timesOfANarrowWingSpreadByLessThanItsPassage() {
+  void timesOfANarrowWingScatterLessThanItsPassage() {
     double fullSpeed = 1700;
     assertFalse(CameraLatency.isWide(15e-6, fullSpeed));
     assertTrue(CameraLatency.isWide(60e-6, fullSpeed));
   }
 
   @Test
-  void pixelsWhoseTimesSpreadLittleAreFast() {
+  void littleScatterOfTimesIndicatesFastPixels() {
     assertTrue(CameraLatency.fastShare(200e-6, 1e-6) > 0.99);
     assertTrue(CameraLatency.fastShare(200e-6, 80e-6) < 0.05);
     assertEquals(0, CameraLatency.fastShare(-10e-6, 1e-6));

@@ -19,7 +19,7 @@ class StrokeEkfTest {
     return filter;
   }
 
-  /** What an event of an edge measures, written out plainly. */
+  /** Measurement equation of an event of an edge, written out. */
   private static double measured(double[] x, int edge) {
     double phase = edge < 0 ? x[2] - x[3] * x[5] : x[2];
     double angle = x[0] + x[1] * Math.sin(phase);
@@ -34,7 +34,7 @@ class StrokeEkfTest {
   }
 
   @Test
-  void theDerivativesAreThoseOfTheMeasurement() {
+  void derivativesMatchTheMeasurement() {
     for (int edge : new int[] {1, -1, 0}) {
       for (int i = 0; i < STATE.length; i++) {
         StrokeEkf filter = new StrokeEkf(3);
@@ -57,7 +57,7 @@ class StrokeEkfTest {
   }
 
   @Test
-  void turnedByManySmallAnglesThePhaseIsThatOfTheSum() {
+  void smallRotationsOfThePhaseAddUp() {
     StrokeEkf filter = filter(STATE);
     double phase = STATE[2];
     SplittableRandom random = new SplittableRandom(1);
@@ -71,7 +71,7 @@ class StrokeEkfTest {
   }
 
   @Test
-  void onDataOfItsOwnModelItFindsTheStateAndStaysSymmetric() {
+  void stateIsEstimatedOnModelDataWithSymmetricCovariance() {
     SplittableRandom random = new SplittableRandom(2);
     double[] truth = STATE.clone();
     truth[6] = 0;
@@ -123,7 +123,7 @@ class StrokeEkfTest {
   }
 
   @Test
-  void theLagIsThatOfBothWingsByHowSureEachIs() {
+  void lagIsWeightedByTheVariancesOfBothWings() {
     StrokeEkf[] wings = {filter(STATE), filter(STATE)};
     wings[0].set(StrokeEkf.LAG, 10e-6);
     wings[1].set(StrokeEkf.LAG, 50e-6);
@@ -135,7 +135,7 @@ class StrokeEkfTest {
   }
 
   @Test
-  void theFastAngleIsTheAngle() {
+  void fastAngleMatchesTheExactAngle() {
     SplittableRandom random = new SplittableRandom(3);
     for (int i = 0; i < 100_000; i++) {
       double x = random.nextDouble(-50, 50);
@@ -148,7 +148,7 @@ class StrokeEkfTest {
   }
 
   @Test
-  void theSlopeIsTheDerivativeOfTheAngle() {
+  void slopeIsTheDerivativeOfTheAngle() {
     StrokeEkf filter = new StrokeEkf(4);
     double[] state = new double[filter.size];
     state[StrokeEkf.CENTRE] = 1.7;

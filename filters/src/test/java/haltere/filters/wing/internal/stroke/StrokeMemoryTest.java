@@ -29,7 +29,7 @@ class StrokeMemoryTest {
   }
 
   @Test
-  void widthAndLagStayWhileOneEdgeAloneHasEvents() {
+  void widthAndLagStayWhileOnlyOneEdgeHasEvents() {
     StrokeEkf filter = new StrokeEkf(2);
     double[] state = new double[filter.size];
     state[StrokeEkf.WIDTH] = 0.1;

@@ -22,7 +22,7 @@ class WingEventNoiseTest {
   }
 
   @Test
-  void onEventsOfSlowPixelsDoNotMakeOffEventsWorthLess() {
+  void onEventsOfSlowPixelsDoNotReduceTheWeightOfOffEvents() {
     for (int i = 0; i < 30_000; i++) {
       event(0, 0.04 * random.nextGaussian());
       event(1, 0.15 * random.nextGaussian());
@@ -33,24 +33,24 @@ class WingEventNoiseTest {
   }
 
   @Test
-  void outliersAllAroundAreNotTooMany() {
+  void uniformOutliersAreNoExcess() {
     for (int i = 0; i < 20_000; i++) {
       event(i % 2, i % 5 < 2 ? random.nextDouble(-1.3, 1.3) : 0.02 * random.nextGaussian());
     }
-    assertFalse(noise.isOneOfTooMany(0.3));
+    assertFalse(noise.isExcessRejection(0.3));
   }
 
   @Test
-  void aWingNextToWhereTheFilterIsIsDetectedThoughItsEventsAreRefused() {
+  void rejectedEventsOfADisplacedWingAreDetected() {
     for (int i = 0; i < 10_000; i++) {
       event(i % 2, 0.02 * random.nextGaussian());
     }
     int refused = 0;
-    while (!noise.isOneOfTooMany(0.3) && refused < 1000) {
+    while (!noise.isExcessRejection(0.3) && refused < 1000) {
       refused += event(0, 0.35 + 0.02 * random.nextGaussian()) ? 0 : 1;
       event(1, 0.02 * random.nextGaussian());
     }
     assertTrue(refused < 100, "after " + refused);
-    assertFalse(noise.isOneOfTooMany(0.6), "that is not near the wing");
+    assertFalse(noise.isExcessRejection(0.6), "that is not near the wing");
   }
 }

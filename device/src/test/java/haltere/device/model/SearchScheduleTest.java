@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(60)
-class LookoutTest {
+class SearchScheduleTest {
   private static final long NEVER = TimeUnit.HOURS.toNanos(1);
   private static final long SOON = TimeUnit.MILLISECONDS.toNanos(1);
 
@@ -42,55 +42,55 @@ class LookoutTest {
         }
       };
 
-  private Lookout begun(long often, long rarely) throws InterruptedException {
-    Lookout lookout = new Lookout(telling, new Lookout.Pace(often, rarely));
-    lookout.begin();
-    assertTrue(lookout.await(0), "the first look is at once");
-    return lookout;
+  private SearchSchedule begun(long often, long rarely) throws InterruptedException {
+    SearchSchedule schedule = new SearchSchedule(telling, new SearchSchedule.Pace(often, rarely));
+    schedule.begin();
+    assertTrue(schedule.await(0), "the first look is at once");
+    return schedule;
   }
 
   @Test
-  void itIsTimeToLookWhenSomethingWasPluggedIn() throws InterruptedException {
-    Lookout lookout = begun(NEVER, NEVER);
-    assertFalse(lookout.await(SOON));
+  void busChangeTriggersOneSearch() throws InterruptedException {
+    SearchSchedule schedule = begun(NEVER, NEVER);
+    assertFalse(schedule.await(SOON));
 
     changed.run();
 
-    assertTrue(lookout.await(NEVER));
-    assertFalse(lookout.await(SOON));
+    assertTrue(schedule.await(NEVER));
+    assertFalse(schedule.await(SOON));
   }
 
   @Test
-  void afterAChangeOneLooksOftenForTheDeviceMayNotBeReady() throws InterruptedException {
-    Lookout lookout = begun(SOON, NEVER);
+  void searchIsRepeatedOftenAfterABusChange() throws InterruptedException {
+    SearchSchedule schedule = begun(SOON, NEVER);
 
     changed.run();
 
     for (int look = 0; look < 5; look++) {
-      assertTrue(lookout.await(NEVER));
+      assertTrue(schedule.await(NEVER));
     }
   }
 
   @Test
-  void itWatchesTheBusWhileTheCameraIsAwayOnly() throws InterruptedException {
-    Lookout lookout = begun(NEVER, NEVER);
+  void busIsWatchedOnlyWhileTheCameraIsDisconnected() throws InterruptedException {
+    SearchSchedule schedule = begun(NEVER, NEVER);
     assertEquals(1, watches);
-    lookout.end();
+    schedule.end();
     assertEquals(0, watches);
-    lookout.begin();
-    lookout.close();
-    lookout.close();
+    schedule.begin();
+    schedule.close();
+    schedule.close();
     assertEquals(0, watches);
-    lookout.begin();
+    schedule.begin();
     assertEquals(0, watches, "it is closed");
   }
 
   @Test
-  void closingEndsTheWait() throws InterruptedException {
-    Lookout lookout = begun(NEVER, NEVER);
-    Thread closer = new Thread(lookout::close);
+  void closingInterruptsAWaitingSearch() throws InterruptedException {
+    SearchSchedule schedule = begun(NEVER, NEVER);
+    Thread closer = new Thread(schedule::close);
     closer.start();
-    assertTrue(lookout.await(NEVER));
+    assertTrue(schedule.await(NEVER));
     closer.join();
   }
 }

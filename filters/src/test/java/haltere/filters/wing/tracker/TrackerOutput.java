@@ -20,8 +20,8 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 
-/** What a tracker has said; all of it are numbers. */
-final class Said implements WingListener {
+/** Recorded results of a tracker; checks that they are finite. */
+final class TrackerOutput implements WingListener {
   static final SensorGeometry SENSOR = new SensorGeometry(128, 128);
 
   final List<WingTrackerState> states = new ArrayList<>();
@@ -32,16 +32,16 @@ final class Said implements WingListener {
   FlyGeometry geometry;
   WingTracker tracker;
 
-  /** What a tracker with some settings says of events. */
-  static Said of(EventPacket events, WingTrackerSettings settings) {
-    Said said = new Said();
-    said.tracker = new WingTracker(SENSOR, settings, said);
-    said.tracker.track(events);
-    return said;
+  /** Output of a tracker with given settings on events. */
+  static TrackerOutput of(EventPacket events, WingTrackerSettings settings) {
+    TrackerOutput output = new TrackerOutput();
+    output.tracker = new WingTracker(SENSOR, settings, output);
+    output.tracker.track(events);
+    return output;
   }
 
-  /** What a tracker says with settings that differ from the defaults by assignments. */
-  static Said with(EventPacket events, String... assignments) {
+  /** Output of a tracker whose settings differ from the defaults by assignments. */
+  static TrackerOutput with(EventPacket events, String... assignments) {
     return of(events, WingTrackerSettings.defaults().with(assignments));
   }
 

@@ -12,7 +12,7 @@ import java.util.function.LongSupplier;
  * bytes by a pipe to a thread that stands for the emulated kernel, from there by a pipe to the
  * consumer's, which then counts for as long as the camera's works.
  */
-final class BareHandOver {
+final class HandOverBaseline {
   private static final int BYTES = 4000;
 
   private final Pipe toKernel = Pipe.open();
@@ -25,7 +25,7 @@ final class BareHandOver {
    *
    * @param workNanos how long the consumer works
    */
-  BareHandOver(LongSupplier workNanos) throws IOException {
+  HandOverBaseline(LongSupplier workNanos) throws IOException {
     this.workNanos = workNanos;
     start("bare-kernel", this::kernel);
     start("bare-consumer", this::consume);

@@ -12,7 +12,7 @@ import java.util.concurrent.TimeUnit;
  *
  * <p>Thread rule: one thread begins, waits and ends; {@link #close} from any.
  */
-final class Lookout implements AutoCloseable {
+final class SearchSchedule implements AutoCloseable {
   /**
    * Intervals of the search.
    *
@@ -21,7 +21,7 @@ final class Lookout implements AutoCloseable {
    */
   record Pace(long oftenNanos, long rarelyNanos) {
     /** Five times a second, or every two seconds. */
-    static final Pace USUAL =
+    static final Pace DEFAULT =
         new Pace(TimeUnit.MILLISECONDS.toNanos(200), TimeUnit.SECONDS.toNanos(2));
   }
 
@@ -37,7 +37,7 @@ final class Lookout implements AutoCloseable {
   private long nextNanos;
   private long oftenUntilNanos;
 
-  Lookout(UsbBus bus, Pace pace) {
+  SearchSchedule(UsbBus bus, Pace pace) {
     this.bus = bus;
     this.pace = pace;
   }
@@ -76,12 +76,12 @@ final class Lookout implements AutoCloseable {
       return false;
     }
     long now = System.nanoTime();
-    boolean often = now - oftenUntilNanos < 0 || !isTold();
+    boolean often = now - oftenUntilNanos < 0 || !isNotified();
     nextNanos = now + (often ? pace.oftenNanos : pace.rarelyNanos);
     return true;
   }
 
-  private synchronized boolean isTold() {
+  private synchronized boolean isNotified() {
     return watch.isPresent();
   }
 

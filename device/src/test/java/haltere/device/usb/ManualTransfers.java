@@ -6,15 +6,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** A device whose transfers end when a test says so, and how it says. */
-final class TransfersByHand implements UsbTransport {
+final class ManualTransfers implements UsbTransport {
   /** One of them. */
-  final class ByHand implements BulkTransfer {
+  final class ManualTransfer implements BulkTransfer {
     private final TransferListener listener;
     private ByteBuffer buffer;
     volatile int started;
     volatile boolean cancelled;
 
-    ByHand(TransferListener listener) {
+    ManualTransfer(TransferListener listener) {
       this.listener = listener;
     }
 
@@ -42,14 +42,14 @@ final class TransfersByHand implements UsbTransport {
     }
   }
 
-  final List<ByHand> transfers = new ArrayList<>();
+  final List<ManualTransfer> transfers = new ArrayList<>();
   boolean refusing;
   int freed;
   int haltsCleared;
 
   @Override
   public BulkTransfer prepare(int endpoint, TransferListener listener) {
-    ByHand fresh = new ByHand(listener);
+    ManualTransfer fresh = new ManualTransfer(listener);
     transfers.add(fresh);
     return fresh;
   }
@@ -83,7 +83,7 @@ final class TransfersByHand implements UsbTransport {
   }
 
   @Override
-  public byte[] ask(int request, int value, int index, int length) throws CameraProblem {
+  public byte[] query(int request, int value, int index, int length) throws CameraProblem {
     throw nothingToAsk();
   }
 

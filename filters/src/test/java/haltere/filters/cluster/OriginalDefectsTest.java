@@ -12,12 +12,12 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
-/** Where the trackers of 2007 and later do something else than they say, and this one does not. */
-class MendedSlipsTest {
+/** Defects of the trackers of 2007 and later that this one does not have. */
+class OriginalDefectsTest {
   private static final BlobPath STILL = new BlobPath(64, 64, 0, 1_000_000, 6);
 
   @Test
-  void theRateIsTheTrueOneNotHalfOfIt() {
+  void rateEqualsTheTrueRate() {
     ClusterTrack last =
         new ClusterRun().take(EventPackets.blob(SENSOR, 3, 1_000_000, STILL, 20_000, 0)).last();
     assertEquals(20_000, last.rateHz(), 1000);
@@ -25,7 +25,7 @@ class MendedSlipsTest {
   }
 
   @Test
-  void theRateDoesNotDependOnTheIntervalOfUpdates() {
+  void rateDoesNotDependOnTheUpdateInterval() {
     EventPacket events = EventPackets.blob(SENSOR, 4, 1_000_000, STILL, 20_000, 0);
     for (String interval : List.of("200", "1000", "50000")) {
       ClusterTrack last =
@@ -35,7 +35,7 @@ class MendedSlipsTest {
   }
 
   @Test
-  void simultaneousEventsCountAsManyOthersDo() {
+  void simultaneousEventsCountFully() {
     EventPacket together = new EventPacket(0);
     for (long timeUs = 0; timeUs <= 200_000; timeUs += 1000) {
       for (int i = 0; i < 10; i++) {
@@ -55,7 +55,7 @@ class MendedSlipsTest {
   }
 
   @Test
-  void aLongGapMakesNoRateNegative() {
+  void longGapMakesNoRateNegative() {
     EventPacket events = pixel(64, 64, 0, 200_000, 100);
     events.append(pixel(64, 64, 500_000, 700_000, 100), 0, 2000);
     ClusterRun run = new ClusterRun("life.lifetimeUs=1000000").take(events);
@@ -64,7 +64,7 @@ class MendedSlipsTest {
   }
 
   @Test
-  void frictionIsInItsUnit() {
+  void frictionHasItsUnit() {
     EventPacket events = EventPackets.blob(SENSOR, 5, 500_000, circle(), 20_000, 0);
     double free = speed(events, "motion.frictionTimeUs=0");
     double slowed = speed(events, "motion.frictionTimeUs=20000");
@@ -82,7 +82,7 @@ class MendedSlipsTest {
   }
 
   @Test
-  void anEventGoesToTheNearestClusterNotToOneWhoseCentreIsInItsCell() {
+  void eventIsAssignedToTheNearestClusterNotToThatOfItsCell() {
     // Centres 8 px apart, boxes of 7.68 px: the event in the middle of the second is in both.
     EventPacket events = new EventPacket(0);
     for (long timeUs = 0; timeUs < 100_000; timeUs += 200) {
@@ -134,7 +134,7 @@ class MendedSlipsTest {
   }
 
   @Test
-  void theAspectThatAdaptsIsThatOfTheHalfAxesAtOnce() {
+  void adaptedAspectAppliesToTheHalfAxesAtOnce() {
     EventPacket events = new EventPacket(0);
     for (long timeUs = 0; timeUs < 200_000; timeUs += 50) {
       events.append(timeUs, 58 + (int) (timeUs / 50 % 13), 64, true);
@@ -146,7 +146,7 @@ class MendedSlipsTest {
   }
 
   @Test
-  void theAngleOfOneClusterIsNotThatOfTheNextNewborn() {
+  void newClusterDoesNotInheritTheAngleOfAnother() {
     EventPacket diagonal = new EventPacket(0);
     for (long timeUs = 0; timeUs < 300_000; timeUs += 50) {
       int k = (int) (timeUs / 50 % 9) - 4;
@@ -161,7 +161,7 @@ class MendedSlipsTest {
   }
 
   @Test
-  void anEventAwayFromAllClustersIsNoProblemWhereOnlyEdgesMoveThem() {
+  void eventFarFromAllClustersIsHandledWithEdgeThickness() {
     EventPacket events = EventPackets.blob(SENSOR, 6, 200_000, STILL, 10_000, 1);
     ClusterRun run = new ClusterRun("events.edgeThickness=0.3", "output.maxClusters=1");
     run.take(events);
@@ -169,7 +169,7 @@ class MendedSlipsTest {
   }
 
   @Test
-  void aBirthDoesNotShortenThePredictionOfTheOthers() {
+  void birthDoesNotShortenThePredictionOfOthers() {
     EventPacket alone = EventPackets.blob(SENSOR, 7, 400_000, circle(), 20_000, 0);
     EventPacket noise = new EventPacket(0);
     for (long timeUs = 500; timeUs < 400_000; timeUs += 1000) {

@@ -11,11 +11,11 @@ import haltere.core.settings.Parameter;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** What holds for the sliders of every camera. */
-final class SliderLaw {
+/** Properties of the sliders of every camera. */
+final class SliderChecks {
   private static final int STEPS = 20;
 
-  private SliderLaw() {}
+  private SliderChecks() {}
 
   /**
    * Moves each slider from end to end: each bias only rises or only falls, stays in its range, and
