@@ -19,6 +19,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine;
+import picocli.CommandLine.Help;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Model.UsageMessageSpec;
 import picocli.CommandLine.ParameterException;
@@ -129,27 +130,28 @@ public final class HaltereProgram {
     return program
         .setExpandAtFiles(false)
         .setCaseInsensitiveEnumValuesAllowed(true)
-        .setColorScheme(CommandLine.Help.defaultColorScheme(coloured ? Ansi.ON : Ansi.OFF))
+        .setColorScheme(Help.defaultColorScheme(coloured ? Ansi.ON : Ansi.OFF))
         .setOut(new java.io.PrintWriter(surroundings.out(), true))
         .setErr(new java.io.PrintWriter(surroundings.err(), true))
         .setParameterExceptionHandler(this::wrongArguments)
         .setExecutionStrategy(HaltereProgram::executed)
-        .setExecutionExceptionHandler(this::failed);
+        .setExecutionExceptionHandler(
+            (problem, command, parsed) -> failed(problem, isDebug(command)));
   }
 
   /** Commands in groups, each with the first sentence of its description. */
-  private static String commandList(CommandLine.Help help) {
+  private static String commandList(Help help) {
     if (help.subcommands().isEmpty()) {
       return "";
     }
-    CommandLine.Help.TextTable table =
-        CommandLine.Help.TextTable.forColumnWidths(
+    Help.TextTable table =
+        Help.TextTable.forColumnWidths(
             help.colorScheme(), COMMAND_COLUMN, HELP_WIDTH - COMMAND_COLUMN);
     GROUPS.forEach(
         (group, names) -> {
           table.addRowValues(help.colorScheme().text("@|bold " + group + ":|@"));
           for (String name : names) {
-            CommandLine.Help command = help.subcommands().get(name);
+            Help command = help.subcommands().get(name);
             String[] description = command.commandSpec().usageMessage().description();
             table.addRowValues(
                 help.colorScheme().commandText("  " + name),
@@ -208,20 +210,19 @@ public final class HaltereProgram {
     if (isDebug(command)) {
       problem.printStackTrace(surroundings.err());
     }
+    String name = command.getCommandSpec().qualifiedName();
     String line = Failures.shortened(problem.getMessage().strip());
-    surroundings.err().print(command.getCommandSpec().qualifiedName() + ": " + line + "\n");
-    if (problem instanceof UnmatchedArgumentException unmatched && unmatched.isUnknownOption()) {
-      String similar = String.join(" or ", unmatched.getSuggestions());
-      surroundings.err().print(similar.isEmpty() ? "" : "Did you mean: " + similar + "?\n");
-    } else {
-      UnmatchedArgumentException.printSuggestions(problem, command.getErr());
+    if (problem instanceof UnmatchedArgumentException unmatched) {
+      boolean isCommand = command.getParent() == null && !unmatched.isUnknownOption();
+      line = isCommand ? "there is no command " + unmatched.getUnmatched().get(0) : line;
+      String before = isCommand ? name + " " : "";
+      String similar = String.join(" or " + before, unmatched.getSuggestions());
+      line += similar.isEmpty() ? "" : "\nDid you mean: " + before + similar + "?";
     }
-    command.usage(command.getErr());
+    Help help = command.getHelp();
+    String usage = help.synopsisHeading() + help.synopsis(help.synopsisHeadingLength());
+    surroundings.err().print("%s: %s\n%sMore: %s --help\n".formatted(name, line, usage, name));
     return Subcommand.WRONG_ARGUMENTS;
-  }
-
-  private int failed(Exception problem, CommandLine command, ParseResult parsed) {
-    return failed(problem, isDebug(command));
   }
 
   private int failed(Throwable problem, boolean debug) {

@@ -53,6 +53,7 @@ class BadInputTest {
       assertTrue(line.contains(word.toString()), () -> "no \"" + word + "\" in: " + line);
     }
     assertTrue(run.err().contains("Usage: haltere"), run.err());
+    assertTrue(run.err().endsWith(" --help\n"), run.err());
     assertFalse(run.err().contains("\tat "), run.err());
     assertEquals("", run.out());
   }

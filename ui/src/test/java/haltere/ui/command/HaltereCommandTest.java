@@ -171,7 +171,8 @@ class HaltereCommandTest {
   void misspelledCommandOrOptionIsCorrectedInTheMessage() {
     CommandRun command = CommandRun.of("trak");
     assertEquals(2, command.status());
-    assertTrue(command.err().contains("Did you mean: ") && command.err().contains("haltere track"));
+    assertTrue(command.err().contains("\nDid you mean: haltere track?\n"), command.err());
+    assertTrue(command.err().startsWith("haltere: there is no command "), command.err());
     CommandRun option = CommandRun.of("info", "--jsn", "x.aedat");
     assertEquals(2, option.status());
     assertTrue(option.err().contains("Did you mean: --json?"), option.err());
