@@ -95,7 +95,7 @@ public final class RoadMapping implements PlaneMapping {
 
   /** δ √(h² + d²). */
   private double metresPerColumn(double distanceM) {
-    return pixelAngle * Math.hypot(heightM, distanceM);
+    return pixelAngle * Math.sqrt(heightM * heightM + distanceM * distanceM);
   }
 
   private double angle(double yPx) {
