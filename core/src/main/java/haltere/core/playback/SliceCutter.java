@@ -12,6 +12,7 @@ final class SliceCutter {
   static final long NO_POSITION = Long.MAX_VALUE;
 
   private final PlaybackClock clock;
+  private final boolean hasEvents;
   private Slicing slicing;
   private Loop loop;
 
@@ -35,10 +36,14 @@ final class SliceCutter {
   private long countLeft;
   private long lastFed;
 
-  /** Starts at position 0; of the clock only the speed is used. */
-  SliceCutter(PlaybackClock clock, Slicing slicing, Loop loop) {
+  /**
+   * Starts at position 0; of the clock only the speed is used. Without events, slices by count are
+   * the default ones.
+   */
+  SliceCutter(PlaybackClock clock, Slicing slicing, Loop loop, boolean hasEvents) {
     this.clock = clock;
-    this.slicing = slicing;
+    this.hasEvents = hasEvents;
+    setSlicing(slicing);
     setLoop(loop);
   }
 
@@ -46,7 +51,8 @@ final class SliceCutter {
 
   /** Changes the slicing, also of an open slice that has not begun. */
   void setSlicing(Slicing newSlicing) {
-    slicing = newSlicing;
+    boolean isCountable = hasEvents || !(newSlicing instanceof Slicing.ByCount);
+    slicing = isCountable ? newSlicing : PlayerOptions.defaults().slicing();
     keepGridTo = NO_POSITION;
     reopen();
   }
@@ -232,7 +238,14 @@ final class SliceCutter {
     countLeft -= count;
   }
 
-  /** Position just after the last event that was passed on. */
+  /** Notes a sample that is passed on: without events, samples are what a slice ends after. */
+  void handOverSample(long elapsedUs) {
+    if (!hasEvents) {
+      lastFed = elapsedUs;
+    }
+  }
+
+  /** Position just after the last event that was passed on, or the last sample without events. */
   long afterLast() {
     return lastFed + 1;
   }
