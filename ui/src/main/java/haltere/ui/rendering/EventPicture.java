@@ -98,6 +98,11 @@ public final class EventPicture implements StreamHandler {
     return gathered != null && style.mode() == DisplayMode.COUNTS ? gathered.fullCount() : 0;
   }
 
+  /** Whether no pixel of the last picture flickers, in the style that shows it. */
+  public boolean isWithoutFlicker() {
+    return gathered != null && gathered.isEmpty();
+  }
+
   /**
    * Frequency at which a pixel flickers, rows upwards, hertz; NaN where none is known, and for
    * styles that do not show frequencies.

@@ -20,6 +20,8 @@ final class FrequencyPicture implements Gathered {
   /** Ranked colour of a period by the first bits of its number; at 0 that of the background. */
   private final int[] table;
 
+  private boolean isEmpty = true;
+
   FrequencyPicture(SensorGeometry geometry, PictureStyle style) {
     this.geometry = geometry;
     FrequencyMapSettings settings = FrequencyMapSettings.defaults();
@@ -67,16 +69,24 @@ final class FrequencyPicture implements Gathered {
   }
 
   @Override
+  public boolean isEmpty() {
+    return isEmpty;
+  }
+
+  @Override
   public void paint(long nowUs, int[] ranked) {
     int width = geometry.width();
     int height = geometry.height();
+    boolean any = false;
     for (int y = 0; y < height; y++) {
       int to = (height - 1 - y) * width;
       for (int x = 0; x < width; x++) {
         float periodUs = map.periodUs(x, y, nowUs);
         int entry = periodUs == 0 ? 0 : Math.max(0, bits(periodUs) - firstEntry) + 1;
         ranked[to + x] = table[Math.min(entry, table.length - 1)];
+        any |= entry > 0;
       }
     }
+    isEmpty = !any;
   }
 }

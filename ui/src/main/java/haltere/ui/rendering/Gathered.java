@@ -37,6 +37,11 @@ interface Gathered {
     return 0;
   }
 
+  /** Whether the last picture was the background alone, where a person asks why. */
+  default boolean isEmpty() {
+    return false;
+  }
+
   /** Paints row by row from the top, with ranks in place of opacity. */
   void paint(long nowUs, int[] ranked);
 }

@@ -355,7 +355,7 @@ public final class PictureMaker {
     return switch (style.mode()) {
       case COUNTS -> Texts.digits(events.fullCount()) + " events";
       case TIME_SURFACE -> Texts.duration(style.longestUs()) + " ago";
-      case FREQUENCY -> "1 kHz";
+      case FREQUENCY -> "1 kHz" + (events.isWithoutFlicker() ? ", no pixel flickers" : "");
       default -> "";
     };
   }
