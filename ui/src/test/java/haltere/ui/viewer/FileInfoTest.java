@@ -16,7 +16,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
-import javafx.scene.Node;
 import javafx.scene.control.ChoiceBox;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -45,7 +44,7 @@ class FileInfoTest {
   }
 
   private boolean seesBanner() {
-    return viewer.onFx(viewer.node("warnings", Node.class)::isVisible);
+    return viewer.isThere("warnings");
   }
 
   /** Events in the corner of a sensor of a size that the file does not state. */
@@ -101,9 +100,7 @@ class FileInfoTest {
   void anUnknownCameraIsAskedWithTheGuessFirstAndRemembered() throws IOException {
     Path file = withoutSensor();
     viewer.openRecording(file);
-    viewer.waitFor(
-        "the question",
-        () -> viewer.onFx(viewer.node("camera-use", Node.class)::isVisible) && seesBanner());
+    viewer.waitFor("the question", () -> viewer.isThere("camera-use"));
     ChoiceBox<?> sizes = viewer.node("camera-choice", ChoiceBox.class);
     viewer.waitFor("choices", () -> viewer.onFx(() -> sizes.getItems().size()) > 3);
     assertTrue(viewer.onFx(() -> words(sizes)).startsWith("240 \u00d7 180"));
