@@ -93,6 +93,7 @@ final class FilterTables extends VBox {
     ColumnConstraints names = new ColumnConstraints();
     names.setHgrow(Priority.ALWAYS);
     names.setMinWidth(NAME_WIDTH);
+    names.setPrefWidth(NAME_WIDTH);
     return List.of(names, new ColumnConstraints(NUMBER_WIDTH), new ColumnConstraints());
   }
 
@@ -111,7 +112,7 @@ final class FilterTables extends VBox {
   }
 
   private Node states(WingFilterState f) {
-    GridPane grid = new GridPane(6, 3);
+    GridPane grid = new GridPane(4, 3);
     grid.getColumnConstraints().addAll(columns());
     grid.getColumnConstraints().add(new ColumnConstraints(NUMBER_WIDTH));
     grid.addRow(0, heading("State"), heading("x"), heading("\u00b1 SD"), heading("Q"));
@@ -170,7 +171,7 @@ final class FilterTables extends VBox {
   }
 
   private Node covariance(int chosen) {
-    GridPane grid = new GridPane(6, 3);
+    GridPane grid = new GridPane(4, 3);
     grid.getColumnConstraints().addAll(columns());
     grid.addRow(0, heading("State"), heading("P"), heading("Correlation"));
     for (int i = 0; i < shown.names().size(); i++) {
