@@ -90,10 +90,8 @@ final class FilterTables extends VBox {
 
   /** Columns of names, of entries and of what follows from them. */
   private static List<ColumnConstraints> columns() {
-    ColumnConstraints names = new ColumnConstraints();
+    ColumnConstraints names = new ColumnConstraints(NAME_WIDTH, NAME_WIDTH, Double.MAX_VALUE);
     names.setHgrow(Priority.ALWAYS);
-    names.setMinWidth(NAME_WIDTH);
-    names.setPrefWidth(NAME_WIDTH);
     return List.of(names, new ColumnConstraints(NUMBER_WIDTH), new ColumnConstraints());
   }
 
