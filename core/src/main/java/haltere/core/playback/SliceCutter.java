@@ -57,11 +57,17 @@ final class SliceCutter {
     reopen();
   }
 
-  /** Changes the loop. An out point before the present position is ignored. */
+  /**
+   * Changes the loop. An out point before the present position is ignored; at an out point just
+   * behind the displayed slice, playback continues at the in point.
+   */
   void setLoop(Loop newLoop) {
     loop = newLoop;
-    long out = loop.on() ? loop.outUs().orElse(NO_POSITION) : NO_POSITION;
-    outPoint = position < out ? out : NO_POSITION;
+    outPoint = position <= outOfLoop() ? outOfLoop() : NO_POSITION;
+  }
+
+  private long outOfLoop() {
+    return loop.on() ? loop.outUs().orElse(NO_POSITION) : NO_POSITION;
   }
 
   /** Cuts an open slice that has not begun again. */
@@ -111,7 +117,7 @@ final class SliceCutter {
     keepGridTo = NO_POSITION;
     repeats = false;
     slicesSinceMove = 0;
-    setLoop(loop);
+    outPoint = position < outOfLoop() ? outOfLoop() : NO_POSITION;
   }
 
   /** The next slice is one that was shown before, independent of the present slicing. */
