@@ -247,7 +247,10 @@ public final class PlaybackController {
             });
   }
 
-  /** Puts the loop's end behind what is shown; a start behind it is dropped. */
+  /**
+   * Puts the loop's end behind what is shown, where playback goes back to its start; a start behind
+   * the end is dropped.
+   */
   public void markOut() {
     status()
         .ifPresent(
@@ -255,6 +258,9 @@ public final class PlaybackController {
               long outUs = Math.max(1, now.elapsedUs() + now.sliceUs());
               OptionalLong in = loop.get().inUs().stream().filter(us -> us < outUs).findFirst();
               setLoop(new Loop(true, in, OptionalLong.of(outUs)));
+              if (now.state() == PlayerStatus.State.PLAYING) {
+                rewind();
+              }
             });
   }
 
