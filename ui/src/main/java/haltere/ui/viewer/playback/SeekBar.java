@@ -382,6 +382,7 @@ public final class SeekBar extends Region {
     drawRates(over, columns, ink.played());
     graphics.setFill(ink.mark());
     drawTicks(graphics, width);
+    double namedTo = 0;
     for (Mark mark : marks) {
       if (!isInView(mark.elapsedUs())) {
         continue;
@@ -389,7 +390,10 @@ public final class SeekBar extends Region {
       double x = Math.rint(xOf(mark.elapsedUs()));
       graphics.fillPolygon(new double[] {x - 4, x + 4, x}, new double[] {0, 0, 7}, 3);
       graphics.fillRect(x - 0.5, 0, 1, height);
-      graphics.fillText(mark.name(), x + 5, 11, MARK_NAME_WIDTH);
+      if (x >= namedTo) {
+        graphics.fillText(mark.name(), x + 5, 11, MARK_NAME_WIDTH);
+        namedTo = x + 5 + Math.min(MARK_NAME_WIDTH, mark.name().length() * DIGIT_WIDTH);
+      }
     }
   }
 
