@@ -51,14 +51,14 @@ final class DisplayFeature implements ViewerFeature {
     keep("showAs", shown, List.of(DisplayMode.values()), DisplayMode::words);
     offer(
         "colours",
-        "Colours of polarity",
+        "Colours/Polarity",
         "coloursOfPolarity",
         display.coloursProperty(),
         ColourMap.all(),
         ColourMap::name);
     offer(
         "gradient",
-        "Colours of age and count",
+        "Colours/Age and count",
         "coloursOfAgeAndCount",
         display.gradientProperty(),
         Gradient.all(),

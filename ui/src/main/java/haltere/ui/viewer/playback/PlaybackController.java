@@ -147,7 +147,13 @@ public final class PlaybackController {
             ? Double.POSITIVE_INFINITY
             : Math.max(PlaybackClock.MIN_SPEED, wanted));
     restartReverse();
-    player.ifPresent(open -> report(open.setSpeed(speed.get())));
+    boolean live = isLive();
+    player.map(open -> open.setSpeed(speed.get())).filter(done -> !live).ifPresent(this::report);
+  }
+
+  /** Whether events come at their own time, at no speed of playback. */
+  public boolean isLive() {
+    return player.filter(open -> open.playable().isLive()).isPresent();
   }
 
   /** The next higher of the speeds that are offered. */

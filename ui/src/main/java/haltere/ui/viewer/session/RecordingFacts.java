@@ -60,13 +60,6 @@ public record RecordingFacts(
   private static final Set<Trigger.Source> FRAME_TIMING =
       Set.of(Trigger.Source.EXPOSURE, Trigger.Source.FRAME_READOUT);
 
-  /** Copies the lists. */
-  public RecordingFacts {
-    triggers = List.copyOf(triggers);
-    signals = List.copyOf(signals);
-    frames = List.copyOf(frames);
-  }
-
   /** Reads a recording from its start to its end; background thread. */
   public static RecordingFacts scan(Path file, ReadOptions options) throws IOException {
     try (RecordingReader reader = Recordings.open(file, options.withSamples(true))) {
@@ -82,9 +75,9 @@ public record RecordingFacts(
           reader.clock(),
           reader.compression(),
           reader.metadata(),
-          moments.triggers,
-          moments.signals,
-          moments.frames,
+          List.copyOf(moments.triggers),
+          List.copyOf(moments.signals),
+          List.copyOf(moments.frames),
           moments.usedBits,
           assumedSensor(reader, options));
     }

@@ -22,6 +22,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import javafx.scene.control.MenuButton;
 import javafx.scene.control.ToggleButton;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -143,6 +144,19 @@ class CameraFeatureTest {
       assertEquals("0.3 ln", metadata.get("camera.bias.threshold"));
       assertTrue(metadata.get("chain").contains("object-tracker"), metadata.toString());
       assertTrue(metadata.containsKey("clockOffsetUs"));
+    }
+  }
+
+  @Test
+  void aCameraHasNoSpeedAndTheOneAfterTheFlySceneIsNotAnError() {
+    try (ViewerHarness harness = new ViewerHarness()) {
+      harness.run(() -> harness.window.context().actions().run("scene-rendered-fly"));
+      harness.waitFor(
+          "slow motion", () -> harness.window.context().playback().speedProperty().get() < 0.1);
+      openFly(harness);
+      harness.waitFor("no speed", () -> harness.node("speed", MenuButton.class).isDisabled());
+      assertEquals(1.0, harness.window.context().playback().speedProperty().get());
+      assertFalse(harness.isThere("dismiss"), () -> harness.text("status-message"));
     }
   }
 
