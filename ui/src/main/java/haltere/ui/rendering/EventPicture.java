@@ -111,9 +111,9 @@ public final class EventPicture implements StreamHandler {
     return gathered == null ? Double.NaN : gathered.frequencyHz(x, y, frame.nowUs());
   }
 
-  /** How far back events matter to a style beyond their fading, microseconds. */
-  public long memoryUs() {
-    return gathered == null ? 0 : gathered.memoryUs();
+  /** How far back events matter to a mode beyond their fading, microseconds. */
+  public static long memoryUs(DisplayMode mode) {
+    return mode == DisplayMode.FREQUENCY ? FrequencyPicture.MEMORY_US : 0;
   }
 
   /**

@@ -10,6 +10,10 @@ import haltere.filters.frequency.FrequencyMapSettings;
  * the map tells.
  */
 final class FrequencyPicture implements Gathered {
+  /** How far back events matter, microseconds. */
+  static final long MEMORY_US =
+      new FrequencyMap(new SensorGeometry(1, 1), FrequencyMapSettings.defaults()).memoryUs();
+
   /** Bits of a period's mantissa that make entries of the table: 128 in each octave. */
   private static final int MANTISSA_SHIFT = 16;
 
@@ -56,11 +60,6 @@ final class FrequencyPicture implements Gathered {
   @Override
   public void clear() {
     map.reset();
-  }
-
-  @Override
-  public long memoryUs() {
-    return map.memoryUs();
   }
 
   @Override

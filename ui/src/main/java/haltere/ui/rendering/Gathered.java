@@ -22,11 +22,6 @@ interface Gathered {
     // most do not smooth
   }
 
-  /** How far back events matter beyond their fading, microseconds. */
-  default long memoryUs() {
-    return 0;
-  }
-
   /** Frequency of a pixel in hertz, NaN where none is known. */
   default double frequencyHz(int x, int y, long nowUs) {
     return Double.NaN;

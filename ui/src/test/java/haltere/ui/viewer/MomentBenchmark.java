@@ -23,6 +23,7 @@ import haltere.ui.rendering.Gradient;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.DisplaySink;
 import haltere.ui.viewer.picture.Overlays;
+import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.Semaphore;
@@ -30,7 +31,8 @@ import java.util.function.Function;
 
 /**
  * Prints how long a pause takes to show a change, and a jump to show its moment: from the request
- * until the picture has been painted, with the chains that the buttons of the viewer make.
+ * until the picture has been painted, with the chains that the buttons of the viewer make, and the
+ * CPU time of the chain meanwhile.
  */
 public final class MomentBenchmark implements AutoCloseable {
   private static final int RUNS = 15;
@@ -106,12 +108,27 @@ public final class MomentBenchmark implements AutoCloseable {
 
   private void print(String what, Runnable... changes) {
     double[] millis = new double[RUNS];
+    double[] cpuMillis = new double[RUNS];
     for (int run = 0; run < RUNS; run++) {
+      double before = cpuMillis();
       millis[run] = measure(changes[run % changes.length]);
+      cpuMillis[run] = cpuMillis() - before;
     }
     Arrays.sort(millis);
+    Arrays.sort(cpuMillis);
     System.out.printf(
-        "  %-28s median %6.0f ms, longest %6.0f ms%n", what, millis[RUNS / 2], millis[RUNS - 1]);
+        "  %-28s median %5.0f ms, longest %5.0f ms; CPU median %5.0f ms, longest %5.0f ms%n",
+        what, millis[RUNS / 2], millis[RUNS - 1], cpuMillis[RUNS / 2], cpuMillis[RUNS - 1]);
+  }
+
+  /** CPU time of the thread of the chain, which does not depend on other programs. */
+  private static double cpuMillis() {
+    return Thread.getAllStackTraces().keySet().stream()
+            .filter(thread -> thread.getName().equals("haltere-player"))
+            .mapToLong(
+                thread -> ManagementFactory.getThreadMXBean().getThreadCpuTime(thread.getId()))
+            .sum()
+        * 1e-6;
   }
 
   private void show(DisplayMode mode) {
