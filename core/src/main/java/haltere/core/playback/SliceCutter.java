@@ -103,9 +103,12 @@ final class SliceCutter {
     return loop.on() ? loop.inUs().orElse(0) : 0;
   }
 
-  /** Whether playback starts again at the end: not if no slice lies between in and out. */
+  /**
+   * Whether playback starts again at the end: not if no slice lies between in and out, nor if there
+   * is a single moment to repeat.
+   */
   boolean loops() {
-    return loop.on() && slicesSinceMove > 0;
+    return loop.on() && slicesSinceMove > 0 && position > inPoint() + 1;
   }
 
   // ---- Where

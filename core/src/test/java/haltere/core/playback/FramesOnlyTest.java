@@ -60,10 +60,14 @@ class FramesOnlyTest {
 
   @BeforeEach
   void write() throws IOException {
-    file = folder.resolve("frames.aedat4");
+    write(FRAMES);
+  }
+
+  private void write(int frames) throws IOException {
+    file = folder.resolve(frames + "-frames.aedat4");
     WriteOptions options = WriteOptions.of(SENSOR).withSamples(EnumSet.of(SampleKind.FRAME));
     try (RecordingWriter writer = Aedat4Writer.create(file, options, Aedat4Compression.NONE)) {
-      for (int i = 0; i < FRAMES; i++) {
+      for (int i = 0; i < frames; i++) {
         long timeUs = FIRST_US + i * BETWEEN_US;
         Frame.Times times = new Frame.Times(timeUs, timeUs + 1000);
         byte[] rows = new byte[SENSOR.pixels()];
@@ -119,6 +123,18 @@ class FramesOnlyTest {
         List.of("frame 0", "16", "33", "frame 1", "50", "66", "frame 2", "83", "100"),
         log.take().subList(0, 9));
     assertTrue(rig.clock.getAsLong() >= 150_000_000, "played at its speed");
+  }
+
+  @Test
+  void aSingleFrameIsShownAndNotRepeated() throws IOException {
+    write(1);
+    Log log = new Log();
+    EngineRig rig = rig(log);
+    rig.ask(new PlaybackCommand.SetLoop(Loop.ALL));
+    rig.ask(new PlaybackCommand.Play(true));
+    rig.run();
+    assertEquals(List.of("frame 0", "0"), log.take());
+    assertEquals(PlayerStatus.State.ENDED, rig.engine.status().state());
   }
 
   @Test
