@@ -34,8 +34,8 @@ public final class PanelLayout extends SplitPane {
   /** How much a panel grows at a time, as a share of what it is a part of. */
   private static final double PANEL_STEP = 0.05;
 
-  /** Width of the side until somebody changes it, pixels. */
-  private static final double SIDE_PX = 336;
+  /** Where the side begins until somebody changes it, a share of the width. */
+  private static final double SIDE_SHARE = 0.72;
 
   private static final double BELOW_SHARE = 0.6;
   private static final double BESIDE_SHARE = 0.55;
@@ -76,7 +76,7 @@ public final class PanelLayout extends SplitPane {
   }
 
   private void keep(UserSettings settings, String name, SplitPane pane) {
-    DoubleProperty share = new SimpleDoubleProperty(pane == this ? SIDE_PX : -1);
+    DoubleProperty share = new SimpleDoubleProperty(pane == this ? SIDE_SHARE : -1);
     settings.keep(name, share, value -> value, value -> ((Number) value).doubleValue());
     InvalidationListener keeper =
         observed -> {
