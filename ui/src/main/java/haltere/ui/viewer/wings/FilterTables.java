@@ -74,6 +74,8 @@ final class FilterTables extends VBox {
             "State whose column of the covariance is shown",
             first.names(),
             name -> name);
+    // its longest name would be wider than the tables
+    column.setPrefWidth(2 * NUMBER_WIDTH);
     column.getSelectionModel().select(0);
     column.setOnAction(event -> showColumn());
     FlowPane title = new FlowPane(6, 0, heading("Covariance P with"), column);
