@@ -196,6 +196,16 @@ final class PartsReader implements RecordingReader {
     return pieces().stream().map(PartsReader::span).toList();
   }
 
+  @Override
+  public boolean hasEvents() throws IOException {
+    for (RecordingReader part : parts) {
+      if (part.hasEvents()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   private static TimeSegment span(List<Piece> pieces) {
     return new TimeSegment(
         pieces.get(0).times.firstUs(), pieces.get(pieces.size() - 1).times.lastUs());

@@ -129,6 +129,16 @@ public interface RecordingReader extends EventSource {
   List<TimeSegment> segments() throws IOException;
 
   /**
+   * Whether there are events. The first call may read the whole file.
+   *
+   * @return false if there are only samples, or nothing
+   * @throws IOException if the file can no longer be read
+   */
+  default boolean hasEvents() throws IOException {
+    return true;
+  }
+
+  /**
    * Continues at the first event at or after a time within a segment; after the segment's end that
    * is the start of the next. The next element is a {@code Reset(SEEK)} (before the first call of
    * {@link #next}, the start of the stream). May be called after the end of the stream, which then

@@ -52,6 +52,16 @@ public interface Playable extends EventSource {
   }
 
   /**
+   * Whether there are events to count. Without any, slices by count are cut by time. From any
+   * thread.
+   *
+   * @return false if only samples are played
+   */
+  default boolean hasEvents() {
+    return true;
+  }
+
+  /**
    * Earliest position that {@link #seek} can reach at once. From any thread.
    *
    * @return microseconds; 0 where nothing is discarded

@@ -59,7 +59,7 @@ final class PlaybackEngine {
     live = playable.isLive();
     clock.setSpeed(live ? Double.POSITIVE_INFINITY : speed);
     pace = new PlaybackPace(clock, new PlaybackMeter(chain, cursor, options.nanoTime()));
-    slices = new SliceCutter(clock, options.slicing(), options.loop());
+    slices = new SliceCutter(clock, options.slicing(), options.loop(), playable.hasEvents());
     State state = options.paused() ? State.PAUSED : State.PLAYING;
     board = new StatusBoard(playable, slices, pace, counters, state);
     runner =

@@ -26,6 +26,7 @@ public final class RecordingPlayable implements Playable {
   private final List<TimeSegment> segments;
   private final long[] startsUs;
   private final long durationUs;
+  private final boolean hasEvents;
   private int current;
 
   /**
@@ -45,6 +46,7 @@ public final class RecordingPlayable implements Playable {
       start += segments.get(i).durationUs() + 1;
     }
     durationUs = start;
+    hasEvents = reader.hasEvents();
   }
 
   /**
@@ -69,6 +71,11 @@ public final class RecordingPlayable implements Playable {
   @Override
   public OptionalLong durationUs() {
     return OptionalLong.of(durationUs);
+  }
+
+  @Override
+  public boolean hasEvents() {
+    return hasEvents;
   }
 
   @Override

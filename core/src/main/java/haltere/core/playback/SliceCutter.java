@@ -12,6 +12,7 @@ final class SliceCutter {
   static final long NO_POSITION = Long.MAX_VALUE;
 
   private final PlaybackClock clock;
+  private final boolean hasEvents;
   private Slicing slicing;
   private Loop loop;
 
@@ -35,10 +36,14 @@ final class SliceCutter {
   private long countLeft;
   private long lastFed;
 
-  /** Starts at position 0; of the clock only the speed is used. */
-  SliceCutter(PlaybackClock clock, Slicing slicing, Loop loop) {
+  /**
+   * Starts at position 0; of the clock only the speed is used. Without events, slices by count are
+   * the default ones.
+   */
+  SliceCutter(PlaybackClock clock, Slicing slicing, Loop loop, boolean hasEvents) {
     this.clock = clock;
-    this.slicing = slicing;
+    this.hasEvents = hasEvents;
+    setSlicing(slicing);
     setLoop(loop);
   }
 
@@ -46,16 +51,23 @@ final class SliceCutter {
 
   /** Changes the slicing, also of an open slice that has not begun. */
   void setSlicing(Slicing newSlicing) {
-    slicing = newSlicing;
+    boolean isCountable = hasEvents || !(newSlicing instanceof Slicing.ByCount);
+    slicing = isCountable ? newSlicing : PlayerOptions.defaults().slicing();
     keepGridTo = NO_POSITION;
     reopen();
   }
 
-  /** Changes the loop. An out point before the present position is ignored. */
+  /**
+   * Changes the loop. An out point before the present position is ignored; at an out point just
+   * behind the displayed slice, playback continues at the in point.
+   */
   void setLoop(Loop newLoop) {
     loop = newLoop;
-    long out = loop.on() ? loop.outUs().orElse(NO_POSITION) : NO_POSITION;
-    outPoint = position < out ? out : NO_POSITION;
+    outPoint = position <= outOfLoop() ? outOfLoop() : NO_POSITION;
+  }
+
+  private long outOfLoop() {
+    return loop.on() ? loop.outUs().orElse(NO_POSITION) : NO_POSITION;
   }
 
   /** Cuts an open slice that has not begun again. */
@@ -91,9 +103,12 @@ final class SliceCutter {
     return loop.on() ? loop.inUs().orElse(0) : 0;
   }
 
-  /** Whether playback starts again at the end: not if no slice lies between in and out. */
+  /**
+   * Whether playback starts again at the end: not if no slice lies between in and out, nor if there
+   * is a single moment to repeat.
+   */
   boolean loops() {
-    return loop.on() && slicesSinceMove > 0;
+    return loop.on() && slicesSinceMove > 0 && position > inPoint() + 1;
   }
 
   // ---- Where
@@ -105,7 +120,7 @@ final class SliceCutter {
     keepGridTo = NO_POSITION;
     repeats = false;
     slicesSinceMove = 0;
-    setLoop(loop);
+    outPoint = position < outOfLoop() ? outOfLoop() : NO_POSITION;
   }
 
   /** The next slice is one that was shown before, independent of the present slicing. */
@@ -231,7 +246,14 @@ final class SliceCutter {
     countLeft -= count;
   }
 
-  /** Position just after the last event that was passed on. */
+  /** Notes a sample that is passed on: without events, samples are what a slice ends after. */
+  void handOverSample(long elapsedUs) {
+    if (!hasEvents) {
+      lastFed = elapsedUs;
+    }
+  }
+
+  /** Position just after the last event that was passed on, or the last sample without events. */
   long afterLast() {
     return lastFed + 1;
   }

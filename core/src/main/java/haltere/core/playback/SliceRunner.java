@@ -359,6 +359,7 @@ final class SliceRunner {
   private void feed(SourceCursor.Ahead ahead) {
     if (ahead == SourceCursor.Ahead.SAMPLE) {
       if (slices.byCount() || cursor.sampleElapsedUs() < slices.toUs()) {
+        slices.handOverSample(cursor.sampleElapsedUs());
         runner.sample(cursor.takeSample());
       } else {
         endSlice(slices.toUs());

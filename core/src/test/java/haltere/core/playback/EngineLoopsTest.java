@@ -82,6 +82,20 @@ class EngineLoopsTest {
   }
 
   @Test
+  void outPointBehindTheDisplayedSliceStartsTheLoop() throws IOException {
+    EngineRig rig = new EngineRig(recording(even(6)), byTime(20).withPaused(true));
+    rig.run();
+    rig.ask(new PlaybackCommand.Step(1));
+    rig.run();
+    rig.log.take();
+    rig.ask(new PlaybackCommand.SetLoop(Loop.between(10, 40)));
+    rig.ask(new PlaybackCommand.Step(2));
+    rig.run();
+    assertEquals(
+        List.of("Reset REWIND", "[1010,1030) [1010, 1020]", "[1030,1040) [1030]"), rig.log.take());
+  }
+
+  @Test
   void loopWithoutEventsEnds() throws IOException {
     EngineRig rig = new EngineRig(recording(), byTime(20).withLoop(Loop.ALL)).run();
     assertEquals(List.of("StreamStarted", "EndOfStream"), rig.log.take());

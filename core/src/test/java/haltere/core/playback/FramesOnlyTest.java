@@ -60,10 +60,14 @@ class FramesOnlyTest {
 
   @BeforeEach
   void write() throws IOException {
-    file = folder.resolve("frames.aedat4");
+    write(FRAMES);
+  }
+
+  private void write(int frames) throws IOException {
+    file = folder.resolve(frames + "-frames.aedat4");
     WriteOptions options = WriteOptions.of(SENSOR).withSamples(EnumSet.of(SampleKind.FRAME));
     try (RecordingWriter writer = Aedat4Writer.create(file, options, Aedat4Compression.NONE)) {
-      for (int i = 0; i < FRAMES; i++) {
+      for (int i = 0; i < frames; i++) {
         long timeUs = FIRST_US + i * BETWEEN_US;
         Frame.Times times = new Frame.Times(timeUs, timeUs + 1000);
         byte[] rows = new byte[SENSOR.pixels()];
@@ -78,7 +82,10 @@ class FramesOnlyTest {
   }
 
   private EngineRig rig(Log log) throws IOException {
-    Slicing slicing = new Slicing.ByTime(20_000);
+    return rig(log, new Slicing.ByTime(20_000));
+  }
+
+  private EngineRig rig(Log log, Slicing slicing) throws IOException {
     EngineRig rig =
         new EngineRig(playable(), PlayerOptions.defaults().withSlicing(slicing).withPaused(true));
     rig.ask(new PlaybackCommand.AddSink(log, false));
@@ -104,6 +111,42 @@ class FramesOnlyTest {
             "160", "frame 4"),
         log.take().subList(0, 13));
     assertTrue(rig.clock.getAsLong() >= 150_000_000, "played at its speed");
+  }
+
+  @Test
+  void framesComeAtTheirTimeWhereEventsAreToBeCounted() throws IOException {
+    Log log = new Log();
+    EngineRig rig = rig(log, new Slicing.ByCount(5_000));
+    rig.ask(new PlaybackCommand.Play(true));
+    rig.run();
+    assertEquals(
+        List.of("frame 0", "16", "33", "frame 1", "50", "66", "frame 2", "83", "100"),
+        log.take().subList(0, 9));
+    assertTrue(rig.clock.getAsLong() >= 150_000_000, "played at its speed");
+  }
+
+  @Test
+  void aSingleFrameIsShownAndNotRepeated() throws IOException {
+    write(1);
+    Log log = new Log();
+    EngineRig rig = rig(log);
+    rig.ask(new PlaybackCommand.SetLoop(Loop.ALL));
+    rig.ask(new PlaybackCommand.Play(true));
+    rig.run();
+    assertEquals(List.of("frame 0", "0"), log.take());
+    assertEquals(PlayerStatus.State.ENDED, rig.engine.status().state());
+  }
+
+  @Test
+  void theLastFrameEndsItsSlice() throws IOException {
+    Log log = new Log();
+    EngineRig rig = rig(log);
+    rig.ask(new PlaybackCommand.Seek(150_000));
+    rig.run();
+    rig.ask(new PlaybackCommand.Step(1));
+    rig.run();
+    assertEquals(List.of("frame 4", "160"), log.take());
+    assertEquals((FRAMES - 1) * BETWEEN_US + 1, rig.engine.status().elapsedUs());
   }
 
   @Test

@@ -239,6 +239,9 @@ public final class FrequencyMap {
     /** The period in microseconds, 0 if it is unknown. */
     float periodUs(int place, long nowUs) {
       int at = STRIDE * place;
+      if (state[at + FOUND] == NEVER_US) {
+        return 0;
+      }
       float periodUs = state[at + PERIOD] * 1e-3f;
       return nowUs - state[at + FOUND] <= MAX_SILENT_PERIODS * periodUs ? periodUs : 0;
     }

@@ -98,6 +98,11 @@ public final class EventPicture implements StreamHandler {
     return gathered != null && style.mode() == DisplayMode.COUNTS ? gathered.fullCount() : 0;
   }
 
+  /** Whether no pixel of the last picture flickers, in the style that shows it. */
+  public boolean isWithoutFlicker() {
+    return gathered != null && gathered.isEmpty();
+  }
+
   /**
    * Frequency at which a pixel flickers, rows upwards, hertz; NaN where none is known, and for
    * styles that do not show frequencies.
@@ -106,9 +111,9 @@ public final class EventPicture implements StreamHandler {
     return gathered == null ? Double.NaN : gathered.frequencyHz(x, y, frame.nowUs());
   }
 
-  /** How far back events matter to a style beyond their fading, microseconds. */
-  public long memoryUs() {
-    return gathered == null ? 0 : gathered.memoryUs();
+  /** How far back events matter to a mode beyond their fading, microseconds. */
+  public static long memoryUs(DisplayMode mode) {
+    return mode == DisplayMode.FREQUENCY ? FrequencyPicture.MEMORY_US : 0;
   }
 
   /**

@@ -10,6 +10,10 @@ import haltere.filters.frequency.FrequencyMapSettings;
  * the map tells.
  */
 final class FrequencyPicture implements Gathered {
+  /** How far back events matter, microseconds. */
+  static final long MEMORY_US =
+      new FrequencyMap(new SensorGeometry(1, 1), FrequencyMapSettings.defaults()).memoryUs();
+
   /** Bits of a period's mantissa that make entries of the table: 128 in each octave. */
   private static final int MANTISSA_SHIFT = 16;
 
@@ -19,6 +23,8 @@ final class FrequencyPicture implements Gathered {
 
   /** Ranked colour of a period by the first bits of its number; at 0 that of the background. */
   private final int[] table;
+
+  private boolean isEmpty = true;
 
   FrequencyPicture(SensorGeometry geometry, PictureStyle style) {
     this.geometry = geometry;
@@ -57,26 +63,29 @@ final class FrequencyPicture implements Gathered {
   }
 
   @Override
-  public long memoryUs() {
-    return map.memoryUs();
+  public double frequencyHz(int x, int y, long nowUs) {
+    return map.frequencyHz(x, y, nowUs);
   }
 
   @Override
-  public double frequencyHz(int x, int y, long nowUs) {
-    return map.frequencyHz(x, y, nowUs);
+  public boolean isEmpty() {
+    return isEmpty;
   }
 
   @Override
   public void paint(long nowUs, int[] ranked) {
     int width = geometry.width();
     int height = geometry.height();
+    boolean any = false;
     for (int y = 0; y < height; y++) {
       int to = (height - 1 - y) * width;
       for (int x = 0; x < width; x++) {
         float periodUs = map.periodUs(x, y, nowUs);
         int entry = periodUs == 0 ? 0 : Math.max(0, bits(periodUs) - firstEntry) + 1;
         ranked[to + x] = table[Math.min(entry, table.length - 1)];
+        any |= entry > 0;
       }
     }
+    isEmpty = !any;
   }
 }

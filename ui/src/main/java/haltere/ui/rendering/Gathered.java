@@ -22,11 +22,6 @@ interface Gathered {
     // most do not smooth
   }
 
-  /** How far back events matter beyond their fading, microseconds. */
-  default long memoryUs() {
-    return 0;
-  }
-
   /** Frequency of a pixel in hertz, NaN where none is known. */
   default double frequencyHz(int x, int y, long nowUs) {
     return Double.NaN;
@@ -35,6 +30,11 @@ interface Gathered {
   /** Events of a pixel that are painted in the colour of the most, 0 where that is not counted. */
   default double fullCount() {
     return 0;
+  }
+
+  /** Whether the last picture was the background alone, where a person asks why. */
+  default boolean isEmpty() {
+    return false;
   }
 
   /** Paints row by row from the top, with ranks in place of opacity. */

@@ -4,7 +4,6 @@ import haltere.core.settings.Parameter;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.rendering.Gradient;
-import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.feature.DisplayControl;
@@ -44,28 +43,22 @@ final class DisplayFeature implements ViewerFeature {
   private void addLooks(DisplayControl display) {
     offer(
         "theme", "Theme", "theme", display.themeProperty(), List.of(Theme.values()), Theme::words);
-    int number = 1;
+    ObjectProperty<DisplayMode> shown = display.modeProperty();
     for (DisplayMode mode : DisplayMode.values()) {
-      ViewerAction action =
-          ViewerAction.choice(
-              "show-as-" + Parameter.text(mode),
-              mode.words(),
-              "View/Show as",
-              display.modeProperty(),
-              mode);
-      window.actions().add(action.withKey("Shortcut+" + number++).withHelp(mode.help()));
+      String id = "show-as-" + Parameter.text(mode);
+      window.actions().add(id, shown.isEqualTo(mode), () -> shown.set(mode), () -> "");
     }
-    keep("showAs", display.modeProperty(), List.of(DisplayMode.values()), DisplayMode::words);
+    keep("showAs", shown, List.of(DisplayMode.values()), DisplayMode::words);
     offer(
         "colours",
-        "Colours of polarity",
+        "Colours/Polarity",
         "coloursOfPolarity",
         display.coloursProperty(),
         ColourMap.all(),
         ColourMap::name);
     offer(
         "gradient",
-        "Colours of age and count",
+        "Colours/Age and count",
         "coloursOfAgeAndCount",
         display.gradientProperty(),
         Gradient.all(),

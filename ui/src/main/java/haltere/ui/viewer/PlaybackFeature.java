@@ -29,10 +29,10 @@ final class PlaybackFeature implements ViewerFeature {
     add("step-off", () -> playback.step(-1));
     add("jog-on", () -> playback.step(JOG_SLICES));
     add("jog-off", () -> playback.step(-JOG_SLICES));
-    add("go-faster", playback::faster);
-    add("go-slower", playback::slower);
-    add("real-time", () -> playback.setSpeed(1));
-    add("slow-motion", () -> playback.setSpeed(1e-3));
+    actions.add("go-faster", playback::faster, this::noSpeed);
+    actions.add("go-slower", playback::slower, this::noSpeed);
+    actions.add("real-time", () -> playback.setSpeed(1), this::noSpeed);
+    actions.add("slow-motion", () -> playback.setSpeed(1e-3), this::noSpeed);
     add("to-start", playback::rewind);
     add("to-first", () -> playback.seek(0));
     add("to-last", () -> playback.seek(Long.MAX_VALUE));
@@ -62,6 +62,10 @@ final class PlaybackFeature implements ViewerFeature {
 
   private String noWayBack() {
     return playback.reach().isEmpty() ? "nothing to go back to is open" : "";
+  }
+
+  private String noSpeed() {
+    return playback.isLive() ? "a camera plays in real time" : "";
   }
 
   private String noMarks() {

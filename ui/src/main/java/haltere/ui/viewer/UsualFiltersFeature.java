@@ -3,6 +3,7 @@ package haltere.ui.viewer;
 import atlantafx.base.theme.Styles;
 import haltere.core.chain.FilterChain;
 import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.chain.UsualFilter;
 import haltere.ui.viewer.controls.Controls;
@@ -11,9 +12,7 @@ import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.HiddenEvents;
 import java.util.EnumMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.value.ObservableValue;
@@ -65,21 +64,10 @@ final class UsualFiltersFeature implements ViewerFeature {
     for (UsualFilter filter : UsualFilter.values()) {
       BooleanProperty property = new SimpleBooleanProperty();
       on.put(filter, property);
+      window.actions().add(filter.id(), property, () -> toggle(filter), () -> "");
       ToggleButton button = button(filter, property);
       button.contentDisplayProperty().bind(words);
       strip.getChildren().add(button);
-      window
-          .actions()
-          .add(
-              new ViewerAction(
-                  id(filter),
-                  filter.words(),
-                  "Chain",
-                  "",
-                  filter.help(),
-                  () -> toggle(filter),
-                  Optional.of(property),
-                  () -> ""));
     }
     window.actions().add("usual-chain", this::usualChain);
     window.actions().add("all-events", all);
@@ -95,18 +83,15 @@ final class UsualFiltersFeature implements ViewerFeature {
     window.panels().every(HiddenEvents.BETWEEN_NANOS, this::measure);
   }
 
-  private static String id(UsualFilter filter) {
-    return "usual-" + filter.name().toLowerCase(Locale.ROOT);
-  }
-
   /** The button of a filter, which is on while the chain has the filter. */
   private ToggleButton button(UsualFilter filter, BooleanProperty property) {
-    ToggleButton button = Controls.toggle(id(filter), filter.icon(), filter.help());
-    button.setText(filter.words().replace(' ', '\n'));
+    ViewerAction command = window.actions().find(filter.id()).orElseThrow();
+    ToggleButton button = Controls.toggle(filter.id(), filter.icon(), command.help());
+    button.setText(command.words().replace(' ', '\n'));
     button.setTextAlignment(TextAlignment.CENTER);
     button.setMaxWidth(Double.MAX_VALUE);
     button.getStyleClass().remove(Styles.BUTTON_ICON);
-    button.setAccessibleText(filter.words());
+    button.setAccessibleText(command.words());
     property.subscribe((was, is) -> button.setSelected(is));
     button.setOnAction(
         event -> {
@@ -126,7 +111,8 @@ final class UsualFiltersFeature implements ViewerFeature {
   }
 
   private void toggle(UsualFilter filter) {
-    window.editor().setUsual(filter, !on.get(filter).get());
+    String words = ViewerActions.words(filter.id());
+    window.editor().setUsual(filter, words, !on.get(filter).get());
   }
 
   private void usualChain() {

@@ -9,15 +9,16 @@ import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
 import haltere.ui.viewer.feature.UserSettings;
-import haltere.ui.viewer.file.FileInfoFeature;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
-import javafx.scene.Node;
 import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.layout.Pane;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -33,6 +34,8 @@ class FileInfoTest {
   void openWindow() {
     settings = UserSettings.load(folder.resolve("settings"));
     viewer = new ViewerHarness(settings);
+    viewer.run(() -> viewer.window.context().actions().run("show-file-information"));
+    viewer.waitFor("the panel", () -> viewer.isThere("file-info"));
   }
 
   @AfterEach
@@ -41,11 +44,19 @@ class FileInfoTest {
   }
 
   private Optional<String> line(String name) {
-    return viewer.onFx(() -> viewer.window.feature(FileInfoFeature.class).value(name));
+    ScrollPane panel = viewer.node("file-info", ScrollPane.class);
+    return viewer.onFx(
+        () ->
+            ((Pane) panel.getContent())
+                .getChildren().stream()
+                    .map(Label.class::cast)
+                    .filter(label -> label.getText().equals(name) && label.getLabelFor() != null)
+                    .map(label -> ((Label) label.getLabelFor()).getText())
+                    .findFirst());
   }
 
   private boolean seesBanner() {
-    return viewer.onFx(viewer.node("warnings", Node.class)::isVisible);
+    return viewer.isThere("warnings");
   }
 
   /** Events in the corner of a sensor of a size that the file does not state. */
@@ -63,7 +74,6 @@ class FileInfoTest {
     Path file = folder.resolve("blob.aedat");
     ViewerHarness.writeRecording(file, 1_000_000);
     viewer.openRecording(file);
-    viewer.run(() -> viewer.window.context().actions().run("show-file-information"));
     viewer.waitFor("facts", () -> line("Events").isPresent());
     assertEquals(Optional.of("20,000 (10,000 ON, 10,000 OFF)"), line("Events"));
     assertEquals(Optional.of("aedat2"), line("Format"));
@@ -83,7 +93,6 @@ class FileInfoTest {
     Path cut = folder.resolve("cut.aedat4");
     Files.write(cut, Arrays.copyOf(bytes, bytes.length * 2 / 3));
     viewer.openRecording(cut);
-    viewer.run(() -> viewer.window.context().actions().run("show-file-information"));
     viewer.waitFor("the compression", () -> line("Compression").equals(Optional.of("lz4")));
     viewer.waitFor("the banner", this::seesBanner);
     viewer.waitFor("the words", () -> viewer.text("warning-first").contains("ends in the middle"));
@@ -101,9 +110,7 @@ class FileInfoTest {
   void unknownCameraIsRequestedWithTheGuessFirstAndStored() throws IOException {
     Path file = withoutSensor();
     viewer.openRecording(file);
-    viewer.waitFor(
-        "the question",
-        () -> viewer.onFx(viewer.node("camera-use", Node.class)::isVisible) && seesBanner());
+    viewer.waitFor("the question", () -> viewer.isThere("camera-use"));
     ChoiceBox<?> sizes = viewer.node("camera-choice", ChoiceBox.class);
     viewer.waitFor("choices", () -> viewer.onFx(() -> sizes.getItems().size()) > 3);
     assertTrue(viewer.onFx(() -> words(sizes)).startsWith("240 \u00d7 180"));

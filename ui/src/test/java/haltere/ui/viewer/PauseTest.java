@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
+import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.plot.Curve;
@@ -81,6 +82,18 @@ class PauseTest {
             .filter(line -> line.contains("angle_rad"))
             .count();
     assertTrue(samples > 50, samples + " samples before the place");
+  }
+
+  @Test
+  void aStepBackKeepsTheSamplesOfItsSliceInThePlots() {
+    playTheFlyBeyond(150_000);
+    for (int i = 0; i < 3; i++) {
+      viewer.run(() -> JavaFxHarness.join(viewer.session().player().step(-1)));
+      PlayerStatus shown = viewer.status();
+      viewer.waitFor(
+          "samples up to the displayed slice",
+          () -> newestUs() >= shown.timeUs() && newestUs() < shown.timeUs() + shown.sliceUs());
+    }
   }
 
   private void playTheFlyBeyond(long elapsedUs) {

@@ -1,21 +1,35 @@
 package haltere.ui.viewer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.event.EventPacket;
+import haltere.core.event.SampleKind;
+import haltere.core.event.Trigger;
 import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingWriter;
+import haltere.core.format.Recordings;
+import haltere.core.format.WriteOptions;
+import haltere.core.playback.Mark;
 import haltere.testing.Recorded;
 import haltere.ui.plot.InertialFeed;
 import haltere.ui.plot.Lane;
+import haltere.ui.viewer.playback.SeekBar;
+import haltere.ui.viewer.session.RecordingFacts;
+import java.io.IOException;
 import java.nio.file.Path;
+import java.util.EnumSet;
 import java.util.List;
-import javafx.scene.Node;
+import java.util.stream.LongStream;
+import javafx.scene.control.Label;
 import javafx.scene.image.PixelReader;
 import javafx.scene.image.WritableImage;
 import javafx.scene.paint.Color;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Frames, inertial samples and triggers of a real recording of a DAVIS346. */
 class SamplesTest {
@@ -77,8 +91,7 @@ class SamplesTest {
 
   @Test
   void framesLieBelowTheEventsAlsoAfterAJumpAndCanBeSwitchedOff() {
-    viewer.waitFor(
-        "the switch of frames", () -> viewer.onFx(viewer.node("frames", Node.class)::isVisible));
+    viewer.waitFor("the switch of frames", () -> viewer.isThere("frames"));
     viewer.waitFor("a frame", () -> brightness() > 0.15);
     viewer.pause();
     viewer.run(() -> viewer.window.context().playback().seek(1_000_000));
@@ -115,27 +128,62 @@ class SamplesTest {
     assertEquals("\u00b0/s", InertialFeed.ROTATION.unit());
   }
 
-  @Test
-  void triggersAreNamedOverThePictureAndListed() {
+  private RecordingFacts facts() {
     viewer.waitFor(
         "the facts",
         () ->
             viewer.onFx(
                 () -> viewer.window.context().sessions().factsProperty().get().isPresent()));
-    assertEquals(
-        236,
-        viewer.onFx(
-            () ->
-                viewer
-                    .window
-                    .context()
-                    .sessions()
-                    .factsProperty()
-                    .get()
-                    .orElseThrow()
-                    .triggers()
-                    .size()));
-    viewer.waitFor("a name", () -> viewer.onFx(viewer.node("trigger-mark", Node.class)::isVisible));
-    assertTrue(viewer.text("trigger-mark").matches("(Exposure|Readout).*"));
+    return viewer
+        .onFx(() -> viewer.window.context().sessions().factsProperty().get())
+        .orElseThrow();
+  }
+
+  @Test
+  void frameTimingIsNamedByTheMouseAtItsTicksAndNotOverThePicture() {
+    assertEquals(236, facts().triggers().size());
+    assertEquals(List.of(), facts().signals());
+    viewer.pause();
+    SeekBar bar = viewer.node("seek-bar", SeekBar.class);
+    double share = facts().triggers().get(100).elapsedUs() / (double) viewer.status().durationUs();
+    viewer.moveOver("seek-bar", share);
+    viewer.waitFor(
+        "the name of the tick",
+        () ->
+            bar.getChildrenUnmodifiable().stream()
+                .anyMatch(
+                    each ->
+                        each instanceof Label words
+                            && words.getText().matches(".*(Exposure|Readout).*")));
+    assertFalse(viewer.isThere("trigger-mark"));
+  }
+
+  @Test
+  void signalsAreNamedOverThePicture(@TempDir Path folder) throws IOException {
+    Path file = folder.resolve("signal.aedat4");
+    writeWithTriggerAt(1_000_000, file);
+    viewer.openRecording(file);
+    Mark signal = facts().signals().get(0);
+    viewer.pause();
+    viewer.run(() -> viewer.window.context().playback().seek(signal.elapsedUs()));
+    viewer.waitFor("its name", () -> viewer.isThere("trigger-mark"));
+    assertEquals("Trigger 0 rising", viewer.text("trigger-mark"));
+  }
+
+  private static void writeWithTriggerAt(long timeUs, Path file) throws IOException {
+    WriteOptions options =
+        WriteOptions.of(BlobSource.GEOMETRY).withSamples(EnumSet.of(SampleKind.TRIGGER));
+    try (RecordingWriter writer = Recordings.forWriting(file).create(file, options).orElseThrow()) {
+      writer.write(events(0, timeUs));
+      writer.write(new Trigger(timeUs, Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.RISING, 0));
+      writer.write(events(timeUs, 2 * timeUs));
+      writer.finish();
+    }
+  }
+
+  private static EventPacket events(long fromUs, long toUs) {
+    long stepUs = (toUs - fromUs) / 100;
+    long[] timesUs = LongStream.range(0, 100).map(i -> fromUs + i * stepUs).toArray();
+    return EventPacket.of(timesUs, new int[timesUs.length]);
   }
 }

@@ -44,10 +44,6 @@ class StartTest {
     viewer.waitFor("the start page", () -> viewer.isThere("start-scene-fly"));
   }
 
-  private boolean isVisible(String id) {
-    return viewer.isThere(id) && viewer.onFx(viewer.node(id, Node.class)::isVisible);
-  }
-
   @Test
   void startPageOffersScenesAndRecentRecordings() throws IOException {
     showStartPage();
@@ -119,14 +115,14 @@ class StartTest {
     viewer.waitFor(
         "slow motion",
         () -> viewer.onFx(viewer.window.context().playback().speedProperty()::get) == 0.01);
-    assertTrue(isVisible("fly-caption"));
+    assertTrue(viewer.isThere("fly-caption"));
     assertTrue(viewer.text("fly-caption").contains("orange: brighter (ON), blue: darker (OFF)"));
     assertEquals(
         100_000, viewer.onFx(() -> viewer.window.context().panels().plots().window().spanUs()));
     List<Lane> lanes = viewer.onFx(() -> viewer.window.context().panels().plots().lanes());
     assertEquals(2, lanes.size());
     viewer.click("fly-caption");
-    viewer.waitFor("no caption", () -> !isVisible("fly-caption"));
+    viewer.waitFor("no caption", () -> !viewer.isThere("fly-caption"));
     Path file = folder.resolve("blob.aedat");
     ViewerHarness.writeRecording(file, 500_000);
     viewer.openRecording(file);

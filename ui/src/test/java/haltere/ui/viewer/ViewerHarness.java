@@ -238,8 +238,13 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
     return type.cast(found);
   }
 
+  /** Whether the node of an id is visible in its window, though it may be scrolled out of sight. */
   public boolean isThere(String id) {
-    return onFx(() -> find(id) != null);
+    return onFx(
+        () -> {
+          Node found = find(id);
+          return found != null && isVisible(found);
+        });
   }
 
   /** Looks through the window and all of its popups. */
@@ -306,6 +311,12 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
         });
   }
 
+  /** Moves over a share of a node's width, at half its height. */
+  void moveOver(String id, double share) {
+    Node node = node(id, Node.class);
+    run(() -> node.fireEvent(mouse(MouseEvent.MOUSE_MOVED, node, share)));
+  }
+
   /** Presses at a share of a node's width, at half its height, and lets go at another. */
   void drag(String id, double fromShare, double toShare) {
     Node node = node(id, Node.class);
@@ -320,14 +331,14 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
   private static MouseEvent mouse(EventType<MouseEvent> type, Node node, double share) {
     double x = share * node.getLayoutBounds().getWidth();
     double y = node.getLayoutBounds().getHeight() / 2;
-    boolean down = type != MouseEvent.MOUSE_RELEASED;
+    boolean down = type == MouseEvent.MOUSE_PRESSED || type == MouseEvent.MOUSE_DRAGGED;
     return new MouseEvent(
         type,
         x,
         y,
         x,
         y,
-        MouseButton.PRIMARY,
+        down || type == MouseEvent.MOUSE_RELEASED ? MouseButton.PRIMARY : MouseButton.NONE,
         1,
         false,
         false,
@@ -343,12 +354,16 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
   }
 
   private static boolean isSeen(Node node) {
+    return isVisible(node) && node.getLayoutBounds().getWidth() > 0;
+  }
+
+  private static boolean isVisible(Node node) {
     for (Node above = node; above != null; above = above.getParent()) {
       if (!above.isVisible()) {
         return false;
       }
     }
-    return node.getLayoutBounds().getWidth() > 0;
+    return true;
   }
 
   /** Waits until the window has been laid out once more. */

@@ -2,7 +2,6 @@ package haltere.ui.viewer.action;
 
 import java.util.Optional;
 import java.util.function.Supplier;
-import javafx.beans.binding.Bindings;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.value.ObservableBooleanValue;
 
@@ -58,13 +57,8 @@ public record ViewerAction(
         "",
         "",
         () -> property.set(value),
-        Optional.of(Bindings.createBooleanBinding(() -> value.equals(property.get()), property)),
+        Optional.of(property.isEqualTo(value)),
         NONE);
-  }
-
-  /** The same, done by a key. */
-  public ViewerAction withKey(String newKey) {
-    return new ViewerAction(id, words, menu, newKey, help, work, on, obstacle);
   }
 
   /** The same, explained by a sentence. */

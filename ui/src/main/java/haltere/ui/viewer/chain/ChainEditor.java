@@ -127,10 +127,9 @@ public final class ChainEditor {
     restructure("adding " + Texts.title(provider.name()), chain -> chain.add(provider));
   }
 
-  /** Switches the filters of a button on or off; may be taken back. */
-  public void setUsual(UsualFilter filter, boolean on) {
-    restructure(
-        (on ? "switching on " : "switching off ") + filter.words(), chain -> filter.set(chain, on));
+  /** Switches the filters of a button, by its words, on or off; may be taken back. */
+  public void setUsual(UsualFilter filter, String words, boolean on) {
+    restructure((on ? "switching on " : "switching off ") + words, chain -> filter.set(chain, on));
   }
 
   /** Adds a chain without filters at the end. */

@@ -7,50 +7,29 @@ import haltere.core.chain.Filters;
 import haltere.filters.DefaultChain;
 import haltere.ui.viewer.controls.Icons;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /** The filters that most recordings need, each switched by one button. */
 public enum UsualFilter {
   /** Removes noise. */
-  DENOISE(
-      "Denoise",
-      "Hides events of noise: those without neighbours, and those of hot pixels.",
-      Icons.DENOISE,
-      "background-activity",
-      "hot-pixels"),
+  DENOISE(Icons.DENOISE, "background-activity", "hot-pixels"),
   /** Finds objects. */
-  OBJECTS(
-      "Track objects",
-      "Follows each moving object: its position, velocity and extent.",
-      Icons.OBJECTS,
-      "object-tracker"),
+  OBJECTS(Icons.OBJECTS, "object-tracker"),
   /** Finds wings. */
-  WINGS(
-      "Track wings",
-      "Follows both wings of a tethered fly within each beat.",
-      Icons.WINGS,
-      "wing-tracker");
+  WINGS(Icons.WINGS, "wing-tracker");
 
-  private final String words;
-  private final String help;
   private final Icons icon;
   private final List<String> kinds;
 
-  UsualFilter(String words, String help, Icons icon, String... kinds) {
-    this.words = words;
-    this.help = help;
+  UsualFilter(Icons icon, String... kinds) {
     this.icon = icon;
     this.kinds = List.of(kinds);
   }
 
-  /** What its button says. */
-  public String words() {
-    return words;
-  }
-
-  /** What it does, in one sentence. */
-  public String help() {
-    return help;
+  /** Id of its command and its button. */
+  public String id() {
+    return "usual-" + name().toLowerCase(Locale.ROOT);
   }
 
   /** The icon of its button. */

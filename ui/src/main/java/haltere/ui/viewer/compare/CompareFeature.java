@@ -60,8 +60,8 @@ public final class CompareFeature implements ViewerFeature {
 
   private final EventView view = Controls.named(new EventView(), "second-event-view");
   private final ComparisonTable table = new ComparisonTable();
-  private final Label firstName = Controls.named(new Label(), "first-chain-name");
-  private final Label secondName = Controls.named(new Label(), "second-chain-name");
+  private final Label firstName = Controls.named(new Label(), "first-chain-name", "chain-name");
+  private final Label secondName = Controls.named(new Label(), "second-chain-name", "chain-name");
   private ViewerContext window;
   private ChainEditor editor;
   private ChainPanel chainPanel;
@@ -90,10 +90,8 @@ public final class CompareFeature implements ViewerFeature {
     BorderPane named = new BorderPane(view);
     VBox above = new VBox(bar, secondName);
     named.setTop(above);
-    for (Label name : List.of(firstName, secondName)) {
-      name.getStyleClass().add("chain-name");
-      name.setMinWidth(0);
-    }
+    firstName.setMinWidth(0);
+    secondName.setMinWidth(0);
     window.panels().addAbovePicture(firstName);
     PanelLayout layout = window.panels().panelLayout();
     settingsShown =

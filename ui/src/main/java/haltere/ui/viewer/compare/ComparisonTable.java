@@ -34,7 +34,8 @@ final class ComparisonTable extends ScrollPane {
     ColumnConstraints names = new ColumnConstraints();
     names.setHgrow(Priority.ALWAYS);
     names.setMinWidth(72);
-    ColumnConstraints numbers = new ColumnConstraints(46, 62, 62);
+    ColumnConstraints numbers =
+        new ColumnConstraints(USE_PREF_SIZE, USE_COMPUTED_SIZE, USE_PREF_SIZE);
     numbers.setHalignment(HPos.RIGHT);
     grid.getColumnConstraints().addAll(names, numbers, numbers, numbers);
     setContent(grid);

@@ -34,6 +34,9 @@ public final class PanelLayout extends SplitPane {
   /** How much a panel grows at a time, as a share of what it is a part of. */
   private static final double PANEL_STEP = 0.05;
 
+  /** Where the side begins until somebody changes it, a share of the width. */
+  private static final double SIDE_SHARE = 0.72;
+
   private static final double BELOW_SHARE = 0.6;
   private static final double BESIDE_SHARE = 0.55;
 
@@ -57,7 +60,6 @@ public final class PanelLayout extends SplitPane {
     left.setOrientation(Orientation.VERTICAL);
     left.getItems().add(events);
     getItems().addAll(left, chain);
-    setDividerPositions(0.72);
     SplitPane.setResizableWithParent(chain, false);
     SplitPane.setResizableWithParent(tabs, false);
     tabs.setAccessibleText("Panels at the side");
@@ -74,7 +76,7 @@ public final class PanelLayout extends SplitPane {
   }
 
   private void keep(UserSettings settings, String name, SplitPane pane) {
-    DoubleProperty share = new SimpleDoubleProperty(-1);
+    DoubleProperty share = new SimpleDoubleProperty(pane == this ? SIDE_SHARE : -1);
     settings.keep(name, share, value -> value, value -> ((Number) value).doubleValue());
     InvalidationListener keeper =
         observed -> {

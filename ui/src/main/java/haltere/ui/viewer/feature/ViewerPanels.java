@@ -96,9 +96,7 @@ public final class ViewerPanels extends BorderPane {
   public void showPage(Optional<Node> page) {
     StackPane center = (StackPane) getCenter();
     center.getChildren().setAll(page.orElse(layout));
-    for (Node bar : List.of(seekBar, transport)) {
-      Controls.show(page.isEmpty(), bar);
-    }
+    Controls.show(page.isEmpty(), seekBar, transport);
   }
 
   /** Puts something above the picture, below its bar. */

@@ -51,9 +51,4 @@ public final class FileInfoFeature implements ViewerFeature {
       window.sessions().open(file.get(), asked.get().options().withSensor(sensor));
     }
   }
-
-  /** What a line of the panel says. */
-  public Optional<String> value(String name) {
-    return panel.value(name);
-  }
 }

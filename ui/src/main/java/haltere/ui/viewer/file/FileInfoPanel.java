@@ -7,7 +7,6 @@ import haltere.ui.command.terminal.Quantities;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.session.RecordingFacts;
 import java.util.Locale;
-import java.util.Optional;
 import javafx.geometry.VPos;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -94,14 +93,5 @@ final class FileInfoPanel extends ScrollPane {
     left.setLabelFor(right);
     GridPane.setValignment(left, VPos.TOP);
     grid.addRow(row, left, right);
-  }
-
-  /** The value of a line, for tests. */
-  Optional<String> value(String name) {
-    return grid.getChildren().stream()
-        .map(Label.class::cast)
-        .filter(label -> label.getText().equals(name) && label.getLabelFor() != null)
-        .map(label -> ((Label) label.getLabelFor()).getText())
-        .findFirst();
   }
 }

@@ -1,6 +1,7 @@
 package haltere.ui.viewer.file;
 
 import haltere.core.event.Frame;
+import haltere.core.playback.Mark;
 import haltere.core.playback.Playable;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.stream.StreamHandler;
@@ -11,14 +12,13 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.feature.ViewerPanels;
 import haltere.ui.viewer.session.RecordingFacts;
-import haltere.ui.viewer.session.RecordingFacts.Moment;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
 import java.util.Collections;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Collectors;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -27,14 +27,14 @@ import javafx.scene.control.Label;
 
 /**
  * What a recording holds beside the events: frames below them, also after a jump, and triggers as
- * ticks on the time bar and words over the picture.
+ * ticks on the time bar, and over the picture as words where they are not the camera's own frame
+ * timing.
  */
 public final class SamplesFeature implements ViewerFeature {
-  /** A trigger is named while it is at most so many slices old: 100 ms of smooth playback. */
+  /** A signal is named while it is at most so many slices old: 100 ms of smooth playback. */
   private static final int NAMED_SLICES = 12;
 
   private static final int MAX_NAMES = 3;
-  private static final Comparator<Moment> BY_TIME = Comparator.comparingLong(Moment::elapsedUs);
 
   private final BooleanProperty hasFrames = new SimpleBooleanProperty();
   private final Label trigger = Controls.named(new Label(), "trigger-mark", "readout");
@@ -58,21 +58,14 @@ public final class SamplesFeature implements ViewerFeature {
     trigger.setMouseTransparent(true);
     trigger.setVisible(false);
     panels.addOverPicture(trigger, Pos.TOP_RIGHT);
-    window
-        .sessions()
-        .factsProperty()
-        .subscribe(
-            (was, is) -> {
-              hasFrames.set(is.filter(found -> !found.frames().isEmpty()).isPresent());
-              panels
-                  .seekBar()
-                  .setTicks(
-                      is.stream()
-                          .flatMap(found -> found.triggers().stream())
-                          .mapToLong(Moment::elapsedUs)
-                          .toArray());
-            });
+    window.sessions().factsProperty().subscribe((was, is) -> follow(is));
     panels.onPulse(() -> window.ifOpen(this::pulse));
+  }
+
+  private void follow(Optional<RecordingFacts> facts) {
+    hasFrames.set(facts.filter(found -> !found.frames().isEmpty()).isPresent());
+    window.panels().seekBar().setTicks(facts.map(RecordingFacts::triggers).orElse(List.of()));
+    facts.ifPresent(found -> window.ifOpen(open -> open.display().useFrameBits(found.usedBits())));
   }
 
   private void pulse(ViewerSession open) {
@@ -83,18 +76,18 @@ public final class SamplesFeature implements ViewerFeature {
     }
     PlayerStatus now = open.player().status();
     long shownUs = now.elapsedUs() + now.sliceUs();
-    name(facts.get().triggers(), shownUs, NAMED_SLICES * Math.max(1, now.sliceUs()));
+    name(facts.get().signals(), shownUs, NAMED_SLICES * Math.max(1, now.sliceUs()));
     int frame = lastAt(facts.get().frames(), shownUs);
     if (!reading && frame >= 0 && open.display().maker().frames().isSought()) {
       read(open, facts.get(), facts.get().frames().get(frame));
     }
   }
 
-  private void name(List<Moment> triggers, long shownUs, long spanUs) {
-    int before = lastAt(triggers, shownUs - spanUs + 1);
+  private void name(List<Mark> signals, long shownUs, long spanUs) {
+    int before = lastAt(signals, shownUs - spanUs + 1);
     String words =
-        triggers.subList(before + 1, lastAt(triggers, shownUs) + 1).stream()
-            .map(Moment::words)
+        signals.subList(before + 1, lastAt(signals, shownUs) + 1).stream()
+            .map(Mark::name)
             .distinct()
             .limit(MAX_NAMES)
             .collect(Collectors.joining(", "));
@@ -103,16 +96,12 @@ public final class SamplesFeature implements ViewerFeature {
   }
 
   /** Index of the last moment before a place, -1 if there is none. */
-  private static int lastAt(List<Moment> moments, long elapsedUs) {
-    int at = Collections.binarySearch(moments, new Moment(elapsedUs, ""), BY_TIME);
-    int last = at < 0 ? -at - 1 : at;
-    while (last > 0 && moments.get(last - 1).elapsedUs() == elapsedUs) {
-      last--;
-    }
-    return last - 1;
+  private static int lastAt(List<Mark> moments, long elapsedUs) {
+    // a mark without a name comes before all others of its time
+    return -2 - Collections.binarySearch(moments, new Mark("", Math.max(0, elapsedUs)));
   }
 
-  private void read(ViewerSession open, RecordingFacts of, Moment frame) {
+  private void read(ViewerSession open, RecordingFacts of, Mark frame) {
     reading = true;
     window
         .background()
@@ -132,20 +121,19 @@ public final class SamplesFeature implements ViewerFeature {
       throws IOException {
     try (Playable own = SessionRequest.play(of.file(), open.request().options())) {
       own.seek(elapsedUs);
-      Frame[] found = new Frame[1];
+      AtomicReference<Frame> found = new AtomicReference<>();
       StreamHandler consumer =
           StreamHandler.ofSamples(
               sample -> {
-                if (found[0] == null && sample instanceof Frame frame) {
-                  found[0] = frame;
+                if (sample instanceof Frame first) {
+                  found.compareAndSet(null, first);
                 }
               });
-      while (found[0] == null && own.next(consumer)) {
-        if (Thread.currentThread().isInterrupted()) {
-          break;
-        }
+      boolean more = true;
+      while (more && found.get() == null) {
+        more = own.next(consumer) && !Thread.currentThread().isInterrupted();
       }
-      return Optional.ofNullable(found[0]);
+      return Optional.ofNullable(found.get());
     }
   }
 }

@@ -80,6 +80,12 @@ public final class DisplaySink implements SliceSink {
     }
   }
 
+  /** Shows frames of 16 bits by the bits that those of the whole recording use. */
+  public void useFrameBits(int bits) {
+    maker.frames().useBits(bits);
+    maker.setStale(true);
+  }
+
   @Override
   public void sample(SensorSample sample) {
     if (sample instanceof Frame frame) {

@@ -22,26 +22,37 @@ public final class FrameLayer {
   private volatile Frame latest;
   private boolean sought;
   private Frame shown;
+  private int shownShift;
   private int[] colours = {};
 
   /**
-   * Bits of a grey value of 16 below the eight that are shown: 10 and 12 bits are stored in 16 too.
-   * It never falls, so that frames of a recording are equally bright.
+   * Bits of 16 that frames use, as 10 and 12 bits are stored in 16 too. None is forgotten, so that
+   * frames of a recording are equally bright.
    */
-  private volatile int unseenBits = 2;
+  private volatile int usedBits;
 
   /** The next frame of the stream. */
   synchronized void take(Frame frame) {
+    usedBits |= usedBits(frame);
+    latest = frame;
+    sought = false;
+  }
+
+  /** Bits that are set in any value of a frame of 16 bits, 0 for other frames. */
+  public static int usedBits(Frame frame) {
+    int bits = 0;
     if (frame.depth() == Frame.Depth.UNSIGNED_16) {
       ShortBuffer values = frame.rows().asShortBuffer();
-      int bits = 0;
       while (values.hasRemaining()) {
         bits |= values.get() & 0xFFFF;
       }
-      unseenBits = Math.max(unseenBits, bits < 1 << 10 ? 2 : bits < 1 << 12 ? 4 : 8);
     }
-    latest = frame;
-    sought = false;
+    return bits;
+  }
+
+  /** Shows all frames as bright as those that use these bits. */
+  synchronized void useBits(int bits) {
+    usedBits |= bits;
   }
 
   /** The stream goes on elsewhere. */
@@ -74,9 +85,11 @@ public final class FrameLayer {
     if (now == null || opacity == 0) {
       return;
     }
-    if (now != shown) {
+    int shift = shift(now);
+    if (now != shown || shift != shownShift) {
       shown = now;
-      colours = colours(now, geometry);
+      shownShift = shift;
+      colours = colours(now, geometry, shift);
     }
     int scale = (int) Math.round(opacity * 256);
     for (int i = 0; i < geometry.pixels(); i++) {
@@ -106,20 +119,26 @@ public final class FrameLayer {
     return Math.max(0, Math.min(255, value));
   }
 
+  /** Bits of a value below the eight that are shown. */
+  private int shift(Frame frame) {
+    if (frame.depth() != Frame.Depth.UNSIGNED_16) {
+      return frame.depth().bytes() > 1 ? 8 : 0;
+    }
+    return usedBits < 1 << 10 ? 2 : usedBits < 1 << 12 ? 4 : 8;
+  }
+
   /** The colour of each pixel of the sensor, row by row from the top. */
-  private int[] colours(Frame frame, SensorGeometry geometry) {
+  private int[] colours(Frame frame, SensorGeometry geometry, int shift) {
     int[] painted = colours.length == geometry.pixels() ? colours : new int[geometry.pixels()];
     Arrays.fill(painted, NONE);
     BufferedImage picture = FramePictures.draw(frame);
-    int grey =
-        frame.depth() == Frame.Depth.UNSIGNED_16 ? unseenBits : frame.depth().bytes() > 1 ? 8 : 0;
     for (int row = 0; row < frame.height(); row++) {
       int y = frame.bottom() + frame.height() - 1 - row;
       for (int column = 0; column < frame.width(); column++) {
         int x = frame.left() + column;
         if (geometry.contains(x, y)) {
           int at = (geometry.height() - 1 - y) * geometry.width() + x;
-          painted[at] = colour(picture, column, row, frame.channels(), grey);
+          painted[at] = colour(picture, column, row, frame.channels(), shift);
         }
       }
     }

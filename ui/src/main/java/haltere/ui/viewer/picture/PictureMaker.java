@@ -323,7 +323,7 @@ public final class PictureMaker {
   /** How far back events of a slice matter to its picture and to what is said of places. */
   long memoryUs(long ofSliceUs) {
     long fadingUs = Math.round(style(ofSliceUs, ofSliceUs).longestUs());
-    return Math.max(Math.max(fadingUs, events.memoryUs()), probes.memoryUs());
+    return Math.max(Math.max(fadingUs, EventPicture.memoryUs(options().mode())), probes.memoryUs());
   }
 
   private DisplayOptions options() {
@@ -355,7 +355,7 @@ public final class PictureMaker {
     return switch (style.mode()) {
       case COUNTS -> Texts.digits(events.fullCount()) + " events";
       case TIME_SURFACE -> Texts.duration(style.longestUs()) + " ago";
-      case FREQUENCY -> "1 kHz";
+      case FREQUENCY -> "1 kHz" + (events.isWithoutFlicker() ? ", no pixel flickers" : "");
       default -> "";
     };
   }

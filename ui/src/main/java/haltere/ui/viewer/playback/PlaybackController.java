@@ -147,7 +147,13 @@ public final class PlaybackController {
             ? Double.POSITIVE_INFINITY
             : Math.max(PlaybackClock.MIN_SPEED, wanted));
     restartReverse();
-    player.ifPresent(open -> report(open.setSpeed(speed.get())));
+    boolean live = isLive();
+    player.map(open -> open.setSpeed(speed.get())).filter(done -> !live).ifPresent(this::report);
+  }
+
+  /** Whether events come at their own time, at no speed of playback. */
+  public boolean isLive() {
+    return player.filter(open -> open.playable().isLive()).isPresent();
   }
 
   /** The next higher of the speeds that are offered. */
@@ -247,7 +253,10 @@ public final class PlaybackController {
             });
   }
 
-  /** Puts the loop's end behind what is shown; a start behind it is dropped. */
+  /**
+   * Puts the loop's end behind what is shown, where playback goes back to its start; a start behind
+   * the end is dropped.
+   */
   public void markOut() {
     status()
         .ifPresent(
@@ -255,6 +264,9 @@ public final class PlaybackController {
               long outUs = Math.max(1, now.elapsedUs() + now.sliceUs());
               OptionalLong in = loop.get().inUs().stream().filter(us -> us < outUs).findFirst();
               setLoop(new Loop(true, in, OptionalLong.of(outUs)));
+              if (now.state() == PlayerStatus.State.PLAYING) {
+                rewind();
+              }
             });
   }
 

@@ -1,5 +1,7 @@
 package haltere.ui.viewer.playback;
 
+import static javafx.scene.paint.Color.web;
+
 import haltere.core.format.summary.RateProfile;
 import haltere.core.playback.Loop;
 import haltere.core.playback.Mark;
@@ -9,6 +11,7 @@ import haltere.ui.plot.Curve;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Texts;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -33,22 +36,12 @@ import javafx.scene.shape.Rectangle;
 public final class SeekBar extends Region {
   /** Colours that a canvas cannot take from the style sheet, for dark and light. */
   private record Ink(Color rate, Color played, Color loop, Color mark, Color base, Color text) {
-    static final Ink DARK =
-        new Ink(
-            Color.web("#3d4654"),
-            Color.web("#4f8fe6"),
-            Color.web("#ffa630", 0.14),
-            Color.web("#2ed3a5"),
-            Color.web("#30363d"),
-            Color.web("#8b949e"));
-    static final Ink LIGHT =
-        new Ink(
-            Color.web("#c4ccd6"),
-            Color.web("#4f8fe6"),
-            Color.web("#c2500a", 0.12),
-            Color.web("#00785a"),
-            Color.web("#d0d7de"),
-            Color.web("#57606a"));
+    static final Ink DARK = new Ink("#3d4654", "#ffa63024", "#2ed3a5", "#30363d", "#8b949e");
+    static final Ink LIGHT = new Ink("#c4ccd6", "#c2500a1f", "#00785a", "#d0d7de", "#57606a");
+
+    private Ink(String rate, String loop, String mark, String base, String text) {
+      this(web(rate), web("#4f8fe6"), web(loop), web(mark), web(base), web(text));
+    }
   }
 
   private static final double MARK_NAME_WIDTH = 120;
@@ -118,7 +111,7 @@ public final class SeekBar extends Region {
   private Grip grip = Grip.NEEDLE;
   private long grownNanos;
   private List<Mark> marks = List.of();
-  private long[] ticks = {};
+  private List<Mark> ticks = List.of();
   private final BooleanProperty logarithmic = new SimpleBooleanProperty();
   private boolean dirty = true;
 
@@ -184,7 +177,7 @@ public final class SeekBar extends Region {
   /** Forgets the recording that was shown. */
   public void clear() {
     rates.clear();
-    ticks = new long[0];
+    ticks = List.of();
     status = null;
     reach = Optional.empty();
     dirty = true;
@@ -205,9 +198,9 @@ public final class SeekBar extends Region {
     return logarithmic;
   }
 
-  /** Marks moments in ascending order, such as triggers, by ticks. */
-  public void setTicks(long[] elapsedUs) {
-    ticks = elapsedUs.clone();
+  /** Marks moments in ascending order, such as triggers, by ticks that the mouse names. */
+  public void setTicks(List<Mark> moments) {
+    ticks = moments;
     dirty = true;
   }
 
@@ -337,12 +330,21 @@ public final class SeekBar extends Region {
   private void showHover(double x) {
     hover.setVisible(canSeek());
     if (canSeek()) {
-      hover.setText(Texts.time(placeAt(x), spanUs < 10_000_000));
+      hover.setText(Texts.time(placeAt(x), spanUs < 10_000_000) + tickAt(x));
       hover.autosize();
       hover.relocate(
           Math.max(2, Math.min(getWidth() - hover.getWidth() - 2, x - hover.getWidth() / 2)),
           getHeight() - RULER_HEIGHT - hover.getHeight());
     }
+  }
+
+  /** Name of the tick nearest to a place on the bar; empty where none is near. */
+  private String tickAt(double x) {
+    return ticks.stream()
+        .filter(tick -> isNear(OptionalLong.of(tick.elapsedUs()), x))
+        .min(Comparator.comparingDouble(tick -> Math.abs(xOf(tick.elapsedUs()) - x)))
+        .map(tick -> "   " + tick.name())
+        .orElse("");
   }
 
   /** Elapsed time at a place on the bar. */
@@ -380,6 +382,7 @@ public final class SeekBar extends Region {
     drawRates(over, columns, ink.played());
     graphics.setFill(ink.mark());
     drawTicks(graphics, width);
+    double namedTo = 0;
     for (Mark mark : marks) {
       if (!isInView(mark.elapsedUs())) {
         continue;
@@ -387,7 +390,10 @@ public final class SeekBar extends Region {
       double x = Math.rint(xOf(mark.elapsedUs()));
       graphics.fillPolygon(new double[] {x - 4, x + 4, x}, new double[] {0, 0, 7}, 3);
       graphics.fillRect(x - 0.5, 0, 1, height);
-      graphics.fillText(mark.name(), x + 5, 11, MARK_NAME_WIDTH);
+      if (x >= namedTo) {
+        graphics.fillText(mark.name(), x + 5, 11, MARK_NAME_WIDTH);
+        namedTo = x + 5 + Math.min(MARK_NAME_WIDTH, mark.name().length() * DIGIT_WIDTH);
+      }
     }
   }
 
@@ -429,9 +435,9 @@ public final class SeekBar extends Region {
   /** One tick a column at the most, however many moments there are. */
   private void drawTicks(GraphicsContext graphics, double width) {
     double last = -1;
-    for (long tick : ticks) {
-      double x = Math.rint(xOf(tick));
-      if (isInView(tick) && x > last && x <= width) {
+    for (Mark tick : ticks) {
+      double x = Math.rint(xOf(tick.elapsedUs()));
+      if (isInView(tick.elapsedUs()) && x > last && x <= width) {
         graphics.fillRect(x, 0, 1, TICK_HEIGHT);
         last = x + 1;
       }

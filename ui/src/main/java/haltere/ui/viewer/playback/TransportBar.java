@@ -40,6 +40,7 @@ public final class TransportBar extends HBox {
 
   private final MenuButton speed = Controls.named(new MenuButton(), "speed");
   private final ToggleButton loop = Controls.toggle("loop", Icons.LOOP, "Repeat at the end (L)");
+  private final HBox speedRow;
   private final Button back;
   private final Button markIn;
   private final Button markOut;
@@ -83,6 +84,7 @@ public final class TransportBar extends HBox {
     Button slower = Controls.button("slower", Icons.SLOWER, "Slower (S)", playback::slower);
     Button faster = Controls.button("faster", Icons.FASTER, "Faster (F)", playback::faster);
     Controls.showWhere(widthProperty().greaterThan(NARROW_PX), slower, faster, markIn, markOut);
+    speedRow = Controls.row(4, slower, speed, faster);
     loop.setOnAction(event -> playback.setLooping(loop.isSelected()));
     playback.loopProperty().subscribe(now -> loop.setSelected(now.on()));
     Controls.help(elapsed, "Time since the start");
@@ -97,9 +99,7 @@ public final class TransportBar extends HBox {
             Controls.button(
                 "step-forward", Icons.STEP_FORWARD, "One slice on (.)", () -> playback.step(1)),
             separator(),
-            slower,
-            speed,
-            faster,
+            Controls.place(speedRow),
             separator(),
             new SlicingField(playback),
             separator(),
@@ -146,6 +146,7 @@ public final class TransportBar extends HBox {
     boolean newest = reach.isEmpty() || reach.get().grows() && behindUs < status.sliceUs() + NOW_US;
     remaining.setText(newest ? "" : "/ " + Texts.time(-behindUs, fine));
     setObstacle(reach.isEmpty() ? NO_WAY_BACK : "");
+    Controls.unless(playback.isLive() ? "A camera plays in real time." : "", speedRow);
   }
 
   private static Separator separator() {

@@ -286,8 +286,9 @@ public final class PlotPanel extends BorderPane {
     // during a run-up there is no time that is shown
     if (nowUs != status.timeUs() && status.timeUs() != StreamNotification.NO_TIME_US) {
       if (status.timeUs() < nowUs) {
-        // curves of tracks that do not come again would stand there as if they did
-        plotted.forEach(lane -> lane.forgetFrom(status.timeUs()));
+        // curves of tracks that do not come again would stand there as if they did; samples of the
+        // displayed slice may have come already
+        plotted.forEach(lane -> lane.forgetFrom(status.timeUs() + status.sliceUs()));
       }
       nowUs = status.timeUs();
       startUs = status.timeUs() - status.elapsedUs();

@@ -11,8 +11,10 @@ import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
 import haltere.core.format.summary.RateProfile;
 import haltere.core.format.summary.RecordingSummary;
+import haltere.core.playback.Mark;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
+import haltere.ui.viewer.picture.FrameLayer;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -20,6 +22,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * What is known of a recording once all of it has been read.
@@ -32,7 +35,9 @@ import java.util.Optional;
  * @param compression how its events are compressed; empty where the format does not say
  * @param header what it says of camera and chain, by name
  * @param triggers in their order, the first {@link #MAX_LISTED}
+ * @param signals those of them that are not the camera's own frame timing
  * @param frames times of frames in their order, the first {@link #MAX_LISTED}
+ * @param usedBits bits that are set in any value of a frame of 16 bits
  * @param assumedSensor the sensor, where nobody has said which it is and it was guessed
  */
 public record RecordingFacts(
@@ -43,27 +48,17 @@ public record RecordingFacts(
     RecordingClock clock,
     Optional<String> compression,
     Map<String, String> header,
-    List<Moment> triggers,
-    List<Moment> frames,
+    List<Mark> triggers,
+    List<Mark> signals,
+    List<Mark> frames,
+    int usedBits,
     Optional<SensorGeometry> assumedSensor) {
   /** So many triggers and frames are listed at the most. */
   public static final int MAX_LISTED = 100_000;
 
   private static final int PROFILE_BINS = 2000;
-
-  /**
-   * When something came.
-   *
-   * @param elapsedUs place on the elapsed timeline, microseconds
-   * @param words what it is, for a person
-   */
-  public record Moment(long elapsedUs, String words) {}
-
-  /** Copies the lists. */
-  public RecordingFacts {
-    triggers = List.copyOf(triggers);
-    frames = List.copyOf(frames);
-  }
+  private static final Set<Trigger.Source> FRAME_TIMING =
+      Set.of(Trigger.Source.EXPOSURE, Trigger.Source.FRAME_READOUT);
 
   /** Reads a recording from its start to its end; background thread. */
   public static RecordingFacts scan(Path file, ReadOptions options) throws IOException {
@@ -80,8 +75,10 @@ public record RecordingFacts(
           reader.clock(),
           reader.compression(),
           reader.metadata(),
-          moments.triggers,
-          moments.frames,
+          List.copyOf(moments.triggers),
+          List.copyOf(moments.signals),
+          List.copyOf(moments.frames),
+          moments.usedBits,
           assumedSensor(reader, options));
     }
   }
@@ -103,8 +100,10 @@ public record RecordingFacts(
   /** Gathers what comes beside the events. */
   private static final class Moments implements StreamHandler {
     private final RateProfile.Collector rates;
-    private final List<Moment> triggers = new ArrayList<>();
-    private final List<Moment> frames = new ArrayList<>();
+    private final List<Mark> triggers = new ArrayList<>();
+    private final List<Mark> signals = new ArrayList<>();
+    private final List<Mark> frames = new ArrayList<>();
+    private int usedBits;
 
     Moments(RateProfile.Collector rates) {
       this.rates = rates;
@@ -122,11 +121,23 @@ public record RecordingFacts(
 
     @Override
     public void sample(SensorSample sample) {
-      long elapsedUs = rates.elapsedUs(sample.timeUs());
-      if (sample instanceof Trigger trigger && triggers.size() < MAX_LISTED) {
-        triggers.add(new Moment(elapsedUs, words(trigger)));
-      } else if (sample instanceof Frame && frames.size() < MAX_LISTED) {
-        frames.add(new Moment(elapsedUs, "frame"));
+      // what lies before the first event belongs to the start
+      long elapsedUs = Math.max(0, rates.elapsedUs(sample.timeUs()));
+      if (sample instanceof Trigger trigger) {
+        Mark mark = new Mark(words(trigger), elapsedUs);
+        add(mark, triggers);
+        if (!FRAME_TIMING.contains(trigger.source())) {
+          add(mark, signals);
+        }
+      } else if (sample instanceof Frame frame) {
+        usedBits |= FrameLayer.usedBits(frame);
+        add(new Mark("Frame", elapsedUs), frames);
+      }
+    }
+
+    private static void add(Mark mark, List<Mark> list) {
+      if (list.size() < MAX_LISTED) {
+        list.add(mark);
       }
     }
   }

@@ -27,9 +27,9 @@ import javafx.scene.layout.VBox;
  * Above that stands why something could not be opened.
  */
 final class StartPage extends ScrollPane {
-  private static final double PICTURE_WIDTH = 176;
-  private static final double PICTURE_HEIGHT = 112;
-  private static final double SENTENCE_HEIGHT = 84;
+  private static final double PICTURE_WIDTH = 160;
+  private static final double PICTURE_HEIGHT = 102;
+  private static final double SENTENCE_HEIGHT = 98;
   private static final int MAX_RECENT = 6;
 
   private final Label problem =

@@ -74,6 +74,8 @@ final class FilterTables extends VBox {
             "State whose column of the covariance is shown",
             first.names(),
             name -> name);
+    // its longest name would be wider than the tables
+    column.setPrefWidth(2 * NUMBER_WIDTH);
     column.getSelectionModel().select(0);
     column.setOnAction(event -> showColumn());
     FlowPane title = new FlowPane(6, 0, heading("Covariance P with"), column);
@@ -90,9 +92,8 @@ final class FilterTables extends VBox {
 
   /** Columns of names, of entries and of what follows from them. */
   private static List<ColumnConstraints> columns() {
-    ColumnConstraints names = new ColumnConstraints();
+    ColumnConstraints names = new ColumnConstraints(NAME_WIDTH, NAME_WIDTH, Double.MAX_VALUE);
     names.setHgrow(Priority.ALWAYS);
-    names.setMinWidth(NAME_WIDTH);
     return List.of(names, new ColumnConstraints(NUMBER_WIDTH), new ColumnConstraints());
   }
 
@@ -111,7 +112,7 @@ final class FilterTables extends VBox {
   }
 
   private Node states(WingFilterState f) {
-    GridPane grid = new GridPane(6, 3);
+    GridPane grid = new GridPane(4, 3);
     grid.getColumnConstraints().addAll(columns());
     grid.getColumnConstraints().add(new ColumnConstraints(NUMBER_WIDTH));
     grid.addRow(0, heading("State"), heading("x"), heading("\u00b1 SD"), heading("Q"));
@@ -170,7 +171,7 @@ final class FilterTables extends VBox {
   }
 
   private Node covariance(int chosen) {
-    GridPane grid = new GridPane(6, 3);
+    GridPane grid = new GridPane(4, 3);
     grid.getColumnConstraints().addAll(columns());
     grid.addRow(0, heading("State"), heading("P"), heading("Correlation"));
     for (int i = 0; i < shown.names().size(); i++) {

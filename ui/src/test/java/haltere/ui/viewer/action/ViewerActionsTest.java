@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.ui.viewer.ViewerHarness;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.Test;
@@ -18,6 +19,11 @@ class ViewerActionsTest {
 
   private ViewerAction action(String id, String words) {
     return ViewerAction.of(id, words, "Tools", () -> done.add(id));
+  }
+
+  private ViewerAction keyed(String id, String key) {
+    return new ViewerAction(
+        id, id, "Tools", key, "", () -> done.add(id), Optional.empty(), () -> "");
   }
 
   private static List<String> found(ViewerActions actions, String typed) {
@@ -36,11 +42,10 @@ class ViewerActionsTest {
   @Test
   void duplicateIdsAndKeysAreRejected() {
     ViewerActions actions = new ViewerActions();
-    actions.add(action("one", "First").withKey("X"));
+    actions.add(keyed("one", "X"));
     assertThrows(IllegalArgumentException.class, () -> actions.add(action("one", "Again")));
     IllegalArgumentException problem =
-        assertThrows(
-            IllegalArgumentException.class, () -> actions.add(action("two", "Two").withKey("X")));
+        assertThrows(IllegalArgumentException.class, () -> actions.add(keyed("two", "X")));
     assertEquals("X is the key of one, not of two", problem.getMessage());
   }
 
@@ -59,10 +64,10 @@ class ViewerActionsTest {
 
   @Test
   void keysOfEntriesAreNotPlainOnes() {
-    assertTrue(action("a", "A").withKey("Space").hasPlainKey());
-    assertTrue(action("a", "A").withKey("Shift+Comma").hasPlainKey());
-    assertFalse(action("a", "A").withKey("Shortcut+O").hasPlainKey());
-    assertFalse(action("a", "A").withKey("F11").hasPlainKey());
+    assertTrue(keyed("a", "Space").hasPlainKey());
+    assertTrue(keyed("a", "Shift+Comma").hasPlainKey());
+    assertFalse(keyed("a", "Shortcut+O").hasPlainKey());
+    assertFalse(keyed("a", "F11").hasPlainKey());
     assertFalse(action("a", "A").hasPlainKey());
     assertEquals("Shift+,", ViewerKeys.words("Shift+Comma"));
   }

@@ -22,6 +22,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.ToggleButton;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -129,7 +131,8 @@ class CameraFeatureTest {
       CameraFeature feature = openFly(harness);
       camera(feature).facet(Biases.class).orElseThrow().set("threshold", 0.3);
       harness.click("usual-objects");
-      harness.waitFor("its card", () -> harness.isThere("stage-object-tracker"));
+      ToggleButton button = harness.node("usual-objects", ToggleButton.class);
+      harness.waitFor("the filter", button::isSelected);
       SavingFeature saving = harness.window.feature(SavingFeature.class);
       harness.run(() -> saving.record(file));
       harness.waitFor("a file", () -> Files.exists(file) && Files.size(file) > 20_000);
@@ -141,6 +144,19 @@ class CameraFeatureTest {
       assertEquals("0.3 ln", metadata.get("camera.bias.threshold"));
       assertTrue(metadata.get("chain").contains("object-tracker"), metadata.toString());
       assertTrue(metadata.containsKey("clockOffsetUs"));
+    }
+  }
+
+  @Test
+  void cameraHasNoSpeedAndOpensWithoutErrorAfterTheFlyScene() {
+    try (ViewerHarness harness = new ViewerHarness()) {
+      harness.run(() -> harness.window.context().actions().run("scene-rendered-fly"));
+      harness.waitFor(
+          "slow motion", () -> harness.window.context().playback().speedProperty().get() < 0.1);
+      openFly(harness);
+      harness.waitFor("no speed", () -> harness.node("speed", MenuButton.class).isDisabled());
+      assertEquals(1.0, harness.window.context().playback().speedProperty().get());
+      assertFalse(harness.isThere("dismiss"), () -> harness.text("status-message"));
     }
   }
 
@@ -166,7 +182,8 @@ class CameraFeatureTest {
     try (ViewerHarness harness = new ViewerHarness()) {
       openFly(harness);
       harness.click("usual-wings");
-      harness.waitFor("its card", () -> harness.isThere("stage-wing-tracker"));
+      ToggleButton button = harness.node("usual-wings", ToggleButton.class);
+      harness.waitFor("the filter", button::isSelected);
       PublishFeature feature = harness.window.feature(PublishFeature.class);
       harness.run(() -> feature.start("tcp://127.0.0.1:0"));
       harness.waitFor("an address", () -> feature.address().isPresent());

@@ -72,6 +72,16 @@ class FrameLayerTest {
   }
 
   @Test
+  void aDarkStartIsShownByTheBitsOfTheWholeRecording() {
+    layer.take(deepRow(0x200, 0x3FF));
+    lowerRow();
+    layer.useBits(FrameLayer.usedBits(deepRow(0x200, 0xFFFF)));
+    assertArrayEquals(new int[] {0x02, 0x03}, lowerRow(), "the frame that is shown");
+    layer.take(deepRow(0x200, 0xFFFF));
+    assertArrayEquals(new int[] {0x02, 0xFF}, lowerRow(), "the first bright one");
+  }
+
+  @Test
   void opacityMixesTheFrameWithTheBackground() {
     opacity = 0.5;
     layer.take(lowerRow(0x30, 0xF0));

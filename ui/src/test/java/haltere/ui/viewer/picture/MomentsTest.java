@@ -33,7 +33,9 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.OptionalLong;
 import java.util.concurrent.Callable;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -258,6 +260,49 @@ class MomentsTest {
       }
       shown.player.edit(chain -> chain.setEnabled(chain.stages().get(0), true));
       shown.awaitPicture(polarity, "with its noise filter again");
+    }
+  }
+
+  @Test
+  void aModeOfALongerMemoryMakesTheMomentAnewOnce() throws Exception {
+    AtomicInteger begun = new AtomicInteger();
+    Semaphore held = new Semaphore(0);
+    SliceSink runs =
+        new SliceSink() {
+          @Override
+          public void packet(EventPacket packet) {
+            // only runs are counted
+          }
+
+          @Override
+          public void sliceEnd(long fromUs, long toUs) {
+            // a slice that is held is complete
+          }
+
+          @Override
+          public void runUpBegins(long sliceUs) {
+            begun.incrementAndGet();
+          }
+
+          @Override
+          public void sliceHeld() {
+            held.release();
+          }
+        };
+    try (Shown shown = new Shown(recording(), CLUSTERS, DisplayMode.POLARITY)) {
+      shown.seek(350_000);
+      shown.player.addRawSink(runs);
+      held.acquire();
+      for (DisplayMode mode : new DisplayMode[] {DisplayMode.FREQUENCY, DisplayMode.POLARITY}) {
+        begun.set(0);
+        shown.display.maker().setOptions(shownAs(mode));
+        shown.player.refresh();
+        held.acquire();
+        // each waits for what has begun
+        shown.picture();
+        shown.picture();
+        assertEquals(1, begun.get(), () -> "runs for " + mode);
+      }
     }
   }
 }

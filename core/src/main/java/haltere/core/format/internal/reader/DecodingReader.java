@@ -275,6 +275,11 @@ public final class DecodingReader implements RecordingReader {
     return ofEvents.isEmpty() && order != null ? sampleSegments() : ofEvents;
   }
 
+  @Override
+  public boolean hasEvents() throws IOException {
+    return !index().segments().isEmpty();
+  }
+
   private List<TimeSegment> sampleSegments() throws IOException {
     if (sampleSegments == null) {
       long firstUs = Long.MAX_VALUE;
