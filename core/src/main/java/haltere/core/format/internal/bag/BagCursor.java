@@ -22,7 +22,7 @@ import java.util.Optional;
  */
 final class BagCursor implements EventCursor {
   /** Number of its own state values, before those of the walk and the decoder. */
-  private static final int OWN_LONGS = 2;
+  static final int OWN_LONGS = 2;
 
   private static final long UNKNOWN = -1;
 

@@ -8,6 +8,7 @@ import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.decoding.SampleCursor;
 import haltere.core.format.internal.decoding.SensorGuess;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
@@ -93,7 +94,12 @@ final class BagOpening {
         remarks,
         options,
         violations,
-        counts -> cursor(first, geometry, counts));
+        counts -> cursor(first, geometry, counts),
+        Optional.of(first).filter(one -> one.encoding() == Encoding.EVT3).map(this::triggers));
+  }
+
+  private SampleCursor.Factory triggers(First first) {
+    return counted -> new BagTriggerCursor(messages(first.topic()::equals, new ViolationCounts()));
   }
 
   private BagCursor cursor(First first, SensorGeometry geometry, ViolationCounts violations)

@@ -49,8 +49,8 @@ public final class Evt21Format extends EvtFormat {
   }
 
   @Override
-  EvtSampleCursor.Words words() {
-    return legacy ? EvtSampleCursor.Words.EVT21_LEGACY : EvtSampleCursor.Words.EVT21;
+  TriggerWords.Encoding words() {
+    return legacy ? TriggerWords.Encoding.EVT21_LEGACY : TriggerWords.Encoding.EVT21;
   }
 
   @Override

@@ -37,8 +37,8 @@ public final class Evt2Format extends EvtFormat {
   }
 
   @Override
-  EvtSampleCursor.Words words() {
-    return EvtSampleCursor.Words.EVT2;
+  TriggerWords.Encoding words() {
+    return TriggerWords.Encoding.EVT2;
   }
 
   @Override

@@ -37,8 +37,8 @@ public final class Evt3Format extends EvtFormat {
   }
 
   @Override
-  EvtSampleCursor.Words words() {
-    return EvtSampleCursor.Words.EVT3;
+  TriggerWords.Encoding words() {
+    return TriggerWords.Encoding.EVT3;
   }
 
   @Override

@@ -68,7 +68,7 @@ abstract sealed class EvtDecoder implements StreamDecoder
     return 3;
   }
 
-  /** {@link EvtSampleCursor} uses these values too. */
+  /** {@link TriggerWords} uses these values too. */
   @Override
   public void save(long[] state, int at) {
     times.save(state, at);

@@ -40,7 +40,7 @@ abstract sealed class EvtFormat implements StreamedFormat
       SensorGeometry geometry, long firstTurnUs, ViolationCounts violations);
 
   /** The words of the encoding. */
-  abstract EvtSampleCursor.Words words();
+  abstract TriggerWords.Encoding words();
 
   /** Detects the variant of the encoding; returns the format of the variant. */
   EvtFormat fitted(RecordingFile file, PropheseeHeader header, List<String> remarks)
@@ -116,7 +116,8 @@ abstract sealed class EvtFormat implements StreamedFormat
         violations -> fitted.cursor(file, header, sensor.geometry(), firstTurnUs, violations),
         Optional.of(
             violations ->
-                new EvtSampleCursor(file, header.dataOffset(), fitted.words(), firstTurnUs)));
+                new EvtSampleCursor(
+                    file, header.dataOffset(), new TriggerWords(fitted.words(), firstTurnUs))));
   }
 
   private EventCursor cursor(

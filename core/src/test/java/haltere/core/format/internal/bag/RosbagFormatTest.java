@@ -7,12 +7,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.Trigger;
+import haltere.core.format.RandomSamples;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
+import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
 import haltere.core.format.Violation;
+import haltere.core.format.WriteOptions;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
 import haltere.testing.RecordingFormatContract;
@@ -178,6 +182,62 @@ class RosbagFormatTest extends RecordingFormatContract {
     RecordingProblem problem = assertThrows(RecordingProblem.class, () -> read(bytes));
     assertTrue(
         problem.getMessage().contains("only /camera (sensor_msgs/Image)"), problem.getMessage());
+  }
+
+  @Test
+  void edgesAmongEvt3WordsKeepTheirPositionsAmongEvents() throws IOException {
+    EventPacket events = EventPackets.uniform(DAVIS346, 5, 20_000, 16_000_000, 100);
+    Path words = folder.resolve("words.raw");
+    RandomSamples samples = new RandomSamples(DAVIS346, 6);
+    List<Trigger> triggers = new ArrayList<>();
+    try (RecordingWriter writer =
+        Recordings.forWriting(words).create(words, WriteOptions.of(DAVIS346)).orElseThrow()) {
+      for (int from = 0; from < events.size(); from += 700) {
+        triggers.add(samples.edge(events.timeUs(from), 16));
+        assertTrue(writer.write(triggers.get(triggers.size() - 1)));
+        int to = Math.min(from + 700, events.size());
+        writer.write(EventPackets.part(events, from, to));
+      }
+      writer.finish();
+    }
+    Path file = Files.write(folder.resolve("edges.bag"), bagOfWords(words));
+    ReadOptions options = ReadOptions.DEFAULT.withSamples(true).withPacketEvents(1000);
+    StreamRecorder stream = new StreamRecorder();
+    try (RecordingReader reader = Recordings.open(file, options)) {
+      reader.drainTo(new StreamGrammar(stream));
+      assertEquals(events, stream.events());
+      assertEquals(triggers, stream.samples(Trigger.class));
+      for (StreamRecorder.Read read : stream.placedSamples()) {
+        assertEquals(events.indexAtOrAfter(read.sample().timeUs()), read.eventsBefore());
+      }
+      assertEquals(triggers.size(), reader.countSamples().triggers());
+      long seekUs = events.timeUs(12_345);
+      reader.seek(seekUs);
+      StreamRecorder part = new StreamRecorder();
+      reader.drainTo(part);
+      List<Trigger> later = triggers.stream().filter(one -> one.timeUs() >= seekUs).toList();
+      assertEquals(later, part.samples(Trigger.class));
+    }
+  }
+
+  /** A bag whose messages are parts of the words of an EVT3 file. */
+  private static byte[] bagOfWords(Path words) throws IOException {
+    byte[] all = Files.readAllBytes(words);
+    int at = 0;
+    while (all[at] == '%') {
+      while (all[at++] != '\n') {
+        // to the end of the line
+      }
+    }
+    RosbagFile bag = new RosbagFile().topic("/events", PACKET);
+    SplittableRandom random = new SplittableRandom(7);
+    for (int number = 0; at < all.length; number++) {
+      int to = Math.min(all.length, at + 2 * random.nextInt(1, 5_000));
+      byte[] part = Arrays.copyOfRange(all, at, to);
+      bag.message(0, RosBytes.packet(false, DAVIS346, number, 0, "evt3", false, part));
+      at = to;
+    }
+    return bag.endChunk().closed();
   }
 
   @Test

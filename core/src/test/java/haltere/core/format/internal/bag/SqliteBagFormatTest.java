@@ -7,6 +7,7 @@ import com.github.luben.zstd.Zstd;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.Trigger;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
@@ -15,6 +16,7 @@ import haltere.core.format.Recordings;
 import haltere.core.format.Support;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
+import haltere.testing.RecordedPackets;
 import haltere.testing.RecordingFormatContract;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
@@ -158,5 +160,20 @@ class SqliteBagFormatTest extends RecordingFormatContract {
       }
     }
     assertTrue(read > 100, read + " of the files gave events");
+  }
+
+  /** As a script with Python's sqlite3 finds them among the words. */
+  @Test
+  void triggersOfARecordedBagAreRead() throws IOException {
+    StreamRecorder stream = new StreamRecorder();
+    ReadOptions withSamples = ReadOptions.DEFAULT.withSamples(true);
+    try (RecordingReader reader = RecordedPackets.TRIGGERS_BAG.open(withSamples)) {
+      reader.drainTo(new StreamGrammar(stream));
+    }
+    assertEquals(
+        List.of(
+            new Trigger(14_547_491, Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.FALLING, 0),
+            new Trigger(14_549_491, Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.RISING, 0)),
+        stream.samples(Trigger.class));
   }
 }
