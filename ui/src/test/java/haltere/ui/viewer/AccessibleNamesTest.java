@@ -42,14 +42,15 @@ class AccessibleNamesTest {
     List<String> filters =
         List.of("background-activity", "hot-pixels", "object-tracker", "cluster-tracker");
     viewer = ViewerHarness.withBlobAnd(filters.toArray(String[]::new));
-    List.of("show-plots", "show-space-time", "show-live-flight", "compare").forEach(this::run);
-    viewer.run(() -> viewer.window.context().panels().plots().addLane(PlotField.EVENT_RATE));
-    TabPane side = viewer.node("side-tabs", TabPane.class);
-    viewer.run(side.getSelectionModel()::selectFirst);
     for (String name : filters) {
       viewer.fire("expand-" + name);
     }
     viewer.waitFor("the settings", () -> viewer.isThere("reset-all-cluster-tracker"));
+    List.of("show-plots", "show-space-time", "show-live-flight", "compare").forEach(this::run);
+    viewer.run(() -> viewer.window.context().panels().plots().addLane(PlotField.EVENT_RATE));
+    TabPane side = viewer.node("side-tabs", TabPane.class);
+    viewer.waitFor("the second chain", () -> side.getTabs().size() > 1);
+    viewer.run(side.getSelectionModel()::selectFirst);
     assertAllAreNamed(150);
   }
 
