@@ -16,9 +16,13 @@ public final class TriggerWords {
 
   /** The encodings. */
   public enum Encoding {
+    /** Words of 32 bits. */
     EVT2(4),
+    /** Words of 64 bits. */
     EVT21(8),
+    /** Words of 64 bits whose halves are exchanged. */
     EVT21_LEGACY(8),
+    /** Words of 16 bits. */
     EVT3(2);
 
     private final int bytes;
