@@ -8,6 +8,7 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.regex.Pattern;
 
 /**
  * A row of text, read exactly with all forms of numbers: signs, decimals, exponents, words for
@@ -18,6 +19,9 @@ import java.util.List;
 final class CsvRow {
   private static final int MAX_EXPONENT = 40;
   private static final int MAX_SCALE = 4096;
+  private static final int MAX_CHARACTERS = 2 * MAX_SCALE;
+  private static final Pattern NUMBER =
+      Pattern.compile("[+-]?(\\d++(\\.\\d*+)?|\\.\\d++)([eE][+-]?\\d++)?");
 
   private final EventColumn[] roles;
   private final int timeScale;
@@ -224,14 +228,16 @@ final class CsvRow {
     if (text.equalsIgnoreCase("false") || text.equalsIgnoreCase("off")) {
       return 0;
     }
-    try {
-      BigDecimal exact = new BigDecimal(text);
-      if (Math.abs((long) exact.precision() - exact.scale()) <= MAX_EXPONENT
-          && Math.abs((long) exact.scale()) <= MAX_SCALE) {
-        return exact.scaleByPowerOfTen(scale).setScale(0, RoundingMode.HALF_UP).longValueExact();
+    if (text.length() <= MAX_CHARACTERS && NUMBER.matcher(text).matches()) {
+      try {
+        BigDecimal exact = new BigDecimal(text);
+        if (Math.abs((long) exact.precision() - exact.scale()) <= MAX_EXPONENT
+            && Math.abs((long) exact.scale()) <= MAX_SCALE) {
+          return exact.scaleByPowerOfTen(scale).setScale(0, RoundingMode.HALF_UP).longValueExact();
+        }
+      } catch (ArithmeticException | NumberFormatException ignored) {
+        // an exponent beyond an int, or a value beyond a long: reported below
       }
-    } catch (ArithmeticException | NumberFormatException ignored) {
-      // reported below
     }
     invalid = true;
     return Long.MIN_VALUE;
