@@ -119,6 +119,8 @@ final class RoadTruthRows {
       }
     }
     RoadView view = seen.view;
+    boolean entire =
+        before.isEmpty() && isOnSensor(view.fromX, view.fromY) && isOnSensor(view.toX, view.toY);
     Ray ray = new Ray(camera.heightM);
     int own = 0;
     int visible = 0;
@@ -136,6 +138,9 @@ final class RoadTruthRows {
         ray.inverseTangent = ray.tangent == 0 ? RoadPainter.STEEP : 1 / ray.tangent;
         double range = seen.intersect(ray);
         if (range < PaintedBox.NOWHERE) {
+          if (entire) {
+            return 1;
+          }
           own++;
           visible += isOnSensor(column, row) && !isHidden(range, before, ray) ? 1 : 0;
         }

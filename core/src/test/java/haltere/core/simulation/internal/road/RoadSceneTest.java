@@ -135,19 +135,33 @@ class RoadSceneTest {
     RoadScene scene = new RoadScene(pure("run.durationS=6"));
     EventPacket events = SceneRuns.events(scene);
     int outside = 0;
-    List<RoadTruth> rows = List.of();
-    long atUs = -1;
+    RecentTruth truth = new RecentTruth(scene);
     for (int i = 0; i < events.size(); i++) {
-      if (events.timeUs(i) - atUs > 500 || atUs < 0) {
-        atUs = events.timeUs(i);
-        rows = scene.truthRows(atUs);
-      }
-      outside += isIn(rows, events.x(i), events.y(i), 1) ? 0 : 1;
+      outside += isIn(truth.rows(events.timeUs(i)), events.x(i), events.y(i), 1) ? 0 : 1;
     }
 
     assertTrue(events.size() > 15_000, events.size() + " events");
     // a vehicle that is gone behind the far end of the road is no longer in the truth
     assertTrue(outside <= events.size() / 1000, outside + " of " + events.size());
+  }
+
+  /** The truth at most half a millisecond ago, in which a vehicle moves by less than a pixel. */
+  private static final class RecentTruth {
+    private final RoadScene scene;
+    private List<RoadTruth> rows = List.of();
+    private long timeUs = -1;
+
+    RecentTruth(RoadScene scene) {
+      this.scene = scene;
+    }
+
+    List<RoadTruth> rows(long nowUs) {
+      if (timeUs < 0 || nowUs - timeUs > 500) {
+        timeUs = nowUs;
+        rows = scene.truthRows(nowUs);
+      }
+      return rows;
+    }
   }
 
   private static boolean isIn(List<RoadTruth> rows, int x, int y, double margin) {
@@ -178,8 +192,9 @@ class RoadSceneTest {
     double sumY = 0;
     int inside = 0;
     int front = 0;
+    RecentTruth truth = new RecentTruth(scene);
     for (int i = 0; i < events.size(); i++) {
-      List<RoadTruth> rows = scene.truthRows(events.timeUs(i));
+      List<RoadTruth> rows = truth.rows(events.timeUs(i));
       if (rows.size() == 1 && rows.get(0).visibleShare() == 1) {
         RoadTruth row = rows.get(0);
         double fromX = (events.x(i) - row.xPx()) / row.widthPx();
