@@ -12,6 +12,7 @@ import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.ObservationFile;
 import haltere.filters.orientation.camera.Vectors;
+import haltere.testing.NewFile;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
@@ -211,7 +212,7 @@ class FlydraFileTest {
     Path broken = folder.resolve("broken.h5");
     int refused = 0;
     for (int length = 600; length < whole.length; length += 1217) {
-      Files.write(broken, Arrays.copyOf(whole, length));
+      NewFile.write(broken, Arrays.copyOf(whole, length));
       refused += isRefused(broken) ? 1 : 0;
     }
     assertTrue(refused >= 20, refused + " of the cut files are refused");
@@ -223,7 +224,7 @@ class FlydraFileTest {
         case 1 -> bytes.putLong(at, Long.MAX_VALUE / 3);
         default -> bytes.putInt(at, bytes.getInt(at) + 3);
       }
-      Files.write(broken, lie);
+      NewFile.write(broken, lie);
       isRefused(broken);
     }
   }

@@ -15,6 +15,7 @@ import haltere.core.format.Violation;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.compression.LittleEndian;
 import haltere.testing.EventPackets;
+import haltere.testing.NewFile;
 import haltere.testing.RecordingFormatContract;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
@@ -208,7 +209,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
               withInt(bytes, second + 4, -5),
               withInt(bytes, second + 4, 25),
               withInt(bytes, second + 8, 0x7777_7777))) {
-        Files.write(file, damaged);
+        NewFile.write(file, damaged);
         StreamRecorder recorder = new StreamRecorder();
         try (RecordingReader reader = Recordings.open(file)) {
           reader.drainTo(recorder);
@@ -303,7 +304,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
     write(file, DAVIS346, written);
     byte[] bytes = Files.readAllBytes(file);
     for (String info : List.of("<dv><node name=", "", "<!DOCTYPE dv [<!ENTITY a \"b\">]><dv>&a;")) {
-      Files.write(file, withHeader(bytes, info, -1));
+      NewFile.write(file, withHeader(bytes, info, -1));
       try (RecordingReader reader = Recordings.open(file)) {
         assertEquals(new SensorGeometry(301, 10, Origin.TOP), reader.geometry());
         assertEquals(2, reader.remarks().size(), reader.remarks().toString());

@@ -25,6 +25,7 @@ import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.compression.LittleEndian;
 import haltere.core.pipeline.Conversion;
 import haltere.testing.EventPackets;
+import haltere.testing.NewFile;
 import haltere.testing.Recorded;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
@@ -238,7 +239,7 @@ class Aedat4SamplesTest {
       for (int i = 0; i < 4; i++) {
         bytes[random.nextInt(2500, bytes.length)] ^= (byte) (1 << random.nextInt(8));
       }
-      Files.write(damaged, round % 3 == 0 ? Arrays.copyOf(bytes, bytes.length / 2) : bytes);
+      NewFile.write(damaged, round % 3 == 0 ? Arrays.copyOf(bytes, bytes.length / 2) : bytes);
       StreamRecorder recorder = new StreamRecorder();
       try (RecordingReader reader =
           Recordings.open(damaged, ReadOptions.DEFAULT.withSamples(true))) {

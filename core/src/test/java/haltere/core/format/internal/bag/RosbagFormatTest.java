@@ -19,6 +19,7 @@ import haltere.core.format.Violation;
 import haltere.core.format.WriteOptions;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
+import haltere.testing.NewFile;
 import haltere.testing.RecordingFormatContract;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
@@ -323,7 +324,7 @@ class RosbagFormatTest extends RecordingFormatContract {
       if (random.nextInt(3) == 0) {
         bytes = Arrays.copyOf(bytes, 4100 + random.nextInt(bytes.length - 4100));
       }
-      Files.write(file, bytes);
+      NewFile.write(file, bytes);
       StreamRecorder recorder = new StreamRecorder();
       try (RecordingReader reader =
           new RosbagFormat().open(file, ReadOptions.DEFAULT.withPacketEvents(40))) {

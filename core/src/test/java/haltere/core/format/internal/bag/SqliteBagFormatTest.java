@@ -16,6 +16,7 @@ import haltere.core.format.Recordings;
 import haltere.core.format.Support;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
+import haltere.testing.NewFile;
 import haltere.testing.RecordedPackets;
 import haltere.testing.RecordingFormatContract;
 import haltere.testing.StreamRecorder;
@@ -148,7 +149,7 @@ class SqliteBagFormatTest extends RecordingFormatContract {
       for (int flips = 1 + random.nextInt(6); flips > 0; flips--) {
         bytes[random.nextInt(bytes.length)] ^= (byte) (1 << random.nextInt(8));
       }
-      Files.write(file, bytes);
+      NewFile.write(file, bytes);
       StreamRecorder recorder = new StreamRecorder();
       try (RecordingReader reader =
           new SqliteBagFormat().open(file, ReadOptions.DEFAULT.withPacketEvents(40))) {

@@ -17,6 +17,7 @@ import haltere.core.format.WriteOptions;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
+import haltere.testing.NewFile;
 import haltere.testing.RecordingFormatContract;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
@@ -259,7 +260,7 @@ abstract class EvtContract extends RecordingFormatContract {
       SplittableRandom random = new SplittableRandom(seed);
       byte[] words = randomWords(random);
       Path file = folder.resolve("any-" + seed);
-      Files.write(file, words);
+      NewFile.write(file, words);
       ReadOptions options =
           ReadOptions.DEFAULT.withSensor(new SensorGeometry(600, 400)).withFormat(format().name());
       try (RecordingReader usual = Recordings.open(file, options);

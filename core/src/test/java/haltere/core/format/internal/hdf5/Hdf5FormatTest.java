@@ -16,6 +16,7 @@ import haltere.core.format.Recordings;
 import haltere.core.format.Violation;
 import haltere.core.format.WriteOptions;
 import haltere.testing.EventPackets;
+import haltere.testing.NewFile;
 import haltere.testing.RecordingFormatContract;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
@@ -208,7 +209,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
       for (int flips = random.nextInt(1, 6); flips > 0; flips--) {
         bytes[random.nextInt(bytes.length)] = (byte) random.nextInt(256);
       }
-      Files.write(file, i % 5 == 0 ? Arrays.copyOf(bytes, i * bytes.length / DAMAGES) : bytes);
+      NewFile.write(file, i % 5 == 0 ? Arrays.copyOf(bytes, i * bytes.length / DAMAGES) : bytes);
       try (RecordingReader reader = format().open(file, ReadOptions.DEFAULT.withSensor(SENSOR))) {
         assertTrue(read(reader).events().size() <= whole.length);
       } catch (RecordingProblem problem) {
@@ -226,7 +227,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
     EventPacket events = theirEvents();
     Path file = folder.resolve("cut");
     for (int length = whole.length - 1; length > 0; length -= CUT_STEP_BYTES) {
-      Files.write(file, Arrays.copyOf(whole, length));
+      NewFile.write(file, Arrays.copyOf(whole, length));
       try (RecordingReader reader = format().open(file, ReadOptions.DEFAULT.withSensor(SENSOR))) {
         EventPacket got = read(reader).events();
         assertEquals(EventPackets.part(events, 0, got.size()), got, "cut to " + length + " bytes");
