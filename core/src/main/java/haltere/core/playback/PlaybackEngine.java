@@ -151,7 +151,7 @@ final class PlaybackEngine {
     }
   }
 
-  /** Returns true if the future will be completed later. */
+  /** Returns true if the future is completed already, or will be later. */
   private boolean execute(PlaybackCommand command, CompletableFuture<Void> done)
       throws IOException {
     if (command instanceof PlaybackCommand.Play play) {
@@ -165,12 +165,7 @@ final class PlaybackEngine {
     } else if (command instanceof PlaybackCommand.Rewind) {
       return jumpAndShow(stream.startOfLoop(), Reset.Cause.REWIND, done);
     } else if (command instanceof PlaybackCommand.SetSpeed set) {
-      speed = set.speed();
-      if (playable.isLive()) {
-        throw new IOException(playable.name() + " is live: its speed cannot be changed");
-      }
-      pace.setSpeed(speed, slices.nextUs());
-      slices.reopen();
+      return setSpeed(set.speed(), done);
     } else if (command instanceof PlaybackCommand.SetSlicing set) {
       slices.setSlicing(set.slicing());
     } else if (command instanceof PlaybackCommand.SetLoop set) {
@@ -192,6 +187,20 @@ final class PlaybackEngine {
     } else if (command instanceof PlaybackCommand.RemoveSink remove) {
       runner.removeSink(remove.sink());
     }
+    return false;
+  }
+
+  /** A live source keeps the speed for the replay of its kept events. */
+  private boolean setSpeed(double wanted, CompletableFuture<Void> done) {
+    speed = wanted;
+    if (playable.isLive()) {
+      // a fault of the caller, not of playback, whose status has no message of it
+      done.completeExceptionally(
+          new IOException(playable.name() + " is live: its speed cannot be changed"));
+      return true;
+    }
+    pace.setSpeed(speed, slices.nextUs());
+    slices.reopen();
     return false;
   }
 

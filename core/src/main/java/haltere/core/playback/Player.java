@@ -163,7 +163,8 @@ public final class Player implements AutoCloseable {
    *
    * @param speed recording time per real time, {@link PlaybackClock#MIN_SPEED} or more, infinite
    *     for as fast as possible
-   * @return completed when applied
+   * @return completed when applied; exceptionally while a source is live, whose kept events are
+   *     replayed at this speed
    */
   public CompletableFuture<Void> setSpeed(double speed) {
     PlaybackClock.checkSpeed(speed);

@@ -137,6 +137,7 @@ class CameraPlayableTest {
       ExecutionException refused =
           assertThrows(ExecutionException.class, () -> player.setSpeed(0.5).get());
       assertTrue(refused.getCause().getMessage().contains("its speed cannot be changed"));
+      assertEquals("", player.status().message());
       player.pause().get();
       assertEquals(State.PAUSED, player.status().state());
       player.play().get();
@@ -145,7 +146,7 @@ class CameraPlayableTest {
       assertEquals(State.PLAYING, player.status().state());
       playable.camera().facet(Plug.class).orElseThrow().plugIn();
       waitForEvents(player, player.status().eventsIn() + 2000);
-      assertEquals("", player.status().message().replaceAll("simulated:fly is live.*", ""));
+      assertEquals("", player.status().message());
     }
   }
 
