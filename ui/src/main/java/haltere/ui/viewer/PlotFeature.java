@@ -87,10 +87,7 @@ final class PlotFeature implements ViewerFeature {
                     window.stage(), "Plots \u2013 Haltere", new StackPane(plots), 900, 480);
             ViewerKeys.install(own[0].getScene(), window.actions());
             // it has no menus, which know the keys with Ctrl
-            own[0]
-                .getScene()
-                .getAccelerators()
-                .putAll(window.stage().getScene().getAccelerators());
+            own[0].getScene().getAccelerators().putAll(window.stage().getScene().getAccelerators());
             own[0].setOnHidden(event -> apart.set(false));
             own[0].show();
           } else {

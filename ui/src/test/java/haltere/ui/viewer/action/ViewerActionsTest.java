@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.ui.viewer.ViewerHarness;
+import haltere.ui.viewer.feature.DisplayControl;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -115,6 +116,12 @@ class ViewerActionsTest {
       viewer.press(KeyCode.CONTROL, KeyCode.Z);
       viewer.waitFor("it is undone", () -> viewer.text("status-message").startsWith("Undone"));
     }
+  }
+
+  @Test
+  void fadingTimesAreRoundNumbers() {
+    assertEquals("1 ms", DisplayControl.DECAYS.get(1_000L));
+    assertEquals("300 ms", DisplayControl.DECAYS.get(300_000L));
   }
 
   @Test
