@@ -72,11 +72,9 @@ public final class ExportFeature implements ViewerFeature {
 
   /** Ends what is being exported and what waits for it; nothing of it is kept. */
   void stop() {
-    if (running.stream().anyMatch(export -> !export.isDone())) {
-      stops++;
-      running.forEach(export -> export.cancel(true));
-      window.status().setActivity("Exports were stopped");
-    }
+    stops++;
+    running.forEach(export -> export.cancel(true));
+    window.status().setActivity("Exports were stopped");
     running.clear();
   }
 
