@@ -32,12 +32,14 @@ final class FileFeature implements ViewerFeature {
     if (window.settings().get(NAME).orElse(null) instanceof List<?> kept) {
       kept.forEach(file -> files.add(Path.of(file.toString())));
     }
-    window
-        .actions()
-        .add("open", () -> window.dialogs().recording().ifPresent(window.sessions()::open));
-    addScenes(window.actions(), window.sessions());
+    ViewerActions actions = window.actions();
+    actions.add("open", () -> window.dialogs().recording().ifPresent(window.sessions()::open));
+    addScenes(actions, window.sessions());
     window.onSession(made -> made.request().file().ifPresent(this::opened));
-    window.actions().add("open-last", this::openLast);
+    actions.add(
+        "open-last",
+        () -> window.sessions().open(files.get(0)),
+        () -> files.isEmpty() ? "no recording has been opened" : "");
     offer();
   }
 
@@ -55,14 +57,6 @@ final class FileFeature implements ViewerFeature {
                   SCENES,
                   () -> sessions.open(SessionRequest.scene(scene.name(), title)))
               .withHelp(scene.description()));
-    }
-  }
-
-  private void openLast() {
-    if (files.isEmpty()) {
-      window.status().setActivity("No recording has been opened yet.");
-    } else {
-      window.sessions().open(files.get(0));
     }
   }
 

@@ -12,7 +12,6 @@ import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.GridPane;
-import javafx.scene.layout.RowConstraints;
 import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
 
@@ -105,11 +104,9 @@ final class Manual {
         if (row == 0) {
           cell.getStyleClass().add(Styles.TEXT_BOLD);
         }
+        GridPane.setValignment(cell, VPos.TOP);
         grid.add(cell, column, row);
       }
-      RowConstraints top = new RowConstraints();
-      top.setValignment(VPos.TOP);
-      grid.getRowConstraints().add(top);
       row++;
     }
     return grid;

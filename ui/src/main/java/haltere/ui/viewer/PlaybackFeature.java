@@ -8,7 +8,7 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.playback.PlaybackController;
 import java.util.OptionalLong;
-import javafx.beans.binding.Bindings;
+import javafx.beans.binding.BooleanExpression;
 
 /** The transport's actions and their keys. */
 final class PlaybackFeature implements ViewerFeature {
@@ -45,8 +45,7 @@ final class PlaybackFeature implements ViewerFeature {
     actions.add("clear-in-out", playback::clearInOut, this::noLoopEnds);
     actions.add(
         "repeat",
-        Bindings.createBooleanBinding(
-            () -> playback.loopProperty().get().on(), playback.loopProperty()),
+        BooleanExpression.booleanExpression(playback.loopProperty().map(Loop::on)),
         () -> playback.setLooping(!playback.loopProperty().get().on()),
         () -> "");
     add("set-mark", playback::mark);
@@ -88,7 +87,7 @@ final class PlaybackFeature implements ViewerFeature {
           OptionalLong us = Texts.parseTime(words);
           us.ifPresent(at -> jump(window, words, at));
           if (us.isEmpty()) {
-            window.status().showError(words + " is no time; 1:02.345 or 250 ms are");
+            window.status().showError(words + " is no time, such as 1:02.345 or 250 ms");
           }
         });
   }

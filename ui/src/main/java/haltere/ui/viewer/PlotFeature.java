@@ -13,6 +13,7 @@ import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.plots.PlotPanel;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
+import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.scene.image.PixelFormat;
@@ -42,15 +43,18 @@ final class PlotFeature implements ViewerFeature {
     ViewerActions actions = window.actions();
     FileDialogs dialogs = window.dialogs();
     actions.add("plots-apart", apart);
+    Supplier<String> noPlots = () -> plots.lanes().isEmpty() ? "nothing is plotted" : "";
     actions.add(
         "save-plot-table",
         () ->
             dialogs
                 .save("Save plots as table", "plots.csv", "Tables", "*.csv")
-                .ifPresent(file -> save(window, file, plots.table())));
+                .ifPresent(file -> save(window, file, plots.table())),
+        noPlots);
     actions.add(
         "save-plot-picture",
-        () -> dialogs.picture().ifPresent(file -> save(window, file, plots.snapshot(null, null))));
+        () -> dialogs.picture().ifPresent(file -> save(window, file, plots.snapshot(null, null))),
+        noPlots);
   }
 
   private static void save(ViewerContext window, Path file, PlotTable table) {
@@ -82,6 +86,8 @@ final class PlotFeature implements ViewerFeature {
                 Windows.beside(
                     window.stage(), "Plots \u2013 Haltere", new StackPane(plots), 900, 480);
             ViewerKeys.install(own[0].getScene(), window.actions());
+            // it has no menus, which know the keys with Ctrl
+            own[0].getScene().getAccelerators().putAll(window.stage().getScene().getAccelerators());
             own[0].setOnHidden(event -> apart.set(false));
             own[0].show();
           } else {

@@ -36,7 +36,7 @@ public final class PresetFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window.actions().add("save-preset", () -> keep(window.editor()));
+    window.actions().add("save-preset", () -> keep(window.editor()), window::nothingOpen);
     window.editor().setPresets(this::items);
     window
         .settings()

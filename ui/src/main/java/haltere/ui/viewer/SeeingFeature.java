@@ -14,6 +14,7 @@ import haltere.ui.viewer.picture.MeasuringTape;
 import haltere.ui.viewer.picture.RegionMarks;
 import haltere.ui.viewer.picture.RegionTool;
 import java.util.Optional;
+import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 
@@ -48,10 +49,12 @@ public final class SeeingFeature implements ViewerFeature {
     actions.add("region", drawingRegion);
     actions.add("point", pointing);
     actions.add("put-aside", this::putAside);
-    actions.add("clear-region", () -> setRegion(Optional.empty()));
+    Supplier<String> noRegion = () -> region().isEmpty() ? "no region is drawn" : "";
+    actions.add("clear-region", () -> setRegion(Optional.empty()), noRegion);
     actions.add(
         "zoom-region",
-        () -> window.display().regionProperty().get().ifPresent(view.viewpoint()::zoomTo));
+        () -> region().map(RegionMarks::region).ifPresent(view.viewpoint()::zoomTo),
+        noRegion);
     addZoom(view);
     ViewBar bar = window.panels().viewBar();
     bar.tool("tool-measure", Icons.TAPE, "Measure a length and an angle (T)", measuring);

@@ -64,12 +64,12 @@ final class UsualFiltersFeature implements ViewerFeature {
     for (UsualFilter filter : UsualFilter.values()) {
       BooleanProperty property = new SimpleBooleanProperty();
       on.put(filter, property);
-      window.actions().add(filter.id(), property, () -> toggle(filter), () -> "");
+      window.actions().add(filter.id(), property, () -> toggle(filter), window::nothingOpen);
       ToggleButton button = button(filter, property);
       button.contentDisplayProperty().bind(words);
       strip.getChildren().add(button);
     }
-    window.actions().add("usual-chain", this::usualChain);
+    window.actions().add("usual-chain", this::usualChain, window::nothingOpen);
     window.actions().add("all-events", all);
     window.editor().onChange(() -> window.read(StageState::of, this::follow));
     window.onSession(

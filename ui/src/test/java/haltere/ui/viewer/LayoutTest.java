@@ -12,7 +12,10 @@ import javafx.scene.Node;
 import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.SplitPane;
 import javafx.scene.control.ToggleButton;
+import javafx.scene.input.KeyCode;
 import javafx.scene.layout.Region;
+import javafx.stage.Popup;
+import javafx.stage.Window;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -144,6 +147,25 @@ class LayoutTest {
     Node plots = viewer.node("plots", Node.class);
     assertTrue(viewer.onFx(() -> plots.getScene().getWindow().isShowing()));
     viewer.run(() -> plots.getScene().getWindow().hide());
+    viewer.waitFor("plots below the events", () -> isInWindow("plots"));
+  }
+
+  @Test
+  void commandPaletteOpensInTheWindowOfThePlots() {
+    viewer = ViewerHarness.withBlob();
+    run("plots-apart");
+    viewer.waitFor("plots elsewhere", () -> viewer.isThere("plots") && !isInWindow("plots"));
+    Window own = viewer.onFx(() -> viewer.node("plots", Node.class).getScene().getWindow());
+    viewer.run(own::requestFocus);
+    viewer.waitFor("its focus", own::isFocused);
+    viewer.press(KeyCode.CONTROL, KeyCode.K);
+    viewer.waitFor("the palette", () -> viewer.isThere("palette-search"));
+    Popup palette =
+        (Popup) viewer.onFx(() -> viewer.node("palette-search", Node.class).getScene().getWindow());
+    assertEquals(own, palette.getOwnerWindow());
+    viewer.press(KeyCode.ESCAPE);
+    viewer.waitFor("it is closed", () -> !viewer.isThere("palette-search"));
+    viewer.press(KeyCode.CONTROL, KeyCode.G);
     viewer.waitFor("plots below the events", () -> isInWindow("plots"));
   }
 

@@ -162,6 +162,7 @@ class PlaybackTest {
     ViewerHarness.join(viewer.session().player().seek(2_000_000));
     viewer.click("play-backwards");
     viewer.waitFor("an earlier moment", () -> viewer.status().elapsedUs() < 1_900_000);
+    viewer.waitFor("what it does", () -> viewer.text("status-message").endsWith("backwards"));
     viewer.click("play-backwards");
     viewer.waitFor("its stop", () -> !viewer.window.context().playback().reverseProperty().get());
     assertEquals(PlayerStatus.State.PAUSED, viewer.status().state());

@@ -2,6 +2,7 @@ package haltere.ui.command.report;
 
 import haltere.core.overlay.MarkStyle;
 import haltere.core.sink.internal.SvgPlot;
+import haltere.core.sink.internal.Unchecked;
 import haltere.ui.rendering.MarkColours;
 import haltere.ui.rendering.Pictures;
 import java.awt.image.BufferedImage;
@@ -20,25 +21,8 @@ public final class ReportPage {
   /** Colours of curves beside those of left and right wings. */
   private static final int COLOURS = 8;
 
-  private static final String STYLE =
-      """
-      :root{color-scheme:light dark;--paper:#fff;--ink:#1f2328;--grey:#57606a;--rule:#d8dee4;%s}
-      @media (prefers-color-scheme:dark){
-      :root{--paper:#0d1117;--ink:#e6edf3;--grey:#9da7b3;--rule:#30363d;%s}}
-      body{font:15px/1.45 system-ui,sans-serif;background:var(--paper);color:var(--ink);
-      max-width:1280px;margin:2em auto;padding:0 1em}
-      summary{margin-top:2em;cursor:pointer}
-      h1{font-size:1.5em}h2{font-size:1.15em;margin-top:2em;border-bottom:1px solid var(--rule)}
-      table{border-collapse:collapse;display:block;overflow-x:auto}
-      th,td{text-align:left;vertical-align:top;padding:.2em 1.2em .2em 0;overflow-wrap:break-word}
-      th{color:var(--grey);font-weight:normal;white-space:nowrap}td{white-space:pre-line}
-      pre{overflow-x:auto;border:1px solid var(--rule);border-radius:4px;padding:.6em}
-      img{max-width:100%%;height:auto}
-      figure{display:inline-block;width:49%%;min-width:420px;margin:0 0 1em;vertical-align:top}
-      svg{width:100%%;fill:var(--ink)}figcaption{font-size:.85em;text-align:center}
-      figcaption span{margin-right:1em}.key::before{content:"\\2014\\a0"}
-      svg circle{r:3px}svg>rect{fill:var(--paper)}svg g[stroke]{stroke:var(--rule)}
-      """;
+  /** Colours of curves that follow the reader's light or dark setting. */
+  private static final String CURVES = ":root{%s}\n@media (prefers-color-scheme:dark){:root{%s}}\n";
 
   private final StringBuilder body = new StringBuilder();
   private final String title;
@@ -158,7 +142,8 @@ public final class ReportPage {
     return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<title>"
         + title
         + "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>\n"
-        + STYLE.formatted(colours(false), colours(true))
+        + Unchecked.text(ReportPage.class.getResourceAsStream("report.css"))
+        + CURVES.formatted(colours(false), colours(true))
         + "</style></head><body>\n<h1>"
         + title
         + "</h1>\n"

@@ -16,6 +16,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import javafx.stage.Popup;
 import javafx.stage.Stage;
+import javafx.stage.Window;
 
 /**
  * All commands in one list that a few letters make short. Enter or a click does the chosen one,
@@ -44,7 +45,13 @@ public final class CommandPalette {
     }
     search.clear();
     filter("");
-    popup.show(stage, stage.getX() + (stage.getWidth() - WIDTH) / 2, stage.getY() + 90);
+    // the plots may have a window of their own
+    Window over =
+        Window.getWindows().stream()
+            .filter(other -> other != stage && other.isFocused())
+            .findFirst()
+            .orElse(stage);
+    popup.show(over, over.getX() + (over.getWidth() - WIDTH) / 2, over.getY() + 90);
     search.requestFocus();
   }
 
@@ -112,7 +119,7 @@ public final class CommandPalette {
     ViewerAction chosen = list.getSelectionModel().getSelectedItem();
     popup.hide();
     if (chosen != null) {
-      chosen.work().run();
+      actions.run(chosen);
     }
   }
 
@@ -138,7 +145,9 @@ public final class CommandPalette {
       if (!empty) {
         boolean on = action.on().isPresent() && action.on().get().get();
         words.setText((on ? "\u2713 " : "") + action.words());
-        menu.setText(action.menu().replace("/", " > "));
+        String obstacle = action.obstacle().get();
+        line.setDisable(!obstacle.isEmpty());
+        menu.setText(obstacle.isEmpty() ? action.menu().replace("/", " > ") : obstacle);
         key.setText(ViewerKeys.words(action.key()));
       }
     }

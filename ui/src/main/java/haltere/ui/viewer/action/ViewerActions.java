@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
@@ -22,6 +23,7 @@ public final class ViewerActions {
   private final Map<String, ViewerAction> actions = new LinkedHashMap<>();
   private final Map<String, List<ViewerAction>> offers = new HashMap<>();
   private final List<Runnable> listeners = new ArrayList<>();
+  private Consumer<String> refusals = words -> {};
 
   /** Adds actions in the order of their menus; refuses an id or a key that is taken. */
   public void add(ViewerAction... added) {
@@ -107,7 +109,22 @@ public final class ViewerActions {
 
   /** Does what an id stands for. */
   public void run(String id) {
-    find(id).orElseThrow(() -> new IllegalArgumentException("no action " + id)).work().run();
+    run(find(id).orElseThrow(() -> new IllegalArgumentException("no action " + id)));
+  }
+
+  /** Does what an action stands for, or reports why it cannot be done now. */
+  void run(ViewerAction action) {
+    String obstacle = action.obstacle().get();
+    if (obstacle.isEmpty()) {
+      action.work().run();
+    } else {
+      refusals.accept(action.words() + ": " + obstacle);
+    }
+  }
+
+  /** Reports commands that could not be done, with the reason. */
+  public void onRefusal(Consumer<String> listener) {
+    refusals = listener;
   }
 
   /** What stands in a menu, in order. */

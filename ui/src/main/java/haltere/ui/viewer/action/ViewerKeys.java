@@ -71,7 +71,7 @@ public final class ViewerKeys {
       return false;
     }
     Optional<ViewerAction> wanted = action(event, actions);
-    wanted.ifPresent(action -> action.work().run());
+    wanted.ifPresent(actions::run);
     return wanted.isPresent();
   }
 

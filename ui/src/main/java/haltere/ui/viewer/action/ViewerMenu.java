@@ -124,16 +124,18 @@ public final class ViewerMenu extends MenuBar {
         made -> {
           Menu menu = new Menu(slash < 0 ? "_" + whole : whole.substring(slash + 1));
           menu.setOnShowing(event -> showObstacles(menu));
+          // a key must reach what can be done by then
+          menu.setOnHidden(event -> menu.getItems().forEach(item -> item.setDisable(false)));
           return menu;
         });
   }
 
-  private static MenuItem item(ViewerAction action) {
+  private MenuItem item(ViewerAction action) {
     MenuItem item =
         action
             .on()
             .<MenuItem>map(on -> check(action, on))
-            .orElseGet(() -> Controls.item(action.id(), action.words(), action.work()));
+            .orElseGet(() -> Controls.item(action.id(), action.words(), () -> actions.run(action)));
     item.getProperties().put(ViewerAction.class, action);
     if (action.hasPlainKey()) {
       item.setAccelerator(new ShownKey(ViewerKeys.words(action.key())));
@@ -175,7 +177,7 @@ public final class ViewerMenu extends MenuBar {
     }
   }
 
-  private static MenuItem check(ViewerAction action, ObservableBooleanValue on) {
+  private MenuItem check(ViewerAction action, ObservableBooleanValue on) {
     CheckMenuItem item = new CheckMenuItem(action.words());
     item.setId(action.id());
     item.setMnemonicParsing(false);
@@ -186,7 +188,7 @@ public final class ViewerMenu extends MenuBar {
     on.addListener(new WeakChangeListener<>(shower));
     item.setOnAction(
         event -> {
-          action.work().run();
+          actions.run(action);
           item.setSelected(on.get());
         });
     return item;

@@ -230,8 +230,7 @@ final class StageCard extends VBox {
   }
 
   private void showInside(boolean show) {
-    Node box = inside.orElseThrow().getParent();
-    Controls.show(show, box);
+    Controls.show(show, inside.orElseThrow().getParent());
     expand.setRotate(show ? 90 : 0);
   }
 

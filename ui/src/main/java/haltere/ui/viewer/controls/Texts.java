@@ -35,11 +35,8 @@ public final class Texts {
             ? String.format(
                 Locale.ROOT, "%d:%02d:%02d", seconds / 3600, seconds / 60 % 60, seconds % 60)
             : String.format(Locale.ROOT, "%d:%02d", seconds / 60, seconds % 60);
-    String part =
-        withMicros
-            ? String.format(Locale.ROOT, ".%06d", abs % 1_000_000)
-            : String.format(Locale.ROOT, ".%03d", abs % 1_000_000 / 1000);
-    return (us < 0 ? "\u2212" : "") + whole + part;
+    String micros = String.format(Locale.ROOT, ".%06d", abs % 1_000_000);
+    return (us < 0 ? "\u2212" : "") + whole + (withMicros ? micros : micros.substring(0, 4));
   }
 
   /**

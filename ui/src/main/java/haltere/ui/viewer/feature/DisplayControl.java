@@ -75,7 +75,7 @@ public record DisplayControl(
     decays.put(DisplayOptions.SLICE_ONLY, "Last slice only");
     decays.put(DisplayOptions.ACCUMULATE, "None: accumulate");
     for (long us : new long[] {100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000}) {
-      decays.put(us, Texts.duration(us));
+      decays.put(us, Texts.duration(us).replaceFirst("\\.0+ ", " "));
     }
     return Collections.unmodifiableMap(decays);
   }

@@ -58,6 +58,7 @@ public final class StatusLine extends HBox {
   private String source = "";
   private String activity = "";
   private PlayerStatus status;
+  private boolean reverse;
 
   /** A line that says nothing yet. */
   public StatusLine() {
@@ -127,8 +128,10 @@ public final class StatusLine extends HBox {
   }
 
   /** Shows what the player is doing; called a few times a second. */
-  void update(PlayerStatus newStatus, double framesPerSecond, long conflatedFrames) {
+  void update(
+      PlayerStatus newStatus, boolean isReverse, double framesPerSecond, long conflatedFrames) {
     status = newStatus;
+    reverse = isReverse;
     if (!status.message().equals(playerMessage)) {
       playerMessage = status.message();
       if (!playerMessage.isEmpty()) {
@@ -168,7 +171,7 @@ public final class StatusLine extends HBox {
     } else if (status != null && status.state() == State.ENDED) {
       text = source + " \u2013 end";
     } else if (status != null && status.state() == State.PAUSED) {
-      text = source + " \u2013 paused";
+      text = source + (reverse ? " \u2013 backwards" : " \u2013 paused");
     }
     message.setText(text);
     Controls.help(message, text);

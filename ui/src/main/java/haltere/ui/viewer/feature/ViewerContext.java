@@ -91,6 +91,11 @@ public record ViewerContext(
     sessions.session().ifPresent(work);
   }
 
+  /** Why nothing can be done with what is open, in a few words; empty if something is open. */
+  public String nothingOpen() {
+    return sessions.session().isPresent() ? "" : "nothing is open";
+  }
+
   /** Works on files in the background; what goes wrong the bottom line says. */
   public <T> void file(Callable<T> work, Consumer<T> done) {
     background.file(work, done, status::showProblem);

@@ -213,7 +213,10 @@ public final class ViewerPanels extends BorderPane {
   private void showNumbers(ViewerSession open, PlayerStatus now, long nowNanos) {
     transport.update(now);
     statusLine.update(
-        now, meter.perSecond(nowNanos), open.display().maker().exchange().conflated());
+        now,
+        playback.reverseProperty().get(),
+        meter.perSecond(nowNanos),
+        open.display().maker().exchange().conflated());
     chainPanel.update();
     numbersNanos = nowNanos;
   }

@@ -54,7 +54,12 @@ public final class SamplesFeature implements ViewerFeature {
         display.frameOpacityProperty(),
         value -> value.doubleValue(),
         kept -> Math.max(0.1, Math.min(1, ((Number) kept).doubleValue())));
-    window.actions().add("show-frames", display.framesProperty());
+    window
+        .actions()
+        .add(
+            "show-frames",
+            display.framesProperty(),
+            () -> hasFrames.get() ? "" : "there are no frames");
     trigger.setMouseTransparent(true);
     trigger.setVisible(false);
     panels.addOverPicture(trigger, Pos.TOP_RIGHT);

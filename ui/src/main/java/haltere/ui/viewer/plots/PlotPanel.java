@@ -1,5 +1,6 @@
 package haltere.ui.viewer.plots;
 
+import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.stream.StreamNotification;
@@ -199,11 +200,8 @@ public final class PlotPanel extends BorderPane {
     boolean asBegun =
         !first.isEmpty()
             && lanes().stream().flatMap(lane -> lane.fields().stream()).toList().equals(first);
-    boolean published =
-        first.stream()
-            .anyMatch(
-                field ->
-                    chain.stages().stream().anyMatch(stage -> stage.name().equals(field.stage())));
+    List<String> stages = chain.stages().stream().map(ChainStage::name).toList();
+    boolean published = first.stream().map(PlotField::stage).anyMatch(stages::contains);
     if (!asBegun || published) {
       return false;
     }

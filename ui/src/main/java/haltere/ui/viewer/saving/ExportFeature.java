@@ -55,23 +55,26 @@ public final class ExportFeature implements ViewerFeature {
         () ->
             dialogs
                 .save("Export film", "haltere.gif", "Films", "*.gif", "*.mp4")
-                .ifPresent(this::exportFilm));
+                .ifPresent(this::exportFilm),
+        window::nothingOpen);
     actions.add(
         "export-data",
         () ->
             dialogs
                 .save("Export recording", "part.aedat4", "All files", "*")
-                .ifPresent(this::exportData));
-    actions.add("stop-export", this::stop);
+                .ifPresent(this::exportData),
+        window::nothingOpen);
+    actions.add(
+        "stop-export",
+        this::stop,
+        () -> running.stream().allMatch(Future::isDone) ? "nothing is being exported" : "");
   }
 
   /** Ends what is being exported and what waits for it; nothing of it is kept. */
   void stop() {
-    if (running.stream().anyMatch(export -> !export.isDone())) {
-      stops++;
-      running.forEach(export -> export.cancel(true));
-      window.status().setActivity("Exports were stopped");
-    }
+    stops++;
+    running.forEach(export -> export.cancel(true));
+    window.status().setActivity("Exports were stopped");
     running.clear();
   }
 

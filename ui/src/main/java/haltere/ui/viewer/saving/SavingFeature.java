@@ -33,10 +33,10 @@ public final class SavingFeature implements ViewerFeature {
         "save-chain",
         () ->
             dialogs.save("Save chain", "chain.json", "Chains", "*.json").ifPresent(this::saveChain),
-        this::obstacle);
-    actions.add("record", recording.runningProperty(), this::toggleRecording, this::obstacle);
+        window::nothingOpen);
+    actions.add("record", recording.runningProperty(), this::toggleRecording, window::nothingOpen);
     actions.add(
-        "save-picture", () -> dialogs.picture().ifPresent(this::savePicture), this::obstacle);
+        "save-picture", () -> dialogs.picture().ifPresent(this::savePicture), window::nothingOpen);
     RecordButton button = new RecordButton(this::toggleRecording, window.background());
     recording.runningProperty().subscribe((was, is) -> button.setOn(is));
     window.panels().transport().addTool(button);
@@ -48,10 +48,6 @@ public final class SavingFeature implements ViewerFeature {
       recording.stop();
     }
     button.pulse(recording.output().map(RecordedFile::file));
-  }
-
-  private String obstacle() {
-    return window.sessions().session().isPresent() ? "" : "nothing is open";
   }
 
   /** Puts a saved chain in place of the one that is open. */

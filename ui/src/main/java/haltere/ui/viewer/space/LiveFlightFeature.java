@@ -45,7 +45,7 @@ public final class LiveFlightFeature implements ViewerFeature {
     actions.add(
         "open-calibrated-cameras",
         () -> chooseCalibration(calibrated -> openCameras(calibrated, Cameras.installed())));
-    actions.add("camera-lines", linesShown);
+    actions.add("camera-lines", linesShown, () -> flight.isEmpty() ? "no flight is open" : "");
     window.settings().keep("space.cameraLines", linesShown);
     window.panels().view().addLayer(over -> pane.drawLine(0, over));
     linesShown.subscribe(() -> window.panels().view().redraw());

@@ -2,6 +2,7 @@ package haltere.ui.viewer.wings;
 
 import atlantafx.base.theme.Styles;
 import haltere.core.chain.FilterChain;
+import haltere.core.settings.Parameter;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingTrackerSettings;
@@ -89,12 +90,7 @@ public final class WingsFeature implements ViewerFeature {
   }
 
   private static String words(WingLogFormat format) {
-    String rows =
-        switch (format.rows()) {
-          case TICK -> "Each tick";
-          case EVENT -> "Each event";
-          case BEAT -> "Each beat";
-        };
+    String rows = "Each " + Parameter.text(format.rows());
     return format.layout() == WingLogFormat.Layout.ORIGINAL
         ? rows + ", layout of the original"
         : rows;

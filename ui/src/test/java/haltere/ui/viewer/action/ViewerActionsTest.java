@@ -6,11 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.ui.viewer.ViewerHarness;
+import haltere.ui.viewer.feature.DisplayControl;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import javafx.scene.control.ContextMenu;
+import javafx.scene.control.Menu;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
+import javafx.stage.Window;
 import org.junit.jupiter.api.Test;
 
 /** What a person can do, and how it is found. */
@@ -85,5 +89,61 @@ class ViewerActionsTest {
       viewer.waitFor("no overlays", () -> !viewer.window.context().display().marksProperty().get());
       viewer.waitFor("the palette is gone", () -> !viewer.isThere("palette-search"));
     }
+  }
+
+  @Test
+  void actionThatCannotBeDoneIsRefusedWithTheReason() {
+    ViewerActions actions = new ViewerActions();
+    List<String> refusals = new ArrayList<>();
+    actions.onRefusal(refusals::add);
+    actions.add("undo", () -> done.add("undo"), () -> "nothing was changed");
+    actions.run("undo");
+    assertEquals(List.of(), done);
+    assertEquals(List.of("Undo: nothing was changed"), refusals);
+  }
+
+  /** JavaFX passes no key on to an item that is disabled. */
+  @Test
+  void keyOfACommandWorksAfterItsMenuShowedThatItCouldNotBeDone() {
+    try (ViewerHarness viewer = ViewerHarness.withBlob()) {
+      ViewerMenu bar = viewer.node("menu", ViewerMenu.class);
+      Menu edit = viewer.onFx(() -> bar.getMenus().get(1));
+      viewer.run(edit::show);
+      viewer.waitFor("Undo is disabled", () -> edit.getItems().get(0).isDisable());
+      viewer.run(edit::hide);
+      viewer.waitFor("the menu is closed", () -> !edit.isShowing());
+      viewer.addNoiseFilters();
+      viewer.press(KeyCode.CONTROL, KeyCode.Z);
+      viewer.waitFor("it is undone", () -> viewer.text("status-message").startsWith("Undone"));
+    }
+  }
+
+  @Test
+  void fadingTimesAreRoundNumbers() {
+    assertEquals("1 ms", DisplayControl.DECAYS.get(1_000L));
+    assertEquals("300 ms", DisplayControl.DECAYS.get(300_000L));
+  }
+
+  @Test
+  void everyMenuFitsBelowItsBarOnAScreenOf700Pixels() {
+    try (ViewerHarness viewer = ViewerHarness.withBlob()) {
+      ViewerMenu bar = viewer.node("menu", ViewerMenu.class);
+      for (Menu menu : viewer.onFx(() -> List.copyOf(bar.getMenus()))) {
+        viewer.run(menu::show);
+        viewer.waitFor(menu.getText(), () -> height() > 0);
+        double height = viewer.onFx(ViewerActionsTest::height);
+        assertTrue(height < 640, menu.getText() + " is " + height + " pixels high");
+        viewer.run(menu::hide);
+        viewer.waitFor("it is closed", () -> height() == 0);
+      }
+    }
+  }
+
+  /** Height of the menu that is open. */
+  private static double height() {
+    return Window.getWindows().stream()
+        .filter(ContextMenu.class::isInstance)
+        .mapToDouble(Window::getHeight)
+        .sum();
   }
 }
