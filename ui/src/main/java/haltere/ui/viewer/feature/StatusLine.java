@@ -99,16 +99,16 @@ public final class StatusLine extends HBox {
     live.setManaged(!words.isEmpty());
   }
 
-  /** Takes away what was wrong. */
+  /** Takes away what was wrong or was being done. */
   public void clearError() {
     error = "";
+    activity = "";
     showMessage();
   }
 
   /** Says what is open. */
   void setSource(String words) {
     source = words;
-    activity = "";
     playerMessage = "";
     status = null;
     clearError();

@@ -115,6 +115,8 @@ class ViewerActionsTest {
       viewer.addNoiseFilters();
       viewer.press(KeyCode.CONTROL, KeyCode.Z);
       viewer.waitFor("it is undone", () -> viewer.text("status-message").startsWith("Undone"));
+      viewer.press(KeyCode.ESCAPE);
+      viewer.waitFor("no message", () -> viewer.text("status-message").startsWith("blob"));
     }
   }
 
