@@ -10,11 +10,13 @@ public final class LineMeasurement {
   /** n₀ and n₁ of {@link CameraModel#lineNormals}. */
   public final double[] n = new double[6];
 
+  /** Index of the camera. */
   public int camera;
 
   private double sin;
   private double cos = 1;
 
+  /** Variance of the angle. */
   public double varianceRad2;
 
   /** Whether the last update used the line. */
