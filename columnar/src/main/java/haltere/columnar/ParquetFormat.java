@@ -20,7 +20,7 @@ public final class ParquetFormat implements TableFormat {
   public ParquetFormat() {}
 
   @Override
-  public String ending() {
+  public String extension() {
     return "parquet";
   }
 

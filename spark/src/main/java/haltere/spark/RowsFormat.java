@@ -38,7 +38,7 @@ public final class RowsFormat implements TableFormat {
   public RowsFormat() {}
 
   @Override
-  public String ending() {
+  public String extension() {
     return ENDING;
   }
 

@@ -136,7 +136,7 @@ public final class MemoryRecording implements RecordingReader {
 
   @Override
   public RecordingClock clock() {
-    return RecordingClock.wide(RecordingClock.Zero.WRITERS_CHOICE);
+    return RecordingClock.continuous(RecordingClock.Zero.WRITERS_CHOICE);
   }
 
   @Override

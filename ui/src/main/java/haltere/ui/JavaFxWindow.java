@@ -7,9 +7,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 
-/**
- * Knows whether JavaFX can open a window here, and opens it. Loads no class of JavaFX before that.
- */
+/** Tests whether JavaFX can open a window, and opens it. Loads no JavaFX class before that. */
 final class JavaFxWindow implements WindowOpener {
   @Override
   public boolean hasDisplay() {
@@ -47,7 +45,7 @@ final class JavaFxWindow implements WindowOpener {
                 : problem);
   }
 
-  /** Whether JavaFX has been told to draw into memory, as the tests do. */
+  /** Whether JavaFX is configured to draw into memory, as in tests. */
   private static boolean hasOwnScreen() {
     String platform = System.getProperty("glass.platform", "");
     return platform.equals("Monocle") || platform.equals("Headless");

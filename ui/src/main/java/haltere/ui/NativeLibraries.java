@@ -11,8 +11,8 @@ import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /**
- * The system libraries that JavaFX loads on Linux. They are looked for before JavaFX starts,
- * because JavaFX itself answers a missing one with several pages of stack traces.
+ * System libraries that JavaFX loads on Linux, checked before JavaFX starts: for a missing one,
+ * JavaFX prints pages of stack traces.
  */
 final class NativeLibraries {
   /** Debian's names of the packages that the libraries are in, in the same order. */
@@ -20,8 +20,8 @@ final class NativeLibraries {
 
   private static final List<String> NEEDED = List.of("libgtk-3.so.0", "libGL.so.1", "libXtst.so.6");
 
-  /** Where the linker looks without being told. */
-  private static final List<String> USUAL_FOLDERS =
+  /** Default folders of the linker. */
+  private static final List<String> DEFAULT_FOLDERS =
       List.of(
           "/usr/lib/x86_64-linux-gnu",
           "/usr/lib/aarch64-linux-gnu",
@@ -58,19 +58,19 @@ final class NativeLibraries {
    * everywhere.
    */
   static boolean present(String file) {
-    String told = Optional.ofNullable(System.getenv("LD_LIBRARY_PATH")).orElse("");
-    return Stream.concat(Stream.of(told.split(":")), USUAL_FOLDERS.stream())
+    String searchPath = Optional.ofNullable(System.getenv("LD_LIBRARY_PATH")).orElse("");
+    return Stream.concat(Stream.of(searchPath.split(":")), DEFAULT_FOLDERS.stream())
             .filter(folder -> !folder.isEmpty())
             .anyMatch(folder -> Files.exists(Path.of(folder, file)))
-        || linkerKnows(file);
+        || isOnLinkerPath(file);
   }
 
   private static String debianPackage(String file) {
     return List.of(PACKAGES.split(" ")).get(NEEDED.indexOf(file));
   }
 
-  /** Asks the linker's cache; where that is impossible, JavaFX may try. */
-  private static boolean linkerKnows(String file) {
+  /** Searches the linker's cache; true if that is impossible, so that JavaFX tries. */
+  private static boolean isOnLinkerPath(String file) {
     for (String command : List.of("/sbin/ldconfig", "/usr/sbin/ldconfig")) {
       if (Files.isExecutable(Path.of(command))) {
         try {

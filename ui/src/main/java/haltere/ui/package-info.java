@@ -1,2 +1,2 @@
-/** Where the program starts: the launcher, and what it must know before a window can open. */
+/** Start of the program: the launcher, and checks before a window opens. */
 package haltere.ui;

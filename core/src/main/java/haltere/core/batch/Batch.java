@@ -71,7 +71,7 @@ public final class Batch {
     void warned(BatchItem item, String warning);
   }
 
-  private final RecordingJob.ChainMaker chain;
+  private final RecordingJob.ChainFactory chain;
   private final BatchOptions options;
   private final Function<Throwable, String> words;
   private final ResultRecord results;
@@ -85,7 +85,7 @@ public final class Batch {
    * @throws IOException if the chain cannot be made
    */
   public Batch(
-      RecordingJob.ChainMaker chain, BatchOptions options, Function<Throwable, String> words)
+      RecordingJob.ChainFactory chain, BatchOptions options, Function<Throwable, String> words)
       throws IOException {
     this.chain = Objects.requireNonNull(chain, "chain");
     this.options = Objects.requireNonNull(options, "options");
@@ -233,14 +233,14 @@ public final class Batch {
     }
 
     private void work(BatchItem item) throws IOException {
-      Path place = folder(item);
+      Path path = folder(item);
       Progress progress = new Progress(item.bytes());
-      if (options.existing() == BatchOptions.Existing.RESUME && results.isValid(item, place)) {
+      if (options.existing() == BatchOptions.Existing.RESUME && results.isValid(item, path)) {
         progress.finish();
         update(() -> kept++);
         return;
       }
-      Optional<ResultFolder> taken = ResultFolder.take(place);
+      Optional<ResultFolder> taken = ResultFolder.take(path);
       if (taken.isEmpty()) {
         progress.finish();
         update(() -> elsewhere++);
@@ -255,8 +255,8 @@ public final class Batch {
                     item.recording(),
                     chain,
                     (reader, filters) -> open(folder, filters, provenance.chain(filters)))
-                .reading(options.reading(), options.strict())
-                .telling((count, position, size) -> progress.reached(position))
+                .withReading(options.reading(), options.strict())
+                .withProgress((count, position, size) -> progress.reached(position))
                 .run();
         String recordingSha256 = provenance.recordingSha256().orElseThrow();
         disk.execute(() -> attempt(item, () -> place(item, folder, report, recordingSha256)));

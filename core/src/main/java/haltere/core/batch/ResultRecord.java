@@ -42,8 +42,8 @@ final class ResultRecord {
    *
    * @throws IOException if the chain cannot be created
    */
-  ResultRecord(RecordingJob.ChainMaker maker, BatchOptions options) throws IOException {
-    try (FilterChain chain = maker.make(SENSOR)) {
+  ResultRecord(RecordingJob.ChainFactory factory, BatchOptions options) throws IOException {
+    try (FilterChain chain = factory.create(SENSOR)) {
       List<Path> files = OutletTables.files(chain, options.naming(Path::of));
       if (files.stream().distinct().count() < files.size()) {
         throw new ChainProblem("two stages of the same name would write one table: " + files);

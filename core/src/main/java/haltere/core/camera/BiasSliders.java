@@ -23,7 +23,7 @@ public interface BiasSliders {
   }
 
   /**
-   * Where a slider stands.
+   * Position of a slider.
    *
    * @param slider which
    * @return -1 to 1, 0 in the middle

@@ -9,14 +9,14 @@ package haltere.core.camera;
  * @param lostTransfers buffers that were dropped because too many waited
  * @param lostEvents events in them
  * @param brokenTransfers transfers that ended with an error and unknown content
- * @param oddWords invalid words, incomplete words and impossible times
+ * @param unknownWords invalid words, incomplete words and impossible times
  * @param waiting filled buffers waiting for the consumer
- * @param mostWaiting largest number of waiting buffers
+ * @param maxWaiting largest number of waiting buffers
  * @param streams started streams: more than one after reconnection
  * @param medianLatencyUs median time from arrival to the end of processing of the latest buffers,
  *     microseconds; 0 before the first
  * @param latency999Us 99.9 % quantile of the same
- * @param longestLatencyUs the longest since opening
+ * @param maxLatencyUs the longest since opening
  * @since 0.1
  */
 public record CameraStatistics(
@@ -26,13 +26,13 @@ public record CameraStatistics(
     long lostTransfers,
     long lostEvents,
     long brokenTransfers,
-    long oddWords,
+    long unknownWords,
     int waiting,
-    int mostWaiting,
+    int maxWaiting,
     long streams,
     long medianLatencyUs,
     long latency999Us,
-    long longestLatencyUs) {
+    long maxLatencyUs) {
   /** Counts before the first data. */
   public static final CameraStatistics NONE =
       new CameraStatistics(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);

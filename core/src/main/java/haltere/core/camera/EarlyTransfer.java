@@ -13,7 +13,7 @@ public interface EarlyTransfer {
    *
    * @return microseconds
    */
-  int longestDelayUs();
+  int maxDelayUs();
 
   /**
    * Sets the maximum time for which it buffers an event.
@@ -22,5 +22,5 @@ public interface EarlyTransfer {
    * @throws IllegalArgumentException if it is out of the camera's range, which the message states
    * @throws CameraProblem if the camera refuses or is gone
    */
-  void setLongestDelayUs(int delayUs) throws CameraProblem;
+  void setMaxDelayUs(int delayUs) throws CameraProblem;
 }

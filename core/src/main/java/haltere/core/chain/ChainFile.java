@@ -89,8 +89,8 @@ public final class ChainFile {
 
   /** A chain at a position: empty for the outermost, else such as "filter 3". */
   private static FilterChain nested(
-      Object value, SensorGeometry geometry, String place, Consumer<String> notes) {
-    String what = place.isEmpty() ? "the chain" : place;
+      Object value, SensorGeometry geometry, String location, Consumer<String> notes) {
+    String what = location.isEmpty() ? "the chain" : location;
     Map<?, ?> object = object(value, what);
     requireKeys(object, what, List.of("filters", "name", "enabled", "comment"));
     if (!(object.get("filters") instanceof List<?> entries)) {
@@ -98,8 +98,8 @@ public final class ChainFile {
     }
     FilterChain chain = new FilterChain(geometry);
     for (int i = 0; i < entries.size(); i++) {
-      String entryPlace = (place.isEmpty() ? "" : place + ", ") + "filter " + (i + 1);
-      addStage(chain, object(entries.get(i), entryPlace), entryPlace, notes);
+      String entryLocation = (location.isEmpty() ? "" : location + ", ") + "filter " + (i + 1);
+      addStage(chain, object(entries.get(i), entryLocation), entryLocation, notes);
     }
     return chain;
   }
@@ -114,23 +114,23 @@ public final class ChainFile {
   }
 
   private static void addStage(
-      FilterChain chain, Map<?, ?> entry, String place, Consumer<String> notes) {
-    boolean enabled = enabled(entry, place);
+      FilterChain chain, Map<?, ?> entry, String location, Consumer<String> notes) {
+    boolean enabled = enabled(entry, location);
     if (entry.containsKey("filters")) {
       Object name = entry.get("name");
       chain.add(
           name == null ? "chain" : name.toString(),
-          nested(entry, chain.geometry(), place, notes),
+          nested(entry, chain.geometry(), location, notes),
           enabled,
           chain.stages().size());
       return;
     }
-    requireKeys(entry, place, List.of("filter", "enabled", "settings", "comment"));
+    requireKeys(entry, location, List.of("filter", "enabled", "settings", "comment"));
     if (!(entry.get("filter") instanceof String kind)) {
-      throw new ChainProblem(place + " needs \"filter\", the name of a filter");
+      throw new ChainProblem(location + " needs \"filter\", the name of a filter");
     }
     Object settings = entry.get("settings");
-    String stage = place + " (" + kind + "): ";
+    String stage = location + " (" + kind + "): ";
     EventFilter filter;
     try {
       filter =
@@ -145,10 +145,10 @@ public final class ChainFile {
     chain.add(kind, filter, enabled, chain.stages().size());
   }
 
-  private static boolean enabled(Map<?, ?> entry, String place) {
+  private static boolean enabled(Map<?, ?> entry, String location) {
     Object enabled = entry.containsKey("enabled") ? entry.get("enabled") : Boolean.TRUE;
     if (!(enabled instanceof Boolean flag)) {
-      throw new ChainProblem(place + ": \"enabled\" is true or false, not " + enabled);
+      throw new ChainProblem(location + ": \"enabled\" is true or false, not " + enabled);
     }
     return flag;
   }

@@ -35,7 +35,7 @@ public interface EventFilter {
   long DEFAULT_MEMORY_US = 2_000_000;
 
   /**
-   * Works on a packet in place.
+   * Processes a packet in place.
    *
    * @param packet borrowed for the length of the call; may be empty
    */

@@ -13,12 +13,12 @@ public enum SampleKind {
   /** An edge of an input, or another time marked by the camera. */
   TRIGGER("trigger", "triggers");
 
-  private final String one;
-  private final String many;
+  private final String singular;
+  private final String plural;
 
-  SampleKind(String one, String many) {
-    this.one = one;
-    this.many = many;
+  SampleKind(String singular, String plural) {
+    this.singular = singular;
+    this.plural = plural;
   }
 
   /**
@@ -26,8 +26,8 @@ public enum SampleKind {
    *
    * @return such as "triggers"
    */
-  public String many() {
-    return many;
+  public String plural() {
+    return plural;
   }
 
   /**
@@ -37,6 +37,6 @@ public enum SampleKind {
    * @return such as "1 frame" or "7 triggers"
    */
   public String count(long number) {
-    return number + " " + (number == 1 ? one : many);
+    return number + " " + (number == 1 ? singular : plural);
   }
 }

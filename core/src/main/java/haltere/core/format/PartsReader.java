@@ -343,7 +343,7 @@ final class PartsReader implements RecordingReader {
       if (outline.isEmpty()) {
         return Optional.empty();
       }
-      whole = whole.and(outline.get());
+      whole = whole.plus(outline.get());
     }
     return Optional.of(whole);
   }

@@ -10,12 +10,12 @@ import java.util.OptionalLong;
  * <p>Thread rule: immutable.
  *
  * @param zero origin of the times
- * @param turnUs period after which the clock in the file wraps to zero, in microseconds; empty if
- *     it does not wrap. A gap of more than one period cannot be distinguished from a shorter one,
- *     unless the format has time words in between
+ * @param wrapPeriodUs period after which the clock in the file wraps to zero, in microseconds;
+ *     empty if it does not wrap. A gap of more than one period cannot be distinguished from a
+ *     shorter one, unless the format has time words in between
  * @since 0.1
  */
-public record RecordingClock(Zero zero, OptionalLong turnUs) {
+public record RecordingClock(Zero zero, OptionalLong wrapPeriodUs) {
   /** Origin of the times. */
   public enum Zero {
     /** The camera's start, or the last reset of its clock. */
@@ -37,8 +37,9 @@ public record RecordingClock(Zero zero, OptionalLong turnUs) {
   /** Checks the values. */
   public RecordingClock {
     Objects.requireNonNull(zero, "zero");
-    if (turnUs.isPresent() && turnUs.getAsLong() <= 0) {
-      throw new IllegalArgumentException("a turn takes longer than " + turnUs.getAsLong() + " us");
+    if (wrapPeriodUs.isPresent() && wrapPeriodUs.getAsLong() <= 0) {
+      throw new IllegalArgumentException(
+          "the wrap period is above 0 us, not " + wrapPeriodUs.getAsLong());
     }
   }
 
@@ -48,7 +49,7 @@ public record RecordingClock(Zero zero, OptionalLong turnUs) {
    * @param zero origin of the times
    * @return the clock
    */
-  public static RecordingClock wide(Zero zero) {
+  public static RecordingClock continuous(Zero zero) {
     return new RecordingClock(zero, OptionalLong.empty());
   }
 
@@ -56,11 +57,11 @@ public record RecordingClock(Zero zero, OptionalLong turnUs) {
    * A clock that wraps.
    *
    * @param zero origin of the times
-   * @param turnUs wrap period in microseconds, above 0
+   * @param wrapPeriodUs wrap period in microseconds, above 0
    * @return the clock
    */
-  public static RecordingClock turning(Zero zero, long turnUs) {
-    return new RecordingClock(zero, OptionalLong.of(turnUs));
+  public static RecordingClock wrapping(Zero zero, long wrapPeriodUs) {
+    return new RecordingClock(zero, OptionalLong.of(wrapPeriodUs));
   }
 
   /**
@@ -69,8 +70,8 @@ public record RecordingClock(Zero zero, OptionalLong turnUs) {
    * @return a line such as {@code 1970}
    */
   public String describe() {
-    return turnUs.isEmpty()
+    return wrapPeriodUs.isEmpty()
         ? zero.words
-        : zero.words + "; wraps of " + turnUs.getAsLong() / 1e6 + " s are undone";
+        : zero.words + "; wraps of " + wrapPeriodUs.getAsLong() / 1e6 + " s are undone";
   }
 }

@@ -30,7 +30,7 @@ public record RecordingOutline(long events, long firstUs, long lastUs) {
    * @param next the continuation
    * @return the outline of both
    */
-  public RecordingOutline and(RecordingOutline next) {
+  public RecordingOutline plus(RecordingOutline next) {
     if (events == 0) {
       return next;
     }

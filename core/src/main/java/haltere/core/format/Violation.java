@@ -15,7 +15,7 @@ public enum Violation {
   /** Words that the format does not define; they are skipped. */
   UNKNOWN_WORD("words that are invalid in this format were left out"),
   /** An impossible length, count or size; the data with it is skipped. */
-  LYING_LENGTH("impossible lengths or counts"),
+  IMPOSSIBLE_LENGTH("impossible lengths or counts"),
   /** A packet that cannot be decompressed; it is skipped. */
   DAMAGED_PACKET("damaged packets were left out"),
   /** Messages lost before recording, as gaps in the message numbers show. */
@@ -27,10 +27,10 @@ public enum Violation {
   /** An incomplete or invalid frame or inertial sample. */
   INCOMPLETE_SAMPLE("incomplete frames or inertial samples were left out");
 
-  private final String sentence;
+  private final String description;
 
-  Violation(String sentence) {
-    this.sentence = sentence;
+  Violation(String description) {
+    this.description = description;
   }
 
   /**
@@ -38,8 +38,8 @@ public enum Violation {
    *
    * @return a few words that can follow a count
    */
-  public String sentence() {
-    return sentence;
+  public String description() {
+    return description;
   }
 
   /**

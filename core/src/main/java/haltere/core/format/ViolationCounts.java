@@ -137,12 +137,12 @@ public final class ViolationCounts {
       if (count(kind) > 0 && !reported.contains(kind)) {
         lines.add(
             kind == Violation.CUT_OFF
-                ? kind.sentence() + " (byte " + firstOffset(kind) + ")"
+                ? kind.description() + " (byte " + firstOffset(kind) + ")"
                 : String.format(
                     Locale.ROOT,
                     "%,d %s (first at byte %d)",
                     count(kind),
-                    kind.sentence(),
+                    kind.description(),
                     firstOffset(kind)));
       }
     }

@@ -126,7 +126,7 @@ public final class Conversion {
       throw failure.getCause();
     }
     copy.end();
-    RecordingJob.requireWhole(reader, whole);
+    RecordingJob.requireComplete(reader, whole);
     writer.finish();
     List<String> warnings = new java.util.ArrayList<>(reader.remarks());
     boolean samplesReported = !copy.samplesWritten.isEmpty() || !copy.samplesLeftOut.isEmpty();

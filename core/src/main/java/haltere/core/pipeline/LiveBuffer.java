@@ -35,7 +35,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   private final int packetEvents;
   private final OverflowPolicy policy;
   private final String place;
-  private final boolean gathering;
+  private final boolean coalescing;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
   private final int pooledPackets;
@@ -82,7 +82,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
       int packetEvents,
       OverflowPolicy policy,
       String place,
-      boolean gathering) {
+      boolean coalescing) {
     if (packetEvents < 1 || maxEvents < packetEvents) {
       throw new IllegalArgumentException(
           "a buffer needs room for a packet of 1 event or more, not "
@@ -96,7 +96,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     this.packetEvents = packetEvents;
     this.policy = Objects.requireNonNull(policy, "policy");
     this.place = Objects.requireNonNull(place, "place");
-    this.gathering = gathering;
+    this.coalescing = coalescing;
     pooledPackets = maxEvents / packetEvents + 1;
     waiting = new LiveQueue(place);
   }
@@ -112,7 +112,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
    * @param place who loses events then, in words for users, for {@link DataLost#place()}
    * @return a buffer
    */
-  public static LiveBuffer gathering(
+  public static LiveBuffer coalescing(
       SensorGeometry geometry,
       int maxEvents,
       int packetEvents,
@@ -153,7 +153,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     while (from < packet.size()) {
       lock.lock();
       try {
-        EventPacket last = gathering ? waiting.lastPacket() : null;
+        EventPacket last = coalescing ? waiting.lastPacket() : null;
         int left = last == null ? 0 : packetEvents - last.size();
         int to = Math.min(packet.size(), from + (left > 0 ? left : packetEvents));
         int taken = admitted(to - from);
@@ -172,7 +172,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   }
 
   private void put(EventPacket packet, int from, int to) {
-    EventPacket last = gathering ? waiting.lastPacket() : null;
+    EventPacket last = coalescing ? waiting.lastPacket() : null;
     if (last != null && last.size() + to - from <= packetEvents) {
       last.append(packet, from, to);
       waiting.lastGrew(to - from);
@@ -393,9 +393,9 @@ public final class LiveBuffer implements StreamHandler, EventSource {
    * @param out events processed by the consumer
    * @param lost events that were dropped
    * @param waitingPackets packets that wait for the consumer
-   * @param mostWaitingPackets maximum of {@code waitingPackets} so far
+   * @param maxWaitingPackets maximum of {@code waitingPackets} so far
    */
-  public record Counts(long in, long out, long lost, int waitingPackets, int mostWaitingPackets) {}
+  public record Counts(long in, long out, long lost, int waitingPackets, int maxWaitingPackets) {}
 
   /**
    * Frames, inertial samples and triggers that were dropped.

@@ -27,9 +27,7 @@ final class LiveQueue {
   }
 
   private final String place;
-  // EventPacket, SensorSample, StreamNotification or LossMark; the last element that may be taken
-  // is
-  // never a mark.
+  // EventPacket, SensorSample, StreamNotification or LossMark; the last one is never a mark
   private final List<Object> waiting = new LinkedList<>(); // used at its ends
   private long lastTakenUs = StreamNotification.NO_TIME_US;
   private int packets;

@@ -68,16 +68,16 @@ public final class OutletTables {
    *
    * @param chain the chain
    * @param naming the path of each table
-   * @param maker creates each file
+   * @param factory creates each file
    * @param metadata kept in tables whose format, which follows from the name, can hold it
    * @return open tables
    * @throws IOException if one cannot be written
    */
   public static ResultFiles open(
-      FilterChain chain, Naming naming, ResultFiles.FileMaker maker, TableMetadata metadata)
+      FilterChain chain, Naming naming, ResultFiles.FileFactory factory, TableMetadata metadata)
       throws IOException {
     return ResultFiles.open(
-        maker,
+        factory,
         metadata,
         files -> {
           for (ChainStage stage : stages(chain)) {

@@ -40,10 +40,10 @@ public final class PipelineCounters {
     /** Failures of sinks. */
     SINK_FAILURES("Sinks removed after a failure.");
 
-    private final String sentence;
+    private final String description;
 
-    Counter(String sentence) {
-      this.sentence = sentence;
+    Counter(String description) {
+      this.description = description;
     }
 
     /**
@@ -51,8 +51,8 @@ public final class PipelineCounters {
      *
      * @return a sentence for users
      */
-    public String sentence() {
-      return sentence;
+    public String description() {
+      return description;
     }
   }
 
@@ -99,7 +99,7 @@ public final class PipelineCounters {
   public String toString() {
     StringBuilder text = new StringBuilder();
     for (Counter counter : Counter.values()) {
-      text.append(get(counter)).append('\t').append(counter.sentence()).append('\n');
+      text.append(get(counter)).append('\t').append(counter.description()).append('\n');
     }
     return text.toString();
   }

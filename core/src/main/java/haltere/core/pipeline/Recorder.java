@@ -98,7 +98,7 @@ public final class Recorder implements StreamHandler, Closeable {
     this.writer = Objects.requireNonNull(writer, "writer");
     this.timeout = Objects.requireNonNull(timeout, "patience");
     buffer =
-        LiveBuffer.gathering(
+        LiveBuffer.coalescing(
             geometry,
             (queuePackets - 1) * PACKET_EVENTS,
             PACKET_EVENTS,

@@ -51,7 +51,7 @@ public final class RecordingJob {
   }
 
   /** Creates the chain of a job. */
-  public interface ChainMaker {
+  public interface ChainFactory {
     /**
      * Creates a chain.
      *
@@ -59,11 +59,11 @@ public final class RecordingJob {
      * @return a chain of new filters, closed by the job
      * @throws IOException if the chain cannot be read
      */
-    FilterChain make(SensorGeometry geometry) throws IOException;
+    FilterChain create(SensorGeometry geometry) throws IOException;
   }
 
   /** Opens the results of a job. */
-  public interface ResultsMaker {
+  public interface ResultsFactory {
     /**
      * Opens results.
      *
@@ -88,8 +88,8 @@ public final class RecordingJob {
   }
 
   private final Path recording;
-  private final ChainMaker chain;
-  private final ResultsMaker results;
+  private final ChainFactory chain;
+  private final ResultsFactory results;
   private final ReadOptions options;
   private final Opening opening;
   private final boolean strict;
@@ -99,8 +99,8 @@ public final class RecordingJob {
 
   private RecordingJob(
       Path recording,
-      ChainMaker chain,
-      ResultsMaker results,
+      ChainFactory chain,
+      ResultsFactory results,
       ReadOptions options,
       Opening opening,
       boolean strict,
@@ -126,7 +126,7 @@ public final class RecordingJob {
    * @param results opens the outputs
    * @return a job
    */
-  public static RecordingJob of(Path recording, ChainMaker chain, ResultsMaker results) {
+  public static RecordingJob of(Path recording, ChainFactory chain, ResultsFactory results) {
     return new RecordingJob(
         recording,
         chain,
@@ -146,7 +146,7 @@ public final class RecordingJob {
    * @param whole whether a recording that is cut off or damaged is an error
    * @return another job
    */
-  public RecordingJob reading(ReadOptions with, boolean whole) {
+  public RecordingJob withReading(ReadOptions with, boolean whole) {
     return new RecordingJob(
         recording, chain, results, with, opening, whole, pace, progress, threads);
   }
@@ -157,7 +157,7 @@ public final class RecordingJob {
    * @param by opens it
    * @return another job
    */
-  public RecordingJob opened(Opening by) {
+  public RecordingJob withOpening(Opening by) {
     return new RecordingJob(
         recording, chain, results, options, by, strict, pace, progress, threads);
   }
@@ -168,7 +168,7 @@ public final class RecordingJob {
    * @param by wraps the stream of the recording, such as to pace it
    * @return another job
    */
-  public RecordingJob paced(UnaryOperator<EventSource> by) {
+  public RecordingJob withPacing(UnaryOperator<EventSource> by) {
     UnaryOperator<EventSource> both = source -> by.apply(pace.apply(source));
     return new RecordingJob(
         recording, chain, results, options, opening, strict, both, progress, threads);
@@ -180,8 +180,8 @@ public final class RecordingJob {
    * @param more opened after those that the job has, and finished after them
    * @return another job
    */
-  public RecordingJob with(ResultsMaker more) {
-    ResultsMaker both =
+  public RecordingJob withResults(ResultsFactory more) {
+    ResultsFactory both =
         (reader, filters) ->
             JobResults.all(() -> results.open(reader, filters), () -> more.open(reader, filters));
     return new RecordingJob(
@@ -194,7 +194,7 @@ public final class RecordingJob {
    * @param listener called on the thread of the job
    * @return another job
    */
-  public RecordingJob telling(Progress listener) {
+  public RecordingJob withProgress(Progress listener) {
     return new RecordingJob(
         recording, chain, results, options, opening, strict, pace, listener, threads);
   }
@@ -225,7 +225,7 @@ public final class RecordingJob {
     long startNanos = System.nanoTime();
     try (RecordingReader reader = opening.open(recording, options);
         SharedWork work = new SharedWork(threads);
-        FilterChain filters = chain.make(reader.geometry());
+        FilterChain filters = chain.create(reader.geometry());
         JobResults written = results.open(reader, filters)) {
       filters.share(work);
       if (options.keepIndex()) {
@@ -238,7 +238,7 @@ public final class RecordingJob {
       written.sinks().forEach(sink -> runner.addSink(sink, false));
       runner.addSink(watch, false);
       pace.apply(reader).drainTo(runner);
-      requireWhole(reader, strict);
+      requireComplete(reader, strict);
       written.finish();
       // A chain filters events: missing samples matter only in a recording without events.
       boolean hasEvents = counters.get(Counter.EVENTS_IN) > 0;
@@ -267,7 +267,8 @@ public final class RecordingJob {
    * @param whole whether it has to be whole
    * @throws RecordingProblem if it is cut off or damaged and has to be whole
    */
-  public static void requireWhole(RecordingReader reader, boolean whole) throws RecordingProblem {
+  public static void requireComplete(RecordingReader reader, boolean whole)
+      throws RecordingProblem {
     Optional<RecordingProblem> damage = damage(reader.path(), reader.violations());
     if (whole && damage.isPresent()) {
       throw damage.get();
@@ -288,7 +289,7 @@ public final class RecordingJob {
             new RecordingProblem(
                 recording,
                 violations.firstOffset(kind),
-                kind.sentence() + "; leave out --strict to use what is whole"));
+                kind.description() + "; leave out --strict to use what is whole"));
       }
     }
     return Optional.empty();

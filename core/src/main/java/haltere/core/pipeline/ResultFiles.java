@@ -26,7 +26,7 @@ import java.util.function.Consumer;
  */
 public final class ResultFiles implements JobResults {
   /** Creates a file. */
-  public interface FileMaker {
+  public interface FileFactory {
     /**
      * Creates a file.
      *
@@ -58,7 +58,7 @@ public final class ResultFiles implements JobResults {
     void fill(ResultFiles files) throws IOException;
   }
 
-  private final FileMaker maker;
+  private final FileFactory factory;
   private final TableMetadata metadata;
   private final Map<Path, TableSink<?>> tables = new LinkedHashMap<>();
   private final List<ResultOrder.Sorter<?>> sorters = new ArrayList<>();
@@ -67,8 +67,8 @@ public final class ResultFiles implements JobResults {
   private final List<StreamHandler> sinks = new ArrayList<>();
   private final ResultFailure failure = new ResultFailure();
 
-  private ResultFiles(FileMaker maker, TableMetadata metadata) {
-    this.maker = maker;
+  private ResultFiles(FileFactory factory, TableMetadata metadata) {
+    this.factory = factory;
     this.metadata = metadata;
     sinks.add(failure);
   }
@@ -76,15 +76,15 @@ public final class ResultFiles implements JobResults {
   /**
    * Opens files.
    *
-   * @param maker begins each table's file
+   * @param factory begins each table's file
    * @param metadata kept in tables whose format, which follows from the name, can hold it
    * @param filling adds each; what it has added is closed if it throws
    * @return open files
    * @throws IOException if one cannot be written
    */
-  public static ResultFiles open(FileMaker maker, TableMetadata metadata, Filling filling)
+  public static ResultFiles open(FileFactory factory, TableMetadata metadata, Filling filling)
       throws IOException {
-    ResultFiles files = new ResultFiles(maker, metadata);
+    ResultFiles files = new ResultFiles(factory, metadata);
     try {
       filling.fill(files);
       return files;
@@ -104,7 +104,7 @@ public final class ResultFiles implements JobResults {
    * @throws IOException if it cannot be written
    */
   public <R extends Record> TableSink<R> table(Path file, Class<R> type) throws IOException {
-    TableSink<R> table = Tables.of(maker.create(file), type, metadata);
+    TableSink<R> table = Tables.of(factory.create(file), type, metadata);
     add(table, table::finish);
     tables.put(file, table);
     return table;

@@ -45,7 +45,7 @@ import java.util.function.Supplier;
 public final class SessionRecorder implements StreamHandler, Closeable {
   /** Creates the writer of a part. */
   @FunctionalInterface
-  public interface Writers {
+  public interface WriterFactory {
     /**
      * Starts a file.
      *
@@ -68,7 +68,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
     public static final long MIN_PART_BYTES = 1 << 20;
 
     /** One part, and 256 MB of the disk left. */
-    public static final Limits USUAL = new Limits(Long.MAX_VALUE, 256_000_000);
+    public static final Limits DEFAULT = new Limits(Long.MAX_VALUE, 256_000_000);
 
     /** Checks the sizes. */
     public Limits {
@@ -98,7 +98,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
 
   private final Path out;
   private final SensorGeometry geometry;
-  private final Writers writers;
+  private final WriterFactory writers;
   private final Limits limits;
   private final Supplier<Map<String, String>> header;
   private final LongSupplier freeBytes;
@@ -126,7 +126,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
   public SessionRecorder(
       Path out,
       SensorGeometry geometry,
-      Writers writers,
+      WriterFactory writers,
       Limits limits,
       Supplier<Map<String, String>> header,
       LongSupplier freeBytes) {
@@ -214,7 +214,11 @@ public final class SessionRecorder implements StreamHandler, Closeable {
    * @throws IOException if the disk has less free space than is to stay
    */
   public static SessionRecorder ofCamera(
-      Path out, Camera camera, Supplier<Optional<String>> chain, Writers writers, Limits limits)
+      Path out,
+      Camera camera,
+      Supplier<Optional<String>> chain,
+      WriterFactory writers,
+      Limits limits)
       throws IOException {
     SessionRecorder session =
         new SessionRecorder(
@@ -364,7 +368,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
     return parts();
   }
 
-  /** Ends the session; what has come is written. */
+  /** Ends the session; received data are written. */
   @Override
   public void close() throws IOException {
     if (!finisher.isShutdown()) {

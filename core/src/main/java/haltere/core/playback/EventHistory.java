@@ -90,7 +90,7 @@ final class EventHistory {
   private final int maxChunks;
   private final List<Chunk> chunks = new ArrayList<>();
   private final ArrayDeque<Chunk> spare = new ArrayDeque<>();
-  private final KeptSamples samples;
+  private final SampleHistory samples;
   private StreamNotification pending;
 
   /** Events so far, including discarded ones. */
@@ -107,7 +107,7 @@ final class EventHistory {
    * @param maxEvents approximate capacity, events
    */
   EventHistory(int maxEvents) {
-    this(maxEvents, KeptSamples.MAX_BYTES);
+    this(maxEvents, SampleHistory.MAX_BYTES);
   }
 
   /**
@@ -118,7 +118,7 @@ final class EventHistory {
    */
   EventHistory(int maxEvents, long maxSampleBytes) {
     maxChunks = Math.max(2, maxEvents / CHUNK_EVENTS);
-    samples = new KeptSamples(maxSampleBytes);
+    samples = new SampleHistory(maxSampleBytes);
   }
 
   boolean isEmpty() {
@@ -170,7 +170,7 @@ final class EventHistory {
   private Chunk begin(long timeUs, long offsetUs) {
     if (chunks.size() == maxChunks) {
       spare.add(chunks.remove(0));
-      samples.forgetBefore(chunks.get(0).eventsBefore);
+      samples.removeBefore(chunks.get(0).eventsBefore);
     }
     Chunk begun = spare.isEmpty() ? new Chunk() : spare.pop();
     begun.count = 0;
@@ -193,7 +193,7 @@ final class EventHistory {
 
   /** Appends a sample. */
   void append(SensorSample sample, long offsetUs) {
-    samples.add(new KeptSamples.Entry(sample, offsetUs, events, pending != null));
+    samples.add(new SampleHistory.Entry(sample, offsetUs, events, pending != null));
     toEnd();
   }
 
@@ -236,7 +236,7 @@ final class EventHistory {
    */
   void next(EventPacket piece, LongConsumer offset, StreamHandler handler) {
     if (isSampleNext()) {
-      KeptSamples.Entry next = samples.peek();
+      SampleHistory.Entry next = samples.peek();
       samples.skip();
       offset.accept(next.offsetUs());
       handler.sample(next.sample());
@@ -256,7 +256,7 @@ final class EventHistory {
     if (samples.atEnd()) {
       return false;
     }
-    KeptSamples.Entry next = samples.peek();
+    SampleHistory.Entry next = samples.peek();
     return next.eventsBefore() < nextEvent()
         || next.eventsBefore() == nextEvent() && (notificationGiven || !next.afterNotification());
   }

@@ -88,7 +88,7 @@ final class PlaybackMeter {
   }
 
   /** Restarts the event rate; the next events do not follow the last ones. */
-  void forgetRate() {
+  void resetRate() {
     bin = Long.MIN_VALUE;
   }
 

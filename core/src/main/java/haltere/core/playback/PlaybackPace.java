@@ -35,7 +35,7 @@ final class PlaybackPace {
       clock.setPosition(positionUs);
     }
     clock.setSpeed(speed);
-    forgetLag();
+    resetLag();
   }
 
   /** Resumes the clock before a position, which is due now if the clock has passed it. */
@@ -44,7 +44,7 @@ final class PlaybackPace {
       clock.setPosition(positionUs);
     }
     clock.resume();
-    forgetLag();
+    resetLag();
   }
 
   /** Stops the clock. */
@@ -56,7 +56,7 @@ final class PlaybackPace {
   /** Moves to a position, which is due now. */
   void jumpTo(long positionUs) {
     clock.setPosition(positionUs);
-    forgetLag();
+    resetLag();
   }
 
   /** Adds to all positions, as when a loop starts again. */
@@ -91,7 +91,7 @@ final class PlaybackPace {
     return clock.unlimited() ? 0 : lagNanos / 1000;
   }
 
-  private void forgetLag() {
+  private void resetLag() {
     slipNanos = 0;
     lagNanos = 0;
     meter.restart();

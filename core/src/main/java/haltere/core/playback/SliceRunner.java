@@ -100,7 +100,7 @@ final class SliceRunner {
     isManual = false;
     endRepeat();
     ties.forget();
-    pace.meter().forgetRate();
+    pace.meter().resetRate();
     if (from < target.elapsedUs() || target.ties() > 0) {
       runUp.open(from, target);
     }

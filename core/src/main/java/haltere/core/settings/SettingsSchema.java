@@ -230,13 +230,13 @@ public final class SettingsSchema<S extends Record> {
       if (equals < 1) {
         throw new SettingsProblem("\"" + assignment + "\" is not of the form name=value");
       }
-      String name = wholeName(assignment.substring(0, equals).trim());
+      String name = fullName(assignment.substring(0, equals).trim());
       values.put(name, assignment.substring(equals + 1));
     }
     return with(settings, values);
   }
 
-  private String wholeName(String name) {
+  private String fullName(String name) {
     if (parameters.containsKey(name)) {
       return name;
     }

@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The unit of a column, which is the ending of its name.
+ * The unit of a column, which is the suffix of its name.
  *
- * @param ending of the name, such as {@code _px_s}
+ * @param suffix of the name, such as {@code _px_s}
  * @param symbol for users, such as px/s
  * @since 0.1
  */
-public record ColumnUnit(String ending, String symbol) {
+public record ColumnUnit(String suffix, String symbol) {
   /** The longer ones first. */
   private static final List<ColumnUnit> ALL =
       List.of(
@@ -39,6 +39,6 @@ public record ColumnUnit(String ending, String symbol) {
    * @return empty if the name has none
    */
   public static Optional<ColumnUnit> of(String column) {
-    return ALL.stream().filter(unit -> column.endsWith(unit.ending())).findFirst();
+    return ALL.stream().filter(unit -> column.endsWith(unit.suffix())).findFirst();
   }
 }

@@ -14,11 +14,11 @@ import java.io.IOException;
  */
 public interface TableFormat {
   /**
-   * Ending of the names of its files.
+   * Extension of the names of its files.
    *
    * @return lower case, without the dot, such as {@code parquet}
    */
-  String ending();
+  String extension();
 
   /**
    * Starts a table.

@@ -22,7 +22,7 @@ public final class Tables {
   /** Ending of comma separated text. */
   public static final String CSV = "csv";
 
-  /** Formats that come in a module of their own, by ending. */
+  /** Formats that come in a module of their own, by extension. */
   private static final Map<String, String> MODULES = Map.of("parquet", "haltere-columnar");
 
   private Tables() {}
@@ -30,36 +30,36 @@ public final class Tables {
   private static Map<String, TableFormat> found() {
     Map<String, TableFormat> found = new TreeMap<>();
     for (TableFormat format : Extensions.find(TableFormat.class)) {
-      found.putIfAbsent(format.ending(), format);
+      found.putIfAbsent(format.extension(), format);
     }
     return found;
   }
 
   /**
-   * The available endings.
+   * The available extensions.
    *
    * @return CSV first
    */
-  public static List<String> endings() {
-    List<String> endings = new java.util.ArrayList<>(found().keySet());
-    endings.add(0, CSV);
-    return endings;
+  public static List<String> extensions() {
+    List<String> extensions = new java.util.ArrayList<>(found().keySet());
+    extensions.add(0, CSV);
+    return extensions;
   }
 
   /**
    * Why a table cannot be written under a name.
    *
    * @param file its path
-   * @return one line for users; empty if its format is available; unknown endings mean CSV
+   * @return one line for users; empty if its format is available; unknown extensions mean CSV
    */
   public static Optional<String> problem(Path file) {
-    String ending = ending(file);
-    return MODULES.containsKey(ending) && !found().containsKey(ending)
+    String extension = extension(file);
+    return MODULES.containsKey(extension) && !found().containsKey(extension)
         ? Optional.of(
             "tables of the format "
-                + ending
+                + extension
                 + " need the module "
-                + MODULES.get(ending)
+                + MODULES.get(extension)
                 + ", which is not installed; name a .csv")
         : Optional.empty();
   }
@@ -104,11 +104,11 @@ public final class Tables {
       file.close();
       throw new RecordingProblem(file.path(), problem.get());
     }
-    TableFormat format = found().get(ending(file.path()));
+    TableFormat format = found().get(extension(file.path()));
     return format == null ? CsvSink.of(file, type) : format.open(file, type, metadata);
   }
 
-  private static String ending(Path file) {
+  private static String extension(Path file) {
     String name = String.valueOf(file.getFileName());
     return name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
   }

@@ -174,10 +174,10 @@ class LiveBufferTest {
   @Test
   void capacityCountsEventsNotPackets() throws IOException {
     for (int size : new int[] {1, 10, 100}) {
-      for (boolean gathering : new boolean[] {false, true}) {
+      for (boolean coalescing : new boolean[] {false, true}) {
         LiveBuffer buffer =
-            gathering
-                ? LiveBuffer.gathering(SENSOR, 1000, 100, OverflowPolicy.DROP_NEWEST, "it")
+            coalescing
+                ? LiveBuffer.coalescing(SENSOR, 1000, 100, OverflowPolicy.DROP_NEWEST, "it")
                 : new LiveBuffer(SENSOR, 1000, 100, OverflowPolicy.DROP_NEWEST, "it");
         long timeUs = 0;
         buffer.notified(new StreamStarted(SENSOR, "test"));
@@ -188,7 +188,7 @@ class LiveBufferTest {
           }
           buffer.packet(packet);
         }
-        assertEquals(500, buffer.counts().lost(), size + " " + gathering);
+        assertEquals(500, buffer.counts().lost(), size + " " + coalescing);
         buffer.notified(new EndOfStream(timeUs));
         Log log = new Log();
         buffer.drainTo(log);

@@ -152,8 +152,8 @@ class PipelineTest {
   @Test
   void everyCounterHasADescription() {
     for (Counter counter : Counter.values()) {
-      assertTrue(counter.sentence().matches("[A-Z].*\\."), counter.name());
-      assertTrue(counters.toString().contains(counter.sentence()));
+      assertTrue(counter.description().matches("[A-Z].*\\."), counter.name());
+      assertTrue(counters.toString().contains(counter.description()));
     }
   }
 }

@@ -177,7 +177,7 @@ class EngineMomentsTest {
 
   @Test
   void scenesRepeatSlicesFromStoredEvents() throws IOException {
-    KeptPlayable kept = new KeptPlayable(recording(even(400)), 100_000);
+    BufferedPlayable kept = new BufferedPlayable(recording(even(400)), 100_000);
     EngineRig rig = new EngineRig(kept, byTime(100), MEMORY_US);
     rig.runUntil(2_050_000);
     rig.ask(new PlaybackCommand.Play(false));

@@ -33,7 +33,7 @@ class TablesTest {
     for (String name : List.of("a.csv", "a.txt", "a")) {
       assertEquals("time_us,x_px\n5,0.5\n", Files.readString(write(name)));
     }
-    assertEquals(List.of("csv"), Tables.endings());
+    assertEquals(List.of("csv"), Tables.extensions());
   }
 
   @Test

@@ -117,8 +117,8 @@ class SharedWorkTest {
   @Test
   void sortedEventsReachTheirPartOnceAndInOrder() {
     StringBuilder[] seen = {new StringBuilder(), new StringBuilder()};
-    SortedEvents sorted =
-        new SortedEvents(
+    EventQueues queues =
+        new EventQueues(
             2,
             (part, events) -> {
               for (int i = 0; i < events.size(); i++) {
@@ -126,15 +126,15 @@ class SharedWorkTest {
               }
             });
     try (SharedWork work = new SharedWork(2)) {
-      sorted.share(work);
+      queues.share(work);
       for (int i = 0; i < 9; i++) {
-        sorted.add(i % 2, i, EventAddress.pack(i, 0, true));
+        queues.add(i % 2, i, EventAddress.pack(i, 0, true));
         if (i == 4) {
-          sorted.take();
+          queues.process();
         }
       }
-      sorted.take();
-      sorted.take();
+      queues.process();
+      queues.process();
     }
     assertEquals("0 2 4 6 8 ", seen[0].toString());
     assertEquals("1 3 5 7 ", seen[1].toString());

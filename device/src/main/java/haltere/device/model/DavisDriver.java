@@ -164,12 +164,12 @@ final class DavisDriver
   }
 
   @Override
-  public int longestDelayUs() {
+  public int maxDelayUs() {
     return (Integer) settings.get(DavisSettings.EARLY_DELAY);
   }
 
   @Override
-  public void setLongestDelayUs(int delayUs) throws CameraProblem {
+  public void setMaxDelayUs(int delayUs) throws CameraProblem {
     int steps = Math.max(1, Math.round((float) delayUs / DavisSettings.DELAY_STEP_US));
     settings.set(DavisSettings.EARLY_DELAY, steps * DavisSettings.DELAY_STEP_US);
   }

@@ -194,16 +194,16 @@ final class Dvs128Driver
   }
 
   @Override
-  public int longestDelayUs() {
+  public int maxDelayUs() {
     return firmware >= FIRMWARE_OF_EARLY_TIMER ? 1000 : 4000;
   }
 
   @Override
-  public void setLongestDelayUs(int delayUs) {
-    if (delayUs != longestDelayUs()) {
+  public void setMaxDelayUs(int delayUs) {
+    if (delayUs != maxDelayUs()) {
       throw new IllegalArgumentException(
           "the firmware of this DVS128 sends what it has after "
-              + longestDelayUs()
+              + maxDelayUs()
               + " us, not after "
               + delayUs);
     }

@@ -48,7 +48,7 @@ public final class DavisDecoder implements WireDecoder {
   private boolean timeMayFall = true;
   private int wrapsToAwaitReset;
   private SensorSample sample;
-  private volatile long oddWords;
+  private volatile long unknownWords;
 
   /**
    * A decoder whose clock is at 0.
@@ -93,7 +93,7 @@ public final class DavisDecoder implements WireDecoder {
       }
     }
     if (in.hasRemaining()) {
-      oddWords++;
+      unknownWords++;
       in.position(in.limit());
     }
     return Stop.INPUT_USED;
@@ -110,7 +110,7 @@ public final class DavisDecoder implements WireDecoder {
         if (data < layout.rows()) {
           row = data;
         } else {
-          oddWords++;
+          unknownWords++;
         }
       }
       case COLUMN_OFF -> event(data, 0, out);
@@ -130,7 +130,7 @@ public final class DavisDecoder implements WireDecoder {
 
   private void setTime(long newUs) {
     if (newUs < timeUs && !timeMayFall) {
-      oddWords++;
+      unknownWords++;
       return;
     }
     timeUs = newUs;
@@ -139,7 +139,7 @@ public final class DavisDecoder implements WireDecoder {
 
   private void event(int column, int on, EventPacket out) {
     if (column >= layout.columns() || row == NO_ROW) {
-      oddWords++;
+      unknownWords++;
     } else if (wrapsToAwaitReset == 0) {
       int x = layout.swapped() ? row : column;
       int y = top - (layout.swapped() ? column : row);
@@ -174,7 +174,7 @@ public final class DavisDecoder implements WireDecoder {
       case 8, 9, 10, 11, 12, 13, 14, 15 -> {
         return deliver(frames.mark(data, timeUs));
       }
-      default -> oddWords++;
+      default -> unknownWords++;
     }
     return null;
   }
@@ -215,12 +215,12 @@ public final class DavisDecoder implements WireDecoder {
           case 1 -> frames.regionHigh(value);
           case 2 -> frames.regionLow(value);
           case 3 -> inertial.configure(value);
-          default -> oddWords++;
+          default -> unknownWords++;
         }
       }
       default -> {
         // the exposure in clock cycles, equivalent to the times of its start and end
-        oddWords += data >> 10 == 0 ? 0 : 1;
+        unknownWords += data >> 10 == 0 ? 0 : 1;
       }
     }
   }
@@ -238,8 +238,8 @@ public final class DavisDecoder implements WireDecoder {
   }
 
   @Override
-  public long oddWords() {
-    return oddWords;
+  public long unknownWords() {
+    return unknownWords;
   }
 
   @Override

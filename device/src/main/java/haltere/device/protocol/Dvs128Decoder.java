@@ -40,7 +40,7 @@ public final class Dvs128Decoder implements WireDecoder {
   private int wrapsToAwaitReset;
 
   private Trigger trigger;
-  private volatile long oddWords;
+  private volatile long unknownWords;
 
   /**
    * A decoder whose clock is at 0.
@@ -83,7 +83,7 @@ public final class Dvs128Decoder implements WireDecoder {
       }
     }
     if (in.hasRemaining()) {
-      oddWords++;
+      unknownWords++;
       in.position(in.limit());
     }
     return Stop.INPUT_USED;
@@ -154,7 +154,7 @@ public final class Dvs128Decoder implements WireDecoder {
   private long timeOf(int low) {
     long timeUs = offsetUs + low;
     if (timeUs < lastUs) {
-      oddWords++;
+      unknownWords++;
       if (lastUs - timeUs > WRAP_US / 2) {
         long missing = (lastUs - timeUs + WRAP_US - 1) / WRAP_US;
         offsetUs += missing * WRAP_US;
@@ -178,8 +178,8 @@ public final class Dvs128Decoder implements WireDecoder {
   }
 
   @Override
-  public long oddWords() {
-    return oddWords;
+  public long unknownWords() {
+    return unknownWords;
   }
 
   @Override

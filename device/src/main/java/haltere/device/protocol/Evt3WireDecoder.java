@@ -28,7 +28,7 @@ public final class Evt3WireDecoder implements WireDecoder {
   private final long[] state;
   private long offset;
   private Trigger trigger;
-  private volatile long oddWords;
+  private volatile long unknownWords;
 
   /**
    * A decoder before the first word.
@@ -94,7 +94,7 @@ public final class Evt3WireDecoder implements WireDecoder {
     for (Violation kind : Violation.values()) {
       odd += kind.isDamage() ? violations.count(kind) : 0;
     }
-    oddWords = odd;
+    unknownWords = odd;
   }
 
   @Override
@@ -110,8 +110,8 @@ public final class Evt3WireDecoder implements WireDecoder {
   }
 
   @Override
-  public long oddWords() {
-    return oddWords;
+  public long unknownWords() {
+    return unknownWords;
   }
 
   @Override

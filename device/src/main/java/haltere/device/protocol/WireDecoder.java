@@ -8,7 +8,7 @@ import java.nio.ByteBuffer;
  * Decodes the bytes of a camera into packets, samples and clock resets, in the order of the stream.
  * All state is in the object. Invalid bytes are counted, not thrown.
  *
- * <p>Thread rule: one thread; {@link #oddWords} may be called from any.
+ * <p>Thread rule: one thread; {@link #unknownWords} may be called from any.
  */
 public interface WireDecoder {
   /** Reason for the return of {@link #decode}. */
@@ -48,7 +48,7 @@ public interface WireDecoder {
    *
    * @return a count since the decoder was created
    */
-  long oddWords();
+  long unknownWords();
 
   /**
    * An empty summary for bytes dropped before this decoder.

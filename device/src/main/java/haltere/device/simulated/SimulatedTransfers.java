@@ -73,7 +73,7 @@ final class SimulatedTransfers {
   private long transfers;
   private long events;
   private long lostEarlier;
-  private int mostWaiting;
+  private int maxWaiting;
   private long streamsBegun;
   private long timesBehind;
 
@@ -84,7 +84,7 @@ final class SimulatedTransfers {
    * @param events in them
    * @param lost lost events
    * @param waiting waiting transfers
-   * @param mostWaiting largest number of waiting transfers
+   * @param maxWaiting largest number of waiting transfers
    * @param streams started streams
    * @param timesBehind number of pauses of the scene because the simulation was too slow
    */
@@ -93,7 +93,7 @@ final class SimulatedTransfers {
       long events,
       long lost,
       int waiting,
-      int mostWaiting,
+      int maxWaiting,
       long streams,
       long timesBehind) {}
 
@@ -195,7 +195,7 @@ final class SimulatedTransfers {
 
   private void end() {
     LiveBuffer.Counts counts = filling.counts();
-    mostWaiting = Math.max(mostWaiting, counts.mostWaitingPackets());
+    maxWaiting = Math.max(maxWaiting, counts.maxWaitingPackets());
     lostEarlier += counts.lost();
     filling.notified(new EndOfStream(lastUs));
     filling = null;
@@ -242,11 +242,11 @@ final class SimulatedTransfers {
           if (filling != null) {
             LiveBuffer.Counts counts = filling.counts();
             waiting = counts.waitingPackets();
-            mostWaiting = Math.max(mostWaiting, counts.mostWaitingPackets());
+            maxWaiting = Math.max(maxWaiting, counts.maxWaitingPackets());
             lost += counts.lost();
           }
           return new Counts(
-              transfers, events, lost, waiting, mostWaiting, streamsBegun, timesBehind);
+              transfers, events, lost, waiting, maxWaiting, streamsBegun, timesBehind);
         });
   }
 

@@ -46,7 +46,7 @@ public final class ReceivedBuffers {
   private long lostTransfers;
   private long lostEvents;
   private long brokenTransfers;
-  private int mostWaiting;
+  private int maxWaiting;
 
   /**
    * Empty buffers.
@@ -139,7 +139,7 @@ public final class ReceivedBuffers {
         droppedLast = received.swapBefore(droppedLast);
       }
       waiting.add(received);
-      mostWaiting = Math.max(mostWaiting, waiting.size());
+      maxWaiting = Math.max(maxWaiting, waiting.size());
       change.changed();
       return next;
     } finally {
@@ -340,7 +340,7 @@ public final class ReceivedBuffers {
    * @param lostEvents in those
    * @param brokenTransfers failed transfers
    * @param waiting waiting buffers
-   * @param mostWaiting largest number of waiting buffers
+   * @param maxWaiting largest number of waiting buffers
    */
   public record Counts(
       long transfers,
@@ -349,7 +349,7 @@ public final class ReceivedBuffers {
       long lostEvents,
       long brokenTransfers,
       int waiting,
-      int mostWaiting) {
+      int maxWaiting) {
     /** Counts before the first data. */
     public static final Counts NONE = new Counts(0, 0, 0, 0, 0, 0, 0);
   }
@@ -363,13 +363,7 @@ public final class ReceivedBuffers {
     lock.lock();
     try {
       return new Counts(
-          transfers,
-          bytes,
-          lostTransfers,
-          lostEvents,
-          brokenTransfers,
-          waiting.size(),
-          mostWaiting);
+          transfers, bytes, lostTransfers, lostEvents, brokenTransfers, waiting.size(), maxWaiting);
     } finally {
       lock.unlock();
     }

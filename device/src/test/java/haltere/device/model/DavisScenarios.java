@@ -151,7 +151,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
 
       assertEquals(12, log.all.timeUs(0));
       assertEquals(1, log.items.size(), log.items.toString());
-      assertEquals(1, camera.statistics().oddWords());
+      assertEquals(1, camera.statistics().unknownWords());
     }
   }
 
@@ -260,7 +260,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
       assertTrue(configuration.text().contains("frames.exposureUs = 1500 us\n"));
       assertThrows(IllegalArgumentException.class, () -> configuration.set("frames.speed", 1));
 
-      camera.facet(EarlyTransfer.class).orElseThrow().setLongestDelayUs(260);
+      camera.facet(EarlyTransfer.class).orElseThrow().setMaxDelayUs(260);
       assertEquals(2 * 125 * 80, firmware.register(9, 1));
     }
   }

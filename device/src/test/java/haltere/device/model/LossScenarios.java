@@ -196,7 +196,7 @@ abstract class LossScenarios extends CameraBench {
                 part,
                 new WriteOptions(camera.geometry(), false, Optional.empty(), metadata),
                 Aedat4Compression.LZ4),
-        SessionRecorder.Limits.USUAL,
+        SessionRecorder.Limits.DEFAULT,
         new CameraHeader(camera, Optional::empty, System::nanoTime, Clock.systemUTC()),
         () -> Long.MAX_VALUE);
   }

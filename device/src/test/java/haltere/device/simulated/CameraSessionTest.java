@@ -77,7 +77,7 @@ class CameraSessionTest {
                 file,
                 new WriteOptions(camera.geometry(), false, Optional.empty(), metadata),
                 Aedat4Compression.LZ4),
-        SessionRecorder.Limits.USUAL,
+        SessionRecorder.Limits.DEFAULT,
         new CameraHeader(camera, () -> Optional.of(chain), time, day),
         () -> Long.MAX_VALUE);
   }

@@ -151,7 +151,7 @@ class SimulatedCameraTest {
       assertEquals(events.size(), statistics.events());
       assertEquals(0, statistics.lostEvents());
       assertEquals(1, statistics.streams());
-      assertTrue(statistics.longestLatencyUs() <= 1000, statistics.toString());
+      assertTrue(statistics.maxLatencyUs() <= 1000, statistics.toString());
     }
   }
 
@@ -180,7 +180,7 @@ class SimulatedCameraTest {
       assertEquals(reported, statistics.lostEvents());
       assertEquals(got.events().size(), statistics.events());
       assertEquals(statistics.bytes() / 4, reported + statistics.events());
-      assertTrue(statistics.lostTransfers() > 0 && statistics.mostWaiting() <= 20);
+      assertTrue(statistics.lostTransfers() > 0 && statistics.maxWaiting() <= 20);
     }
   }
 

@@ -71,7 +71,7 @@ final class ClusterGrid {
         || Math.abs(cluster.y - cluster.indexY) > SLACK_PX;
   }
 
-  private int cell(double place, int cellCount) {
-    return Math.max(0, Math.min(cellCount - 1, (int) Math.floor(place) >> shift));
+  private int cell(double coordinate, int cellCount) {
+    return Math.max(0, Math.min(cellCount - 1, (int) Math.floor(coordinate) >> shift));
   }
 }

@@ -451,7 +451,7 @@ public final class GaussianState {
   }
 
   /** {@return whether all numbers are finite and no variance is negative} */
-  public boolean isSound() {
+  public boolean isValid() {
     double sum = 0;
     for (int i = 0; i < n; i++) {
       if (!(p.data[i * n + i] >= 0)) {

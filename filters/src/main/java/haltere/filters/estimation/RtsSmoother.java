@@ -49,20 +49,20 @@ public final class RtsSmoother {
     for (int k = filtered.size() - 1; k >= 0; k--) {
       Prediction lead = k < leads.size() ? leads.get(k) : null;
       // a launch separates the times before and after it
-      later = lead == null ? filtered.get(k) : back(filtered.get(k), lead, later);
+      later = lead == null ? filtered.get(k) : smoothStep(filtered.get(k), lead, later);
       smoothed.add(later);
     }
     Collections.reverse(smoothed);
     return smoothed;
   }
 
-  private static Estimate back(Estimate at, Prediction lead, Estimate later) {
+  private static Estimate smoothStep(Estimate at, Prediction lead, Estimate later) {
     DMatrixRMaj p = at.covariance().toMatrix();
     DMatrixRMaj x = at.state().toMatrix();
     DMatrixRMaj change = later.state().toMatrix();
     CommonOps_DDRM.subtractEquals(change, lead.estimate().state().toMatrix());
     boolean done =
-        back(
+        smoothStep(
             p,
             lead.transition().toMatrix(),
             lead.estimate().covariance().toMatrix(),
@@ -86,7 +86,7 @@ public final class RtsSmoother {
    * @param change xˢ₊ − x⁻; becomes C (xˢ₊ − x⁻), the correction of the filtered state
    * @return false, and nothing is changed, where P⁻ is not positive definite
    */
-  public static boolean back(
+  public static boolean smoothStep(
       DMatrixRMaj p, DMatrixRMaj f, DMatrixRMaj predicted, DMatrixRMaj later, DMatrixRMaj change) {
     if (!MatrixFeatures_DDRM.isPositiveDefinite(predicted)) {
       return false;

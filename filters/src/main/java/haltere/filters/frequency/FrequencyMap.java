@@ -184,10 +184,10 @@ public final class FrequencyMap {
 
     private final int minPairs;
 
-    Edges(int places, int minPairs) {
+    Edges(int size, int minPairs) {
       this.minPairs = minPairs;
-      lastOn = new boolean[places];
-      state = new long[STRIDE * places];
+      lastOn = new boolean[size];
+      state = new long[STRIDE * size];
     }
 
     void reset() {
@@ -195,10 +195,10 @@ public final class FrequencyMap {
       Arrays.fill(state, NEVER_US);
     }
 
-    void add(int place, long timeUs, boolean on) {
-      if (lastOn[place] != on) {
-        lastOn[place] = on;
-        int at = STRIDE * place;
+    void add(int index, long timeUs, boolean on) {
+      if (lastOn[index] != on) {
+        lastOn[index] = on;
+        int at = STRIDE * index;
         if (!on && timeUs - state[at] >= mergeUs) {
           for (int i = EDGES - 1; i > 0; i--) {
             state[at + i] = state[at + i - 1];
@@ -237,8 +237,8 @@ public final class FrequencyMap {
     }
 
     /** The period in microseconds, 0 if it is unknown. */
-    float periodUs(int place, long nowUs) {
-      int at = STRIDE * place;
+    float periodUs(int index, long nowUs) {
+      int at = STRIDE * index;
       if (state[at + FOUND] == NEVER_US) {
         return 0;
       }
@@ -246,8 +246,8 @@ public final class FrequencyMap {
       return nowUs - state[at + FOUND] <= MAX_SILENT_PERIODS * periodUs ? periodUs : 0;
     }
 
-    long lastUs(int place) {
-      return state[STRIDE * place];
+    long lastUs(int index) {
+      return state[STRIDE * index];
     }
   }
 }

@@ -92,11 +92,11 @@ public final class RegionMeter implements StreamHandler {
       int y = EventAddress.y(address) - bottom;
       if (x >= 0 && x < width && y >= 0 && y < height) {
         advanceTo(times[i]);
-        int place = place(newestBin);
+        int slot = slotOf(newestBin);
         if (EventAddress.isOn(address)) {
-          on[place]++;
+          on[slot]++;
         } else {
-          off[place]++;
+          off[slot]++;
         }
       }
     }
@@ -129,13 +129,13 @@ public final class RegionMeter implements StreamHandler {
       newestBin = bin;
     }
     while (newestBin < bin) {
-      int place = place(++newestBin);
-      on[place] = 0;
-      off[place] = 0;
+      int slot = slotOf(++newestBin);
+      on[slot] = 0;
+      off[slot] = 0;
     }
   }
 
-  private int place(long bin) {
+  private int slotOf(long bin) {
     return (int) Math.floorMod(bin, (long) bins);
   }
 
@@ -145,9 +145,9 @@ public final class RegionMeter implements StreamHandler {
    * @param withFrequency whether the frequency is computed, which takes about a millisecond
    * @return of the stored bins
    */
-  public RegionReading reading(boolean withFrequency) {
+  public RegionMeasurement measure(boolean withFrequency) {
     if (newestBin == NONE) {
-      return RegionReading.NOTHING;
+      return RegionMeasurement.NOTHING;
     }
     // the newest bin is not complete
     int known = (int) Math.min(bins - 1, newestBin - firstBin);
@@ -155,13 +155,13 @@ public final class RegionMeter implements StreamHandler {
     long onEvents = 0;
     long all = 0;
     for (long bin = newestBin - counted; bin < newestBin; bin++) {
-      int place = place(bin);
-      onEvents += on[place];
-      all += on[place] + off[place];
+      int slot = slotOf(bin);
+      onEvents += on[slot];
+      all += on[slot] + off[slot];
     }
     double rateEps = all * 1e6 / ((double) counted * BIN_US);
     double onShare = all == 0 ? Double.NaN : (double) onEvents / all;
-    return new RegionReading(
+    return new RegionMeasurement(
         rateEps, onShare, withFrequency ? frequencyHz(known) : Double.NaN, (long) known * BIN_US);
   }
 
@@ -171,8 +171,8 @@ public final class RegionMeter implements StreamHandler {
       ordered = new float[bins];
     }
     for (int i = 0; i < known; i++) {
-      int place = place(newestBin - known + i);
-      ordered[i] = on[place] + off[place];
+      int slot = slotOf(newestBin - known + i);
+      ordered[i] = on[slot] + off[slot];
     }
     double periodBins = periodicity.periodOf(ordered, known);
     return 1e6 / (periodBins * BIN_US);

@@ -98,13 +98,13 @@ public final class BackgroundActivity {
 
   /** Removes all events. */
   public void reset() {
-    forgetTimes();
+    clearTimes();
     automatic.reset();
     isWindowOpen = false;
     chooseSupport();
   }
 
-  private void forgetTimes() {
+  private void clearTimes() {
     Arrays.fill(lastUs, NEVER);
     empty = true;
   }
@@ -284,7 +284,7 @@ public final class BackgroundActivity {
     }
     if (empty || relativeUs < 0 || relativeUs >= 2L * LAST_RELATIVE_US) {
       // the memory is empty, or older than any correlation time
-      forgetTimes();
+      clearTimes();
       epochUs = timeUs;
     } else {
       // keeps the times within the longest correlation time before the event

@@ -97,12 +97,12 @@ public final class HotPixels {
   public void apply(HotPixelsSettings newSettings) {
     settings = Objects.requireNonNull(newSettings, "newSettings");
     threshold = (int) Math.max(1, Math.ceil(settings.rateHz() * settings.periodUs() / 1e6));
-    for (int i = settings.mostBlocked(); i < blockedCount; i++) {
+    for (int i = settings.maxBlocked(); i < blockedCount; i++) {
       cells[blocked[i]] = 0;
     }
-    blockedCount = Math.min(blockedCount, settings.mostBlocked());
-    blocked = Arrays.copyOf(blocked, settings.mostBlocked());
-    calmPeriods = Arrays.copyOf(calmPeriods, settings.mostBlocked());
+    blockedCount = Math.min(blockedCount, settings.maxBlocked());
+    blocked = Arrays.copyOf(blocked, settings.maxBlocked());
+    calmPeriods = Arrays.copyOf(calmPeriods, settings.maxBlocked());
     clearCounts();
     started = false;
   }

@@ -4,6 +4,7 @@ import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
+import java.util.Map;
 
 /**
  * Settings of {@link HotPixelsFilter}.
@@ -39,11 +40,15 @@ public record HotPixelsSettings(
             label = "Maximum blocked pixels")
         @Range(min = 0, max = 100_000, logarithmic = true)
         @Unit("pixels")
-        int mostBlocked) {
+        int maxBlocked) {
   /** Checks the ranges. */
   public HotPixelsSettings {
     SettingsSchema.validate(
-        HotPixelsSettings.class, periodUs, rateHz, ratio, calmPeriods, mostBlocked);
+        HotPixelsSettings.class, periodUs, rateHz, ratio, calmPeriods, maxBlocked);
+  }
+
+  static Map<String, String> formerNames() {
+    return Map.of("mostBlocked", "maxBlocked");
   }
 
   /**

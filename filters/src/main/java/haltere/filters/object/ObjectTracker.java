@@ -435,7 +435,7 @@ final class ObjectTracker {
         object.activeUs = nowUs;
         coastComponents(object, nowUs);
       } else if (!object.isDecided()
-          || object.isLost && silentS > settings.rememberS()
+          || object.isLost && silentS > settings.coastTimeS()
           || motion.coasts() && object.components.stream().allMatch(c -> inside(c) == 0)) {
         object.components.forEach(this::end);
         objects.remove(i);

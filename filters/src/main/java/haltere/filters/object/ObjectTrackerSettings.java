@@ -5,6 +5,7 @@ import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
+import java.util.Map;
 
 /** Settings of {@link ObjectTrackerFilter}. */
 public record ObjectTrackerSettings(
@@ -29,7 +30,7 @@ public record ObjectTrackerSettings(
             label = "Coasting time")
         @Range(min = 0, max = 600)
         @Unit("s")
-        double rememberS,
+        double coastTimeS,
     @Help("Objects are reported at this rate of recording time.")
         @Range(min = 0.001, max = 100_000, logarithmic = true)
         @Unit("Hz")
@@ -42,12 +43,16 @@ public record ObjectTrackerSettings(
   /** Checks the ranges. */
   public ObjectTrackerSettings {
     SettingsSchema.validate(
-        ObjectTrackerSettings.class, scalePx, confirmS, rememberS, reportRateHz, pathS);
+        ObjectTrackerSettings.class, scalePx, confirmS, coastTimeS, reportRateHz, pathS);
+  }
+
+  static Map<String, String> formerNames() {
+    return Map.of("rememberS", "coastTimeS");
   }
 
   /**
-   * {@return the default settings: each object's own scale, reported after 0.3 s, remembered for 5
-   * s, 100 reports a second}
+   * {@return the default settings: each object's own scale, reported after 0.3 s, coasting for 5 s,
+   * 100 reports a second}
    */
   public static ObjectTrackerSettings defaults() {
     return new ObjectTrackerSettings(0, 0.3, 5, 100, 1);

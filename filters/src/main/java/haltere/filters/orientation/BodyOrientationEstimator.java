@@ -113,11 +113,11 @@ public final class BodyOrientationEstimator {
    */
   public Optional<OrientationEstimate> update(long timeUs, List<LineObservation> seen) {
     if (hasTime && timeUs < lastUs) {
-      count(OrientationCount.TIME_BACK, seen.size());
+      count(OrientationCount.OUT_OF_ORDER, seen.size());
       return Optional.empty();
     }
     double dtS = hasTime ? (timeUs - lastUs) * 1e-6 : 0;
-    if (hasTime && timeUs - seenUs > settings.position().longestGapS() * 1e6) {
+    if (hasTime && timeUs - seenUs > settings.position().maxGapS() * 1e6) {
       position.stop();
       flight.forget();
       hasAxis = false;
@@ -164,10 +164,10 @@ public final class BodyOrientationEstimator {
       axis.update(lines, count);
       taken = note(count);
       coupleToFlight(dtS);
-      hasAxis = axis.isSound() && (axis.axis().variance() <= LOST_VARIANCE || taken > 0);
+      hasAxis = axis.isValid() && (axis.axis().variance() <= LOST_VARIANCE || taken > 0);
       if (hasAxis && axis.needsSearch(lines, count) && finds(timeUs) && axis.offer(search)) {
         head.clearDisplacement();
-        count(OrientationCount.RELAUNCHED, 1);
+        count(OrientationCount.REINITIALISED, 1);
       }
     }
     if (!hasAxis) {
@@ -224,7 +224,7 @@ public final class BodyOrientationEstimator {
   private void start(int count) {
     if (hadAxis) {
       head.clearDisplacement();
-      count(OrientationCount.RELAUNCHED, 1);
+      count(OrientationCount.REINITIALISED, 1);
     }
     axis.launch(search);
     hasAxis = true;

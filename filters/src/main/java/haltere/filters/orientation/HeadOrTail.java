@@ -38,15 +38,15 @@ final class HeadOrTail {
       return;
     }
     double sd = Math.sqrt(2 * varianceM2);
-    double max = settings.certaintySigmas() * sd;
+    double max = settings.limitSigmas() * sd;
     wayM = wayM * Math.exp(-dtS / settings.memoryS()) + alongM;
     wayM = Math.max(-max, Math.min(max, wayM));
     sigmas = wayM / sd;
     double forwards = sign() * sigmas;
     if (!decided) {
       flipped = wayM < 0;
-      decided = Math.abs(sigmas) > settings.doubtSigmas();
-    } else if (forwards < -settings.doubtSigmas()) {
+      decided = Math.abs(sigmas) > settings.exchangeSigmas();
+    } else if (forwards < -settings.exchangeSigmas()) {
       flipped = !flipped;
     }
   }

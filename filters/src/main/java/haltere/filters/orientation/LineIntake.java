@@ -16,18 +16,18 @@ final class LineIntake {
   private final List<CameraModel> cameras;
   private final OrientationSettings.ObservationGate gate;
   private final LineNoise noise;
-  private final double togetherUs;
+  private final double maxIntervalUs;
   private final LineObservation[] latest;
   private final long[] latestUs;
   private final List<LineObservation> usable = new ArrayList<>();
   private final List<LineObservation> views = new ArrayList<>();
-  private boolean together;
+  private boolean hasSeveral;
 
   LineIntake(List<CameraModel> cameras, OrientationSettings settings, LineNoise noise) {
     this.cameras = cameras;
     this.noise = noise;
     gate = settings.gate();
-    togetherUs = settings.position().togetherS() * 1e6;
+    maxIntervalUs = settings.position().maxViewIntervalS() * 1e6;
     latest = new LineObservation[cameras.size()];
     latestUs = new long[cameras.size()];
   }
@@ -44,14 +44,14 @@ final class LineIntake {
       if (cameras.get(camera).problem().isPresent()) {
         counter.accept(OrientationCount.UNUSABLE_CAMERA, 1);
       } else if (latestUs[camera] == timeUs && usable.contains(latest[camera])) {
-        counter.accept(OrientationCount.TWICE, 1);
+        counter.accept(OrientationCount.DUPLICATE, 1);
       } else {
         usable.add(observation);
         latest[camera] = observation;
         latestUs[camera] = timeUs;
       }
     }
-    together |= usable.size() > 1;
+    hasSeveral |= usable.size() > 1;
   }
 
   /** Usable observations of the last time; valid until the next one. */
@@ -64,12 +64,12 @@ final class LineIntake {
    * ones of the last time if they expose together.
    */
   List<LineObservation> recent(long timeUs) {
-    if (together) {
+    if (hasSeveral) {
       return usable;
     }
     views.clear();
     for (int i = 0; i < latest.length; i++) {
-      if (latest[i] != null && timeUs - latestUs[i] <= togetherUs) {
+      if (latest[i] != null && timeUs - latestUs[i] <= maxIntervalUs) {
         views.add(latest[i]);
       }
     }
@@ -107,7 +107,7 @@ final class LineIntake {
       problem = OrientationCount.ROUND;
     } else if (!seen.hasPosition() && !camera.project(positionM, line)) {
       problem = OrientationCount.WITHOUT_LINE;
-    } else if (!camera.straighten(line)) {
+    } else if (!camera.undistort(line)) {
       problem = OrientationCount.UNUSABLE_CAMERA;
     } else if (!camera.lineNormals(positionM, into.n)) {
       problem = OrientationCount.WITHOUT_LINE;

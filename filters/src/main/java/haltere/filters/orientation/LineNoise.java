@@ -39,7 +39,6 @@ final class LineNoise {
     }
   }
 
-  /** Standard deviation of a camera's angles, radians. */
   double sdRad(int camera) {
     return Math.sqrt(variances[camera]);
   }

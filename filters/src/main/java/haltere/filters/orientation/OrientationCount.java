@@ -17,24 +17,24 @@ public enum OrientationCount {
   /** Lines of a body at the camera's centre, in its focal plane, or pointing at it. */
   WITHOUT_LINE("of a body at the camera's centre, in its focal plane or pointing at it"),
   /** A second observation of one camera at one time. */
-  TWICE("further ones of a camera at the same time"),
+  DUPLICATE("further ones of a camera at the same time"),
   /** Observations earlier than one that was already used. */
-  TIME_BACK("earlier than the previous one"),
+  OUT_OF_ORDER("earlier than the previous one"),
   /** Times without a position: fewer than two cameras, or all collinear with the body. */
   NO_POSITION("times without a position: fewer than two cameras, or collinear with the body"),
   /** Times with a position but no axis: fewer than two accepted lines, or degenerate ones. */
   NO_AXIS("times without an axis: fewer than two accepted lines, coplanar or contradictory lines"),
   /** Re-initialisations of a lost axis. */
-  RELAUNCHED("re-initialisations of a lost axis");
+  REINITIALISED("re-initialisations of a lost axis");
 
-  private final String words;
+  private final String description;
 
-  OrientationCount(String words) {
-    this.words = words;
+  OrientationCount(String description) {
+    this.description = description;
   }
 
   /** {@return a description that follows a number} */
-  public String words() {
-    return words;
+  public String description() {
+    return description;
   }
 }

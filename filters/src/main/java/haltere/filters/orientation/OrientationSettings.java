@@ -6,6 +6,7 @@ import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 import haltere.filters.orientation.internal.axis.AxisModel;
+import java.util.Map;
 
 /**
  * Settings of {@link BodyOrientationEstimator}.
@@ -69,6 +70,14 @@ public record OrientationSettings(
             "turning.updateNoise=0.1",
             "line.angleSdDeg=" + Math.toDegrees(Math.sqrt(10)),
             "line.calibrate=false");
+  }
+
+  static Map<String, String> formerNames() {
+    return Map.of(
+        "position.togetherS", "position.maxViewIntervalS",
+        "position.longestGapS", "position.maxGapS",
+        "direction.doubtSigmas", "direction.exchangeSigmas",
+        "direction.certaintySigmas", "direction.limitSigmas");
   }
 
   /** The model of the axis; without outliers if the gate accepts all lines. */
@@ -150,7 +159,7 @@ public record OrientationSettings(
   /**
    * Process and measurement model of the position, and its loss.
    *
-   * @param togetherS largest difference in time of the views that initialise a body
+   * @param maxViewIntervalS largest difference in time of the views that initialise a body
    */
   public record BodyMotion(
       @Help("Standard deviation of a detection's position in the picture, in each coordinate.")
@@ -168,11 +177,11 @@ public record OrientationSettings(
       @Help("Largest difference in time of two views that initialise a body.")
           @Range(min = 0, max = 10)
           @Unit("s")
-          double togetherS,
+          double maxViewIntervalS,
       @Help("A body without observations for longer than this is re-initialised.")
           @Range(min = 0.001, max = 1000, logarithmic = true)
           @Unit("s")
-          double longestGapS) {}
+          double maxGapS) {}
 
   /** Resolution of head and tail. */
   public record HeadTail(
@@ -185,11 +194,11 @@ public record OrientationSettings(
                   + " deviations.")
           @Range(min = 0, max = 100)
           @Unit("sigma")
-          double doubtSigmas,
+          double exchangeSigmas,
       @Help("The forward displacement is limited to this many standard deviations.")
           @Range(min = 1, max = 1000)
           @Unit("sigma")
-          double certaintySigmas,
+          double limitSigmas,
       @Help(
               "Standard deviation of the angle between axis and flight, for times at which cameras"
                   + " are ambiguous. 90 ignores the flight.")

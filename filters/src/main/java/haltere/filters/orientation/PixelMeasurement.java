@@ -44,7 +44,7 @@ final class PixelMeasurement implements MeasurementModel {
   @Override
   public void jacobian(DMatrixRMaj x, DMatrixRMaj h) {
     turnTo(camera, x.get(0), x.get(2), x.get(4));
-    camera.pixelByPoint(point, pixel, jacobian);
+    camera.projectionJacobian(point, pixel, jacobian);
     h.zero();
     for (int k = 0; k < 6; k++) {
       h.set(k / 3, 2 * (k % 3), jacobian[k]);

@@ -74,7 +74,6 @@ final class PositionFilter {
     filter.predict(dtS);
   }
 
-  /** Updates with the pixels of the cameras. */
   void update(List<LineObservation> seen) {
     int accepted = 0;
     int pixels = 0;
@@ -82,7 +81,7 @@ final class PositionFilter {
       CameraModel camera = cameras.get(observation.camera());
       double[] line = observation.line();
       if (!observation.hasPosition()
-          || !camera.straighten(line)
+          || !camera.undistort(line)
           || !pixel.turnTo(camera, filter.state(0), filter.state(2), filter.state(4))) {
         continue;
       }

@@ -31,10 +31,8 @@ final class Triangulation {
     }
   }
 
-  /** Position, metres. */
   final double[] pointM = new double[3];
 
-  /** Its covariance, square metres. */
   final DMatrixRMaj covarianceM2 = new DMatrixRMaj(3, 3);
 
   private final List<Sight> sights = new ArrayList<>();
@@ -51,7 +49,7 @@ final class Triangulation {
     for (LineObservation observation : seen) {
       CameraModel camera = cameras.get(observation.camera());
       double[] line = observation.line();
-      if (observation.hasPosition() && camera.straighten(line)) {
+      if (observation.hasPosition() && camera.undistort(line)) {
         sights.add(new Sight(camera, line));
       }
     }
@@ -84,7 +82,7 @@ final class Triangulation {
         if (!each.camera().projectIdeal(pointM, pixel)) {
           return false;
         }
-        each.camera().pixelByPoint(pointM, pixel, jacobian.data);
+        each.camera().projectionJacobian(pointM, pixel, jacobian.data);
         CommonOps_DDRM.multAddTransA(jacobian, jacobian, information);
         double[] seen = each.pixel();
         CommonOps_DDRM.multAddTransA(
@@ -115,7 +113,7 @@ final class Triangulation {
     double[] right = new double[3];
     double[] d = new double[3];
     for (Sight each : sights) {
-      if (!each.camera().sight(each.pixel()[0], each.pixel()[1], d)) {
+      if (!each.camera().lineOfSight(each.pixel()[0], each.pixel()[1], d)) {
         return false;
       }
       double[] c = each.camera().centre();

@@ -22,6 +22,6 @@ public record RunningAverageSettings(
     @Help(value = "Smallest hysteresis.", label = "Minimum hysteresis")
         @Range(min = 0, max = 1.5)
         @Unit("rad")
-        double leastHysteresisRad,
+        double minHysteresisRad,
     @Help("Updates the body position after each beat.") boolean bodyUpdate,
     @Help("Updates the heading after each beat.") boolean headingUpdate) {}

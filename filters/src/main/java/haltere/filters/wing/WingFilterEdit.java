@@ -31,7 +31,7 @@ public record WingFilterEdit(WingPart part, Table table, int row, int column, do
   }
 
   /** {@return whether noise returns from manual to automatic} */
-  public boolean givesBack() {
+  public boolean restoresAutomatic() {
     return Double.isNaN(value);
   }
 

@@ -41,7 +41,7 @@ public record WingFilterState(
     /** Estimated from the events. */
     ESTIMATOR,
     /** Set manually. */
-    BY_HAND
+    MANUAL
   }
 
   public WingFilterState {

@@ -11,7 +11,7 @@ public interface WingListener {
    *
    * @param result of one of the kinds of {@link WingResult}
    */
-  void take(WingResult result);
+  void accept(WingResult result);
 
   /**
    * Whether results of a kind are requested at each tick or event: {@link WingEstimate} (with
@@ -21,7 +21,7 @@ public interface WingListener {
    * @param kind of result
    * @return true to get them
    */
-  default boolean wants(Class<? extends WingResult> kind) {
+  default boolean isRequested(Class<? extends WingResult> kind) {
     return kind == WingEstimate.class;
   }
 }

@@ -20,7 +20,7 @@ public record WingOutputSettings(
    * @param edge one of the four edges, not a wing
    * @return true if so
    */
-  public boolean takes(WingPart edge) {
+  public boolean uses(WingPart edge) {
     return switch (edge) {
       case LEFT_LEADING -> leftLeading;
       case LEFT_TRAILING -> leftTrailing;

@@ -5,7 +5,7 @@ public sealed interface WingResult
     permits FlyGeometry,
         WingAverage,
         WingBeat,
-        WingByHand,
+        ManualWingChange,
         WingDifference,
         WingEstimate,
         WingMeasurement,

@@ -13,15 +13,15 @@ public record WingSearchSettings(
     @Help(value = "The search starts with this many events.", label = "Minimum events")
         @Range(min = 100, max = 10_000, logarithmic = true)
         @Unit("events")
-        int leastEvents,
+        int minEvents,
     @Help(value = "Slower wing beats are not found.", label = "Minimum frequency")
         @Range(min = 40, max = 400, logarithmic = true)
         @Unit("Hz")
-        double leastFrequencyHz,
+        double minFrequencyHz,
     @Help(value = "Faster wing beats are not found.", label = "Maximum frequency")
         @Range(min = 100, max = 1000, logarithmic = true)
         @Unit("Hz")
-        double mostFrequencyHz,
+        double maxFrequencyHz,
     @Help(
             value = "Wing beat frequency, if it is known; 0: it is estimated.",
             label = "Known frequency")

@@ -34,10 +34,10 @@ public record WingSnapshot(
   public double edgeRad(int edge, double aheadS) {
     int steps = strokesRad.columns();
     double turns = aheadS * frequenciesHz.get(edge / 2);
-    double place = Double.isNaN(turns) ? 0 : (turns - Math.floor(turns)) * steps;
-    int step = (int) place % steps;
+    double position = Double.isNaN(turns) ? 0 : (turns - Math.floor(turns)) * steps;
+    int step = (int) position % steps;
     double from = strokesRad.get(edge, step);
     double to = strokesRad.get(edge, (step + 1) % steps);
-    return from + (place - (int) place) * (to - from);
+    return from + (position - (int) position) * (to - from);
   }
 }

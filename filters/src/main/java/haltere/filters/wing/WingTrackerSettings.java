@@ -3,9 +3,8 @@ package haltere.filters.wing;
 import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.SettingsSchema;
 import java.lang.reflect.RecordComponent;
+import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /**
  * Settings of {@link haltere.filters.wing.tracker.WingTracker WingTracker}.
@@ -60,8 +59,14 @@ public record WingTrackerSettings(
   }
 
   static Map<String, String> formerNames() {
-    return Stream.of(WingPositionSettings.class.getRecordComponents())
-        .map(RecordComponent::getName)
-        .collect(Collectors.toMap("place."::concat, "position."::concat));
+    Map<String, String> names = new LinkedHashMap<>();
+    for (RecordComponent component : WingPositionSettings.class.getRecordComponents()) {
+      names.put("place." + component.getName(), "position." + component.getName());
+    }
+    names.put("search.leastEvents", "search.minEvents");
+    names.put("search.leastFrequencyHz", "search.minFrequencyHz");
+    names.put("search.mostFrequencyHz", "search.maxFrequencyHz");
+    names.put("average.leastHysteresisRad", "average.minHysteresisRad");
+    return names;
   }
 }

@@ -113,9 +113,9 @@ class GaussianStateTest {
     assertFalse(state.correct(1, -1));
     Matrices.assertClose(x, state.mean(), 0);
     Matrices.assertClose(p, state.covariance(), 0);
-    assertTrue(state.isSound());
+    assertTrue(state.isValid());
     state.setMean(0, Double.NaN);
-    assertFalse(state.isSound());
+    assertFalse(state.isValid());
     assertThrows(IllegalArgumentException.class, () -> new GaussianState(0));
     assertThrows(IllegalArgumentException.class, () -> state.set(Matrices.column(1, 2), p));
   }

@@ -46,7 +46,7 @@ class RegionMeterTest {
       double frequencyHz = Math.exp(random.nextDouble(Math.log(8), Math.log(700)));
       RegionMeter meter = new RegionMeter(REGION);
       meter.packet(passing(frequencyHz, 0.1, i));
-      assertEquals(frequencyHz, meter.reading(true).frequencyHz(), 0.005 * frequencyHz);
+      assertEquals(frequencyHz, meter.measure(true).frequencyHz(), 0.005 * frequencyHz);
     }
   }
 
@@ -54,7 +54,7 @@ class RegionMeterTest {
   void noiseHasNoFrequency() {
     RegionMeter meter = new RegionMeter(REGION);
     meter.packet(passing(200, 1, 3));
-    assertTrue(Double.isNaN(meter.reading(true).frequencyHz()));
+    assertTrue(Double.isNaN(meter.measure(true).frequencyHz()));
   }
 
   @Test
@@ -65,7 +65,7 @@ class RegionMeterTest {
           for (int seed = 0; seed < 100; seed++) {
             RegionMeter meter = new RegionMeter(REGION);
             meter.packet(bursts(seed));
-            double frequencyHz = meter.reading(true).frequencyHz();
+            double frequencyHz = meter.measure(true).frequencyHz();
             assertTrue(
                 Double.isNaN(frequencyHz) || frequencyHz >= 4 && frequencyHz <= 2500,
                 frequencyHz + " Hz of bursts " + seed);
@@ -98,11 +98,11 @@ class RegionMeterTest {
       packet.append(i * 1000L, EventAddress.pack(50, 15, true));
     }
     meter.packet(packet);
-    RegionReading reading = meter.reading(false);
-    assertEquals(1000, reading.rateEps(), 15, "those outside do not count");
-    assertEquals(0.75, reading.onShare(), 0.01);
+    RegionMeasurement measured = meter.measure(false);
+    assertEquals(1000, measured.rateEps(), 15, "those outside do not count");
+    assertEquals(0.75, measured.onShare(), 0.01);
     meter.advanceTo(1_200_000);
-    assertEquals(0, meter.reading(false).rateEps());
+    assertEquals(0, meter.measure(false).rateEps());
   }
 
   @Test
@@ -110,7 +110,7 @@ class RegionMeterTest {
     RegionMeter meter = new RegionMeter(REGION);
     meter.packet(passing(100, 0, 5));
     meter.notified(new Reset(Reset.Cause.SEEK));
-    assertEquals(RegionReading.NOTHING, meter.reading(true));
+    assertEquals(RegionMeasurement.NOTHING, meter.measure(true));
   }
 
   @Test
@@ -124,6 +124,6 @@ class RegionMeterTest {
       one.append(whole.timesUs()[i], whole.addresses()[i]);
       cut.packet(one);
     }
-    assertEquals(once.reading(true), cut.reading(true));
+    assertEquals(once.measure(true), cut.measure(true));
   }
 }

@@ -260,7 +260,7 @@ class ObjectTrackerFilterTest extends EventFilterContract {
 
   @Test
   void invalidSettingsAreRejected() {
-    for (String absurd : List.of("scalePx=NaN", "confirmS=0", "rememberS=-1", "reportRateHz=0")) {
+    for (String absurd : List.of("scalePx=NaN", "confirmS=0", "coastTimeS=-1", "reportRateHz=0")) {
       assertThrows(
           SettingsProblem.class, () -> ObjectTrackerSettings.defaults().with(absurd), absurd);
     }

@@ -213,8 +213,8 @@ class BodyOrientationEstimatorTest {
       assertEquals(expected, body.update(scene.pictureTimeUs(k), more));
       assertTrue(body.update(scene.pictureTimeUs(k) - 1, good).isEmpty());
     }
-    assertEquals(50, body.count(OrientationCount.TWICE));
-    assertEquals(150, body.count(OrientationCount.TIME_BACK));
+    assertEquals(50, body.count(OrientationCount.DUPLICATE));
+    assertEquals(150, body.count(OrientationCount.OUT_OF_ORDER));
     List<LineObservation> nothing =
         List.of(
             new LineObservation(0, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN),

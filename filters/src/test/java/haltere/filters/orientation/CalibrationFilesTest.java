@@ -233,14 +233,14 @@ class CalibrationFilesTest {
     read.read(
         new ObservationFile.Listener() {
           @Override
-          public void seen(long timeUs, String object, LineObservation line) {
+          public void observed(long timeUs, String object, LineObservation line) {
             assertEquals("42", object);
             assertTrue(seen.isEmpty() || timeUs >= seen.lastKey(), "times ascend");
             seen.computeIfAbsent(timeUs, time -> new ArrayList<>()).add(line);
           }
 
           @Override
-          public void bad(String where, String why) {
+          public void skipped(String where, String why) {
             fail(where + " " + why);
           }
         });

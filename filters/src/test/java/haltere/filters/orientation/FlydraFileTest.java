@@ -46,14 +46,14 @@ class FlydraFileTest {
     final List<String> remarks = new ArrayList<>();
 
     @Override
-    public void seen(long timeUs, String object, LineObservation line) {
+    public void observed(long timeUs, String object, LineObservation line) {
       assertTrue(seen.isEmpty() || timeUs >= seen.lastKey(), "times ascend");
       seen.computeIfAbsent(timeUs, time -> new ArrayList<>()).add(line);
       objects.add(object);
     }
 
     @Override
-    public void bad(String where, String why) {
+    public void skipped(String where, String why) {
       bad.add(where + ": " + why);
     }
 

@@ -91,12 +91,12 @@ public class WingBenchmark {
             WingTrackerSettings.defaults().with(settings.split(",")),
             new WingListener() {
               @Override
-              public boolean wants(Class<? extends WingResult> kind) {
+              public boolean isRequested(Class<? extends WingResult> kind) {
                 return false;
               }
 
               @Override
-              public void take(WingResult result) {
+              public void accept(WingResult result) {
                 // only the time counts
               }
             });

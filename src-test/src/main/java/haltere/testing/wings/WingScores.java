@@ -129,12 +129,12 @@ public final class WingScores implements WingListener {
   }
 
   @Override
-  public boolean wants(Class<? extends WingResult> kind) {
+  public boolean isRequested(Class<? extends WingResult> kind) {
     return kind == WingEstimate.class || kind == WingSnapshot.class;
   }
 
   @Override
-  public void take(WingResult result) {
+  public void accept(WingResult result) {
     if (result instanceof WingEstimate estimate) {
       estimate(estimate);
     } else if (result instanceof WingSnapshot snapshot) {

@@ -23,8 +23,8 @@ import haltere.core.pipeline.RecordingJob;
 import haltere.core.simulation.internal.fly.FlyScene;
 import haltere.core.simulation.internal.fly.FlySceneSettings;
 import haltere.core.sink.TableMetadata;
+import haltere.core.stream.EventQueues;
 import haltere.core.stream.SharedWork;
-import haltere.core.stream.SortedEvents;
 import haltere.filters.wing.WingBeat;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTrackerFilter;
@@ -101,8 +101,8 @@ class JobOnTwoThreadsTest {
 
   /** Throws where the second of two parts takes its events. */
   private static final class Broken implements EventFilter {
-    private final SortedEvents sorted =
-        new SortedEvents(
+    private final EventQueues queues =
+        new EventQueues(
             2,
             (part, events) -> {
               if (part == 1) {
@@ -112,15 +112,15 @@ class JobOnTwoThreadsTest {
 
     @Override
     public void share(SharedWork work) {
-      sorted.share(work);
+      queues.share(work);
     }
 
     @Override
     public void process(EventPacket packet) {
       for (int i = 0; i < packet.size(); i++) {
-        sorted.add(i % 2, packet.timeUs(i), packet.address(i));
+        queues.add(i % 2, packet.timeUs(i), packet.address(i));
       }
-      sorted.take();
+      queues.process();
     }
 
     @Override

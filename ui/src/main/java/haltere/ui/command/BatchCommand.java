@@ -75,7 +75,7 @@ final class BatchCommand extends Subcommand {
               + "an INPUT recording its own name.")
   Path root;
 
-  /** What is done with each recording. */
+  /** The work on one recording. */
   static final class Work {
     @Option(
         names = "--chain",
@@ -272,10 +272,10 @@ final class BatchCommand extends Subcommand {
 
   private final Set<String> notes = new HashSet<>();
 
-  /** A note on the chain is told once and not for each recording. */
-  private synchronized void note(String words) {
-    if (notes.add(words)) {
-      warning(words);
+  /** Prints a note on the chain once, not for each recording. */
+  private synchronized void note(String label) {
+    if (notes.add(label)) {
+      warning(label);
     }
   }
 

@@ -30,9 +30,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /**
- * Measures what this machine does: each stage by itself, on one thread, with the time of the stage
- * alone. Each stage warms up for as long as it is measured, a round at least, so that it is
- * compiled; the figures are medians of the rounds that follow.
+ * Measures the throughput of each stage alone, on one thread. Each stage warms up for the
+ * measurement time and at least one round; figures are medians of the rounds.
  */
 @Command(
     name = "bench",
@@ -40,7 +39,7 @@ import picocli.CommandLine.Parameters;
         "Measure the throughput of each stage on this machine, in million events a second,"
             + " on a recording or on the built-in fly scene.")
 final class BenchCommand extends Subcommand {
-  /** Events kept in memory for the filters; 48 MB. */
+  /** Maximum number of events in memory for the filters; 48 MB. */
   private static final int MAX_EVENTS = 4_000_000;
 
   private static final int SCENE_EVENTS = 1_000_000;
@@ -116,7 +115,7 @@ final class BenchCommand extends Subcommand {
       while (reader.next(held.full() ? count : held)) {
         checkInterrupted("measuring");
       }
-      reading.requireWhole(reader);
+      reading.requireComplete(reader);
       warnings(recording, reader.remarks());
       warnings(recording, reader.violations().describe(Set.of()));
     }
@@ -181,8 +180,8 @@ final class BenchCommand extends Subcommand {
     return System.nanoTime() - start;
   }
 
-  private static long filter(Held held, Supplier<EventFilter> maker) {
-    EventFilter filter = maker.get();
+  private static long filter(Held held, Supplier<EventFilter> factory) {
+    EventFilter filter = factory.get();
     EventPacket scratch = new EventPacket(0);
     long nanos = 0;
     for (EventPacket packet : held.packets) {
@@ -199,16 +198,16 @@ final class BenchCommand extends Subcommand {
   /** Keeps packets, up to a number of events and to the first break of time. */
   private static final class Held implements StreamHandler {
     private final List<EventPacket> packets = new ArrayList<>();
-    private final int most;
+    private final int maxEvents;
     private long events;
     private boolean broken;
 
-    Held(int most) {
-      this.most = most;
+    Held(int maxEvents) {
+      this.maxEvents = maxEvents;
     }
 
     boolean full() {
-      return broken || events >= most;
+      return broken || events >= maxEvents;
     }
 
     @Override

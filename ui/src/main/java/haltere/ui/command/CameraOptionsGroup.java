@@ -18,7 +18,7 @@ import java.util.OptionalDouble;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 
-/** Options of every command that can take its events from a camera. */
+/** Options of commands that can read events from a camera. */
 final class CameraOptionsGroup extends OptionGroup {
   @Option(
       names = "--device",
@@ -59,7 +59,7 @@ final class CameraOptionsGroup extends OptionGroup {
     OLDEST
   }
 
-  /** Refuses, by a {@link ParameterException}, what can be told to be wrong before any work. */
+  /** Rejects wrong options before any work, by a {@link ParameterException}. */
   void check() {
     if (durationS != null && !(durationS > 0 && durationS <= 1e9)) {
       throw wrong("--duration is " + durationS + ", it must be above 0 s");
@@ -80,7 +80,7 @@ final class CameraOptionsGroup extends OptionGroup {
     }
   }
 
-  /** Whether a camera was asked for, or options that only a camera has. */
+  /** Whether a camera, or options of cameras, were given. */
   boolean given() {
     return !devices.isEmpty();
   }
@@ -95,13 +95,13 @@ final class CameraOptionsGroup extends OptionGroup {
   }
 
   /**
-   * Runs the camera, on request with samples, through a chain into results until its time is over,
-   * it has ended or failed, or the process is told to stop; what each stage did.
+   * Passes the camera's events, and samples on request, through a chain into results until its time
+   * is over, it has ended or failed, or the process is to stop. Returns the report of each stage.
    */
-  List<JobReport.Stage> run(boolean samples, RecordingJob.ChainMaker chains, Results results)
+  List<JobReport.Stage> run(boolean samples, RecordingJob.ChainFactory chains, Results results)
       throws IOException {
     try (Camera camera = open(devices.get(0), samples);
-        FilterChain chain = chains.make(camera.geometry());
+        FilterChain chain = chains.create(camera.geometry());
         JobResults opened = results.open(camera, chain)) {
       LiveRun run = new LiveRun(subcommand(), camera, chain, opened.sinks());
       LiveRun.run(List.of(run), durationS(), () -> false);

@@ -1,6 +1,6 @@
 package haltere.ui.command;
 
-/** The work cannot be done; the message is the one line that the user sees, without a trace. */
+/** A command failed; the message is the one line for the user, without a stack trace. */
 final class CommandProblem extends RuntimeException {
   private static final long serialVersionUID = 1L;
 

@@ -21,9 +21,9 @@ import picocli.CommandLine.Parameters;
       "bash, zsh: source <(haltere completion bash). fish: haltere completion fish | source"
     })
 final class CompletionCommand extends Subcommand {
-  /** Shells for which there is a script. */
+  /** Supported shells. */
   enum Shell {
-    /** Also the script for zsh, which loads what it needs of bash. */
+    /** Also the script for zsh, which loads bash's completion. */
     BASH,
     ZSH,
     FISH
@@ -37,7 +37,7 @@ final class CompletionCommand extends Subcommand {
 
   private final Supplier<CommandLine> program;
 
-  /** The program is made when it is asked for: it has all commands. */
+  /** The supplier is called on request: it has all commands. */
   CompletionCommand(Supplier<CommandLine> program) {
     this.program = program;
   }
@@ -49,7 +49,7 @@ final class CompletionCommand extends Subcommand {
     return OK;
   }
 
-  /** Choices as the documents write them; the parser takes either case. */
+  /** Choices in the spelling of the documents; the parser accepts either case. */
   private static String bash(CommandLine program) {
     return CHOICES
         .matcher(AutoComplete.bash(program.getCommandName(), program))

@@ -31,7 +31,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Copies a recording to another format, or a part of it, or what filters leave of it. */
+/** Copies a recording, or a part of it, to another format, with filters if requested. */
 @Command(
     name = "convert",
     footer = {"", "Example: haltere convert recording.raw part.csv --from 0 --to 2000000"},
@@ -42,7 +42,7 @@ final class ConvertCommand extends Subcommand {
       Map.of("2", "evt2", "2.1", "evt21", "3", "evt3");
 
   /** Its header states the size of the sensor, so the next program reads it in one pass. */
-  private static final String USUAL_STREAM = "es";
+  private static final String DEFAULT_STREAM = "es";
 
   private static final String STREAMED = "Event Stream, EVT, DAT, AEDAT-2.0 and CSV";
 
@@ -122,7 +122,7 @@ final class ConvertCommand extends Subcommand {
     return OK;
   }
 
-  /** By the user's word, by the name of OUT, or by what is read. */
+  /** The format stated by the user, by the name of OUT, or of the input. */
   private RecordingFormat format(RecordingReader reader) throws RecordingProblem {
     String named = evt == null ? outFormat : ENCODINGS.get(evt);
     if (named == null && !ReadingOptions.isStandard(out)) {
@@ -131,7 +131,7 @@ final class ConvertCommand extends Subcommand {
     RecordingFormat same = Recordings.formats().get(reader.formatName());
     boolean isSame = named == null && same != null && same.isStreamed() && same.writable();
     RecordingFormat format =
-        isSame ? same : Recordings.formats().get(named == null ? USUAL_STREAM : named);
+        isSame ? same : Recordings.formats().get(named == null ? DEFAULT_STREAM : named);
     writing.checkOrigin(format);
     return format;
   }
@@ -216,7 +216,7 @@ final class ConvertCommand extends Subcommand {
               fromUs == null ? Long.MIN_VALUE : fromUs,
               toUs == null ? Long.MAX_VALUE : toUs,
               provenance(in));
-      rows = export.run(reader, bar, () -> reading.requireWhole(reader));
+      rows = export.run(reader, bar, () -> reading.requireComplete(reader));
       warnings.addAll(reader.remarks());
       warnings.addAll(reader.violations().describe(Set.of(Violation.OTHER_DATA)));
     }
@@ -228,7 +228,7 @@ final class ConvertCommand extends Subcommand {
           case FRAMES -> SampleKind.FRAME;
         };
     if (rows == 0) {
-      warning(in + ": there are no " + kind.many() + (isPart() ? " in this part" : ""));
+      warning(in + ": there are no " + kind.plural() + (isPart() ? " in this part" : ""));
     }
     message("wrote " + out + " (" + kind.count(rows) + ")");
   }

@@ -107,7 +107,7 @@ final class ExampleCommand extends Subcommand {
     AtomicFile.write(out, table.csv(), writing.overwrite);
     files.keySet().forEach(file -> message("wrote " + file));
     wrote(out, table.column("t_s").length);
-    tell(table, series.noiseM(), falls);
+    printResults(table, series.noiseM(), falls);
     return OK;
   }
 
@@ -136,7 +136,7 @@ final class ExampleCommand extends Subcommand {
     }
   }
 
-  private void tell(ExampleTable table, double noiseM, boolean falls) {
+  private void printResults(ExampleTable table, double noiseM, boolean falls) {
     result("%-26s %.2g mm", "noise of the displacement", 1000 * noiseM);
     if (falls) {
       result(estimate("acceleration", table, "a_m_s2", "m/s²"));
@@ -158,7 +158,7 @@ final class ExampleCommand extends Subcommand {
     for (int k = 0; k < fit.length; k++) {
       squares += Math.pow((measured[k] - fit[k]) / noiseM, 2) / fit.length;
     }
-    // Four neighbours share a third difference, which the noise was told from.
+    // The noise was estimated from third differences, each of four neighbours.
     int independent = fit.length / 4;
     if (!(squares * independent <= Gate.probability(0.9995).threshold(independent))) {
       warning(
@@ -168,7 +168,7 @@ final class ExampleCommand extends Subcommand {
     }
   }
 
-  /** Two digits of the deviation, and the value to the same place. */
+  /** The value with its deviation, to two digits of the deviation. */
   private static String estimate(String label, ExampleTable table, String column, String unit) {
     double deviation = last(table, "sd_" + column);
     int digits = (int) Math.max(0, Math.min(9, 1 - Math.floor(Math.log10(deviation))));

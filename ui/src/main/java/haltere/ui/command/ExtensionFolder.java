@@ -13,18 +13,18 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 
-/** The folder of jars that bring more filters, formats and scenes. */
+/** The folder of jars with additional filters, formats and scenes. */
 final class ExtensionFolder {
   static final String OPTION = "--extensions";
   private static final String VARIABLE = "HALTERE_EXTENSIONS";
-  private static final String USUAL = "extensions";
+  private static final String DEFAULT_NAME = "extensions";
 
   private ExtensionFolder() {}
 
   /**
-   * Opens the folder that is named by the option, else by the environment, else is beside the
-   * settings, and returns what was left out, one line each. It comes before the command line is
-   * parsed, for a format may be a word of it.
+   * Opens the folder of the option, of the environment, or beside the settings, and returns skipped
+   * jars, one line each. Runs before the command line is parsed, as a format may be one of its
+   * values.
    */
   static List<String> open(String[] args, Map<String, String> environment) throws IOException {
     String named = environment.getOrDefault(VARIABLE, "");
@@ -38,7 +38,7 @@ final class ExtensionFolder {
     if (!named.isEmpty() && !Files.isDirectory(Path.of(named))) {
       throw new CommandProblem(named + ": there is no such folder of extensions");
     }
-    Path folder = named.isEmpty() ? ConfigFolder.ofUser().resolve(USUAL) : Path.of(named);
+    Path folder = named.isEmpty() ? ConfigFolder.ofUser().resolve(DEFAULT_NAME) : Path.of(named);
     if (Extensions.open(folder).isEmpty()) {
       return List.of();
     }

@@ -16,7 +16,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.util.regex.Pattern;
 
-/** Turns whatever went wrong into the one line that a user can act on. */
+/** Turns any failure into one line with file, cause and advice. */
 final class Failures {
   private static final Pattern ENDLESS = Pattern.compile("(\\S{100})\\S{1000,}(\\S{50})");
 

@@ -27,13 +27,13 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /**
- * The command line: finds the command, runs it and turns what went wrong into a line and a status.
- * Only the command that was asked for is loaded.
+ * The command line: finds the command, runs it and maps failures to a line and a status. Loads only
+ * the requested command.
  *
  * <p>Thread rule: everything runs on the calling thread.
  */
 public final class HaltereProgram {
-  /** Commands by what a person wants, what most want first. */
+  /** Commands by task, the most common ones first. */
   private static final Map<String, List<String>> GROUPS = groups();
 
   private static final List<String> COMMANDS =
@@ -52,14 +52,14 @@ public final class HaltereProgram {
   private static final int HELP_WIDTH = 80;
   private static final int COMMAND_COLUMN = 14;
 
-  private final Surroundings surroundings;
+  private final CommandEnvironment surroundings;
 
-  HaltereProgram(Surroundings surroundings) {
+  HaltereProgram(CommandEnvironment surroundings) {
     this.surroundings = surroundings;
   }
 
   /**
-   * Runs the command of the process's words, waits for it and returns the exit status of the
+   * Runs the command of the process's arguments, waits for it and returns the exit status of the
    * process.
    */
   public static int main(String[] args, WindowOpener window) {
@@ -73,8 +73,8 @@ public final class HaltereProgram {
       PrintStream err =
           new PrintStream(new FileOutputStream(FileDescriptor.err), true, StandardCharsets.UTF_8);
       FileChannel in = new FileInputStream(FileDescriptor.in).getChannel();
-      Surroundings process =
-          new Surroundings(
+      CommandEnvironment process =
+          new CommandEnvironment(
               in, out, err, isTerminal(1), isTerminal(2), System.getenv(), Path.of(""), window);
       status = new HaltereProgram(process).run(args);
       Optional<String> failure = standardOutput.failure();
@@ -97,7 +97,7 @@ public final class HaltereProgram {
     }
   }
 
-  /** Runs a command by its words and returns 0, 1 or 2. */
+  /** Runs a command by its arguments and returns 0, 1 or 2. */
   int run(String... args) {
     int status;
     try {
@@ -169,7 +169,7 @@ public final class HaltereProgram {
         : status;
   }
 
-  /** Options are listed as they are declared, those that all commands have last. */
+  /** Options in the order of their declaration, common ones last. */
   private CommandLine inOrder(Callable<Integer> command) {
     CommandLine line = new CommandLine(((Subcommand) command).in(surroundings));
     line.getCommandSpec().usageMessage().sortOptions(false).sortSynopsis(false);

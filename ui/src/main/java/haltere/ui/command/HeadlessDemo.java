@@ -16,7 +16,7 @@ import haltere.ui.command.terminal.Quantities;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.EventFrame;
 import haltere.ui.rendering.FramePainter;
-import haltere.ui.rendering.LayerTaps;
+import haltere.ui.rendering.OverlaySnapshots;
 import haltere.ui.rendering.Pictures;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -24,10 +24,10 @@ import java.nio.file.Path;
 import java.util.List;
 
 /**
- * What the viewer shows at first, without a window: the built-in fly scene through the chain for a
- * fly, with a picture and a table of the wings at the end. The same every time.
+ * The start view of the viewer without a window: the built-in fly scene through the chain for a
+ * fly, with a picture and a table of the wings. Results are reproducible.
  *
- * @param command says what was found
+ * @param command prints the results
  */
 record HeadlessDemo(Subcommand command) {
   private static final int DURATION_S = 3;
@@ -43,7 +43,7 @@ record HeadlessDemo(Subcommand command) {
     try (Scene<?> scene = Scenes.named("fly").create(List.of("run.durationS=" + DURATION_S))) {
       FilterChain chain = DefaultChain.forFly(scene.geometry());
       WingTrackerFilter wings = (WingTrackerFilter) chain.stage("wing-tracker").filter();
-      LayerTaps marks = new LayerTaps(chain);
+      OverlaySnapshots marks = new OverlaySnapshots(chain);
       EventFrame frame = new EventFrame(scene.geometry());
       PipelineCounters counters = new PipelineCounters();
       WingsSummary summary = new WingsSummary(wings, wings.settings().output().rateHz());
@@ -66,7 +66,7 @@ record HeadlessDemo(Subcommand command) {
             Pictures.draw(
                 frame,
                 new FramePainter(ColourMap.DARK, FADING_US),
-                Pictures.usualScale(scene.geometry()),
+                Pictures.defaultScale(scene.geometry()),
                 canvas -> marks.marks().forEach(layer -> layer.draw(frame.nowUs(), canvas))));
         estimates.finish();
         rows = estimates.rows();

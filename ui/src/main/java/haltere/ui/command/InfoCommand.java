@@ -29,7 +29,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Reads recordings through and says what is in them. */
+/** Reads recordings and describes them. */
 @Command(
     name = "info",
     footer = {"", "Example: haltere info recording.aedat4 --picture recording.png"},
@@ -75,7 +75,7 @@ final class InfoCommand extends Subcommand {
     List<Object> objects = new ArrayList<>();
     for (Path file : files) {
       if (surroundings().out().checkError()) {
-        return status; // nobody reads on
+        return status; // the reader has closed the pipe
       }
       try {
         if (!describe(file, objects)) {
@@ -104,13 +104,13 @@ final class InfoCommand extends Subcommand {
   }
 
   /**
-   * What is told of a recording.
+   * Facts of a recording.
    *
-   * @param clock what its times count from
-   * @param metadata what it says of its camera and chain, if anything
+   * @param clock origin of its times
+   * @param metadata properties of camera and chain, if stated
    * @param outline events and times
-   * @param durationS length without what lies between a clock's end and its next start, seconds
-   * @param read what else was found by reading it; empty if only what it tells of itself is known
+   * @param durationS length without intervals between segments of the clock, seconds
+   * @param read results of a complete reading; empty with metadata only
    */
   private record Facts(
       RecordingClock clock,
@@ -137,8 +137,8 @@ final class InfoCommand extends Subcommand {
         objects.add(object);
       } else {
         print(reader, facts);
-        if (surroundings().outIsTerminal() && rates.highestHz() > 0) {
-          line("rate", rates.line() + "  up to " + Quantities.rate(rates.highestHz()));
+        if (surroundings().outIsTerminal() && rates.maxHz() > 0) {
+          line("rate", rates.line() + "  up to " + Quantities.rate(rates.maxHz()));
         }
       }
       warnings(file, warnings);
@@ -218,7 +218,7 @@ final class InfoCommand extends Subcommand {
     Map<String, Object> object = new LinkedHashMap<>();
     object.put("fromUs", time(gap.fromUs()));
     object.put("toUs", time(gap.toUs()));
-    object.put("told", gap.told());
+    object.put("told", gap.reported());
     return object;
   }
 

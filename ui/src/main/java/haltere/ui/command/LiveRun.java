@@ -20,24 +20,24 @@ import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 
 /**
- * A camera's events through a chain to sinks, on a thread of its own, until the camera is closed.
- * The same chain and sinks belong to that thread from {@link #start} until {@link #await} is over.
+ * Passes a camera's events through a chain to sinks on a separate thread, until the camera is
+ * closed. Chain and sinks belong to that thread from {@link #start} to the end of {@link #await}.
  *
  * <p>Thread rule: the command's thread.
  */
 final class LiveRun {
-  private static final long LOOK_MS = 100;
+  private static final long POLL_MS = 100;
 
-  /** A time that was asked for begins with the first events, if they do not take longer. */
+  /** Maximum wait for the first events, at which a requested duration begins. */
   private static final long WARM_UP_NANOS = 1_000_000_000;
 
   private final Subcommand command;
   private final Camera camera;
   private final Thread thread;
   private volatile Throwable problem;
-  private volatile boolean begun;
+  private volatile boolean started;
 
-  /** What was lost until the camera was told to stop, and not because it was. */
+  /** Losses until the camera was to stop, without those of stopping. */
   private CameraStatistics whenStopped;
 
   /** Shown while it runs. */
@@ -66,9 +66,9 @@ final class LiveRun {
   }
 
   /**
-   * Runs cameras until so many seconds from the first events on are over, one has ended or failed,
-   * the process is told to stop, or something else ends it, which is asked ten times a second; what
-   * has come until then is worked on.
+   * Runs cameras until the duration from the first events on is over, one has ended or failed, the
+   * process is to stop, or the condition holds, which is tested ten times a second. Received events
+   * are still processed.
    */
   static void run(List<LiveRun> runs, OptionalDouble durationS, BooleanSupplier ended)
       throws IOException {
@@ -78,12 +78,12 @@ final class LiveRun {
     runs.forEach(run -> run.status = status);
     runs.forEach(run -> run.thread.start());
     try (status) {
-      boolean begun = false;
+      boolean started = false;
       while (runs.stream().allMatch(run -> run.thread.isAlive())) {
         long now = System.nanoTime();
-        if (!begun && now - beginNanos < WARM_UP_NANOS) {
-          begun = runs.stream().allMatch(run -> run.begun);
-          if (!begun) {
+        if (!started && now - beginNanos < WARM_UP_NANOS) {
+          started = runs.stream().allMatch(run -> run.started);
+          if (!started) {
             runs.get(0).thread.join(1);
             continue;
           }
@@ -91,16 +91,16 @@ final class LiveRun {
         }
         long leftMs =
             durationS.isEmpty()
-                ? LOOK_MS
+                ? POLL_MS
                 : (long) (durationS.getAsDouble() * 1000) - (now - beginNanos) / 1_000_000;
         if (leftMs <= 0 || ended.getAsBoolean()) {
           break;
         }
-        runs.get(0).thread.join(Math.min(leftMs, LOOK_MS));
+        runs.get(0).thread.join(Math.min(leftMs, POLL_MS));
         status.show();
       }
-    } catch (InterruptedException toldToStop) {
-      // that is how a person ends it
+    } catch (InterruptedException interrupted) {
+      // Ctrl+C ends it
     }
     runs.forEach(LiveRun::stop);
     boolean interrupted = false;
@@ -139,7 +139,7 @@ final class LiveRun {
     }
   }
 
-  /** Says what came and what was lost. */
+  /** Prints received and lost events. */
   void summary() {
     CameraStatistics statistics = camera.statistics();
     String id = camera.info().id();
@@ -160,13 +160,13 @@ final class LiveRun {
     }
   }
 
-  /** Tells of a camera that goes and comes. */
+  /** Reports disconnections and reconnections. */
   private final class Plugs implements StreamHandler {
     private boolean gone;
 
     @Override
     public void packet(EventPacket packet) {
-      begun = true;
+      started = true;
     }
 
     @Override

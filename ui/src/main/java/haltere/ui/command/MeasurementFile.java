@@ -13,8 +13,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Reads a table of measurements with the columns {@code t_s,x_m} and, where accelerations were
- * measured, {@code a_m_s2}, in any order and with others beside them.
+ * Reads a table of measurements: columns {@code t_s,x_m} and optionally {@code a_m_s2}, in any
+ * order; other columns are ignored.
  */
 final class MeasurementFile {
   /** Rows whose estimates stay below 100 MB. */
@@ -59,12 +59,12 @@ final class MeasurementFile {
       take();
     }
     if (measurements.size() < MeasurementSeries.MIN_SIZE) {
-      int least = MeasurementSeries.MIN_SIZE;
+      int minRows = MeasurementSeries.MIN_SIZE;
       throw problem(
           "the table ends after "
               + measurements.size()
               + " rows; at least "
-              + least
+              + minRows
               + " are needed");
     }
     return new MeasurementSeries(measurements);
@@ -93,7 +93,7 @@ final class MeasurementFile {
         return value;
       }
     } catch (NumberFormatException noNumber) {
-      // Told below.
+      // Reported below.
     }
     throw problem(COLUMNS.get(column) + " is \"" + table.text(column) + "\", not a finite number");
   }

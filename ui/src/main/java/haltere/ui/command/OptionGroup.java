@@ -4,7 +4,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Options that several commands have, as a part of the command that they belong to. */
+/** Options that several commands share. */
 abstract class OptionGroup {
   @Spec(Spec.Target.MIXEE)
   CommandSpec command;

@@ -28,7 +28,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Finds the three-dimensional orientation of bodies from what calibrated cameras saw of them. */
+/** Finds the three-dimensional orientation of bodies from observations of calibrated cameras. */
 @Command(
     name = "orient",
     footer = {"", "Example: haltere orient seen.csv --cameras cameras.json --out orientation.csv"},
@@ -39,7 +39,7 @@ import picocli.CommandLine.Parameters;
           + "(with --smooth, all). A line does not show roll, so p_rad_s has no meaning."
     })
 final class OrientCommand extends Subcommand {
-  private static final int ROWS_TOLD = 10;
+  private static final int MAX_REPORTED_ROWS = 10;
 
   @Parameters(
       index = "0",
@@ -123,7 +123,7 @@ final class OrientCommand extends Subcommand {
     if (cameras.minEccentricity() > 0 && minEccentricity == null && preset == null) {
       settings = settings.with("gate.minEccentricity=" + cameras.minEccentricity());
     }
-    tellProblems(cameras.cameras());
+    printProblems(cameras.cameras());
     try (OrientationTable table =
         new OrientationTable(
             out,
@@ -190,33 +190,38 @@ final class OrientCommand extends Subcommand {
       observations.read(
           new ObservationFile.Listener() {
             @Override
-            public void seen(long timeUs, String object, LineObservation line) {
-              bodies.seen(timeUs, object, line);
+            public void observed(long timeUs, String object, LineObservation line) {
+              bodies.observed(timeUs, object, line);
             }
 
             @Override
-            public void bad(String where, String why) {
+            public void skipped(String where, String why) {
               badRows++;
-              if (badRows <= ROWS_TOLD) {
+              if (badRows <= MAX_REPORTED_ROWS) {
                 warning(file + ": " + where + ": " + why + "; the row is left out");
               }
             }
 
             @Override
-            public void remark(String words) {
-              warning(file + ": " + words);
+            public void remark(String text) {
+              warning(file + ": " + text);
             }
           });
     } catch (CharacterCodingException notText) {
       throw Failures.notText(file, notText);
     }
-    if (badRows > ROWS_TOLD) {
+    if (badRows > MAX_REPORTED_ROWS) {
       warning(
-          file + ": " + (badRows - ROWS_TOLD) + " more rows like that, " + badRows + " left out");
+          file
+              + ": "
+              + (badRows - MAX_REPORTED_ROWS)
+              + " more rows like that, "
+              + badRows
+              + " left out");
     }
   }
 
-  private void tellProblems(List<CameraModel> cameras) {
+  private void printProblems(List<CameraModel> cameras) {
     int usable = 0;
     for (CameraModel camera : cameras) {
       if (camera.problem().isPresent()) {

@@ -8,15 +8,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What is being sent to other programs while a command runs.
+ * The outputs to other programs while a command runs.
  *
  * <p>Thread rule: the command's thread.
  *
- * @param command is told what a person should know
- * @param open what is sent, to each address
+ * @param command prints messages
+ * @param open the outputs, one for each address
  */
 record Publishing(Subcommand command, List<LiveResults> open) implements JobResults {
-  private static final long LOOK_MS = 5;
+  private static final long POLL_MS = 5;
 
   /** Nothing is sent yet. */
   Publishing(Subcommand command) {
@@ -26,16 +26,16 @@ record Publishing(Subcommand command, List<LiveResults> open) implements JobResu
   void add(LiveResults results) {
     open.add(results);
     results.onFailure(
-        words -> command.failedBeside(results.address() + ": sending has stopped: " + words));
+        text -> command.reportFailure(results.address() + ": sending has stopped: " + text));
     command.message("publishing at " + results.address());
   }
 
-  /** Waits until so many receive at each address that knows its receivers. */
+  /** Waits until each address with known receivers has this number of them. */
   void await(int receivers) throws InterruptedIOException {
     for (LiveResults results : open) {
       while (results.receivers() >= 0 && results.receivers() < receivers) {
         try {
-          Thread.sleep(LOOK_MS);
+          Thread.sleep(POLL_MS);
         } catch (InterruptedException stopped) {
           Thread.currentThread().interrupt();
           throw new InterruptedIOException("interrupted while waiting for receivers");
@@ -51,7 +51,7 @@ record Publishing(Subcommand command, List<LiveResults> open) implements JobResu
 
   @Override
   public void finish() {
-    // each line was sent as it came
+    // each line was sent at once
   }
 
   @Override

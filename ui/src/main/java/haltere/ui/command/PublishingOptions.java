@@ -12,7 +12,7 @@ import java.util.function.Predicate;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 
-/** Options of every command that can send what filters publish to other programs. */
+/** Options of commands that can send results to other programs. */
 final class PublishingOptions extends OptionGroup {
   @Option(
       names = "--publish",
@@ -37,7 +37,8 @@ final class PublishingOptions extends OptionGroup {
   int receivers;
 
   /**
-   * Refuses, by a {@link ParameterException}, addresses that are none and options that stand alone.
+   * Rejects, by a {@link ParameterException}, invalid addresses and options without their main
+   * option.
    */
   void check() {
     try {
@@ -50,7 +51,7 @@ final class PublishingOptions extends OptionGroup {
     }
   }
 
-  /** Begins to publish what a chain's filters publish, before it runs; perhaps nothing. */
+  /** Starts to publish a chain's results, before it runs; may publish none. */
   Publishing open(FilterChain chain, Subcommand subcommand) throws IOException {
     Publishing publishing = new Publishing(subcommand);
     try {
@@ -61,7 +62,7 @@ final class PublishingOptions extends OptionGroup {
     }
   }
 
-  /** Begins to publish, beside what is being published already, and returns the same. */
+  /** Starts to publish in addition to present outputs, and returns them all. */
   Publishing open(FilterChain chain, Publishing publishing) throws IOException {
     Predicate<String> wanted = addresses.isEmpty() ? name -> false : wanted(chain);
     for (String address : addresses) {

@@ -26,7 +26,7 @@ final class ReadingOptions extends SourceOptions {
               + "for later commands.")
   boolean index;
 
-  /** What the user said about the recording; refuses a format that there is not. */
+  /** Read options of the user; rejects an unknown format. */
   ReadOptions readOptions() {
     if (format != null && !Recordings.formats().containsKey(format)) {
       String known = String.join(", ", Recordings.formats().keySet());
@@ -59,12 +59,12 @@ final class ReadingOptions extends SourceOptions {
             : Recordings.open(file, options));
   }
 
-  /** Whether a path stands for standard input or output. */
+  /** Whether a path is standard input or output. */
   static boolean isStandard(Path path) {
     return path.toString().equals("-");
   }
 
-  /** A user who asks for the index gets it even where nobody seeks. */
+  /** Builds the index on request, even if nothing seeks. */
   private RecordingReader indexed(RecordingReader reader) throws IOException {
     if (index) {
       try {
@@ -77,14 +77,12 @@ final class ReadingOptions extends SourceOptions {
     return reader;
   }
 
-  /**
-   * What {@code --strict} objects to in a recording that has been read, by what its reader counted.
-   */
+  /** The violation that {@code --strict} rejects in a completely read recording. */
   Optional<RecordingProblem> objection(Path file, ViolationCounts violations) {
     return strict ? RecordingJob.damage(file, violations) : Optional.empty();
   }
 
-  void requireWhole(RecordingReader reader) throws RecordingProblem {
-    RecordingJob.requireWhole(reader, strict);
+  void requireComplete(RecordingReader reader) throws RecordingProblem {
+    RecordingJob.requireComplete(reader, strict);
   }
 }

@@ -64,7 +64,7 @@ final class RecordCommand extends Subcommand {
   @Mixin PublishingOptions publishing;
   @Mixin RecordingWritingOptions writing;
 
-  /** A camera with all that belongs to it. */
+  /** A camera with its recording. */
   private record Recorded(
       Camera camera, FilterChain chain, SessionRecorder recorder, LiveRun run) {}
 
@@ -103,7 +103,7 @@ final class RecordCommand extends Subcommand {
       } catch (IOException | RuntimeException again) {
         problem.addSuppressed(again);
       }
-      all.forEach(this::tellFiles);
+      all.forEach(this::printFiles);
       throw problem;
     }
     return summary(all);
@@ -117,8 +117,8 @@ final class RecordCommand extends Subcommand {
     }
   }
 
-  /** What a recording that failed has left. */
-  private void tellFiles(Recorded recorded) {
+  /** Prints the files of a failed recording. */
+  private void printFiles(Recorded recorded) {
     for (SessionRecorder.Part part : recorded.recorder().parts()) {
       long came = part.report().received();
       if (Files.exists(part.file())) {
@@ -147,7 +147,7 @@ final class RecordCommand extends Subcommand {
     return SessionRecorder.extended(out, "." + device.replaceAll("[^A-Za-z0-9._]+", "-"));
   }
 
-  /** Parts that are there would stand in the way in the middle of a recording. */
+  /** Rejects existing parts, which would block a later part of the recording. */
   private void checkParts(Path file) {
     writing.check(file);
     for (int number = 2; Files.exists(SessionRecorder.part(file, number)); number++) {
@@ -192,7 +192,7 @@ final class RecordCommand extends Subcommand {
         status = FAILED;
       }
       for (SessionRecorder.Part part : recorded.recorder().parts()) {
-        tell(part);
+        printPart(part);
       }
       Optional<String> early = RecordingWritingOptions.endedEarly(recorded.recorder());
       if (early.isPresent()) {
@@ -204,7 +204,7 @@ final class RecordCommand extends Subcommand {
     return status;
   }
 
-  private void tell(SessionRecorder.Part part) throws IOException {
+  private void printPart(SessionRecorder.Part part) throws IOException {
     RecorderReport report = part.report();
     message(
         "wrote %s (%s, %.1f MB)",

@@ -42,14 +42,14 @@ final class RecordingWritingOptions extends WritingOptions {
     RecordingFormat format;
     try {
       format = Recordings.forWriting(output);
-    } catch (RecordingProblem unknownEnding) {
-      throw wrong(unknownEnding.getMessage());
+    } catch (RecordingProblem unknownFormat) {
+      throw wrong(unknownFormat.getMessage());
     }
     checkOrigin(format);
     check(output);
   }
 
-  /** Refuses an origin of rows for a format that says it itself. */
+  /** Rejects an origin of rows for formats that define it. */
   void checkOrigin(RecordingFormat format) {
     if (origin != null && !format.hasEitherOrigin()) {
       throw wrong(
@@ -64,7 +64,7 @@ final class RecordingWritingOptions extends WritingOptions {
     return create(output, Recordings.forWriting(output), geometry, Set.of());
   }
 
-  /** Starts a recording for all that another one holds, as far as the format can. */
+  /** Starts a recording with all contents of another one that the format can hold. */
   RecordingWriter create(Path output, RecordingFormat format, RecordingReader reader)
       throws IOException {
     Set<SampleKind> samples = EnumSet.noneOf(SampleKind.class);
@@ -98,8 +98,8 @@ final class RecordingWritingOptions extends WritingOptions {
   }
 
   /**
-   * A recording of a camera in parts, with the chain for its header as JSON if there is one;
-   * without any file yet. Refuses a disk with less free space than is to stay.
+   * A recording of a camera in parts, with the chain as JSON in its header; without any file yet.
+   * Rejects a disk with less free space than the limit.
    */
   SessionRecorder session(
       Path output, Camera camera, Supplier<Optional<String>> chain, SessionRecorder.Limits limits)

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Option;
 
-/** The option of every command that writes a report of its work. */
+/** The option of commands that write a report. */
 final class ReportOptions extends OptionGroup {
   @Option(
       names = "--report",
@@ -24,7 +24,7 @@ final class ReportOptions extends OptionGroup {
 
   private RunReport gathered;
 
-  /** The same job, watched if a report is wanted. */
+  /** The same job, observed if a report is requested. */
   RecordingJob watching(RecordingJob job) {
     if (report == null) {
       return job;
@@ -40,7 +40,7 @@ final class ReportOptions extends OptionGroup {
     }
   }
 
-  /** Writes the report of a job that was watched, if one is wanted. */
+  /** Writes the report of an observed job, if one is requested. */
   void write(JobReport job, List<String> summary, boolean overwrite) throws IOException {
     if (report != null) {
       ReportPage page = page(job.recording());
@@ -60,11 +60,11 @@ final class ReportOptions extends OptionGroup {
 
   /** Writes a page that ends with the version and the command. */
   void write(ReportPage page, boolean overwrite) throws IOException {
-    String words =
+    String text =
         command.root().commandLine().getParseResult().originalArgs().stream()
             .map(ReportOptions::quoted)
             .collect(Collectors.joining(" ", "haltere ", ""));
-    page.addCommand(new Version().getVersion()[0], words);
+    page.addCommand(new Version().getVersion()[0], text);
     AtomicFile.write(report, page.html(), overwrite);
     subcommand().message("wrote " + report);
   }

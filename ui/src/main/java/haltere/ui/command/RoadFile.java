@@ -53,8 +53,8 @@ import java.util.function.Function;
  * @param view how the camera sees the road
  * @param lanes its lanes
  * @param lines its counting lines
- * @param vehicles what is usual on it
- * @param points pixels whose positions are known; none where the view says what is seen
+ * @param vehicles prior of its vehicles
+ * @param points pixels with known positions; none for a road
  */
 record RoadFile(
     RoadViewSettings view,

@@ -106,9 +106,9 @@ final class RunCommand extends Subcommand {
     }
     RecordingJob job =
         RecordingJob.of(file, this::chain, this::results)
-            .reading(reading.readOptions().withSamples(true), reading.strict)
-            .opened(reading::open)
-            .paced(this::paced);
+            .withReading(reading.readOptions().withSamples(true), reading.strict)
+            .withOpening(reading::open)
+            .withPacing(this::paced);
     JobReport done = run(reporting.watching(job), "filtering", file);
     summary(done.stages());
     reporting.write(done, List.of(), writing.overwrite);
@@ -136,7 +136,7 @@ final class RunCommand extends Subcommand {
       return publishing.open(chain, this);
     }
     SessionRecorder recorder =
-        writing.session(out, camera, () -> Optional.of(ChainFile.write(chain)), Limits.USUAL);
+        writing.session(out, camera, () -> Optional.of(ChainFile.write(chain)), Limits.DEFAULT);
     return JobResults.all(
         () -> publishing.open(chain, this),
         () -> new SessionResults(this, recorder),

@@ -3,7 +3,7 @@ package haltere.ui.command;
 import haltere.core.simulation.Scenes;
 import picocli.CommandLine.Command;
 
-/** Lists the scenes that can be simulated and their settings. */
+/** Lists the simulated scenes and their settings. */
 @Command(
     name = "scenes",
     description =

@@ -7,7 +7,7 @@ import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.util.List;
 
-/** A camera's recording in parts, as a result of a chain. */
+/** A camera's recording in parts, as the result of a job. */
 record SessionResults(Subcommand command, SessionRecorder recorder) implements JobResults {
   @Override
   public List<StreamHandler> sinks() {
@@ -20,7 +20,7 @@ record SessionResults(Subcommand command, SessionRecorder recorder) implements J
       command.message(
           "wrote " + part.file() + " (" + Quantities.events(part.report().written()) + ")");
     }
-    RecordingWritingOptions.endedEarly(recorder).ifPresent(command::failedBeside);
+    RecordingWritingOptions.endedEarly(recorder).ifPresent(command::reportFailure);
   }
 
   @Override

@@ -12,7 +12,7 @@ import java.util.function.Supplier;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Lists what can be set: a name, a sentence, and a line for each setting; or all that as JSON. */
+/** Lists names with a description and a line for each setting, or the same as JSON. */
 abstract class SettingsListing extends Subcommand {
   @Parameters(arity = "0..*", paramLabel = "NAME", description = "List only these names.")
   List<String> names = List.of();
@@ -23,12 +23,12 @@ abstract class SettingsListing extends Subcommand {
           "Print one JSON object: name, description, settings and presets of each, by its kind.")
   boolean json;
 
-  private boolean begun;
+  private boolean started;
 
   private final Supplier<? extends Map<String, ? extends SettingsProvider<?>>> all;
   private final Function<String, ? extends SettingsProvider<?>> named;
 
-  /** A list of some providers by name; a name that there is not is refused in a line. */
+  /** A list of some providers by name; rejects an unknown name. */
   SettingsListing(
       Supplier<? extends Map<String, ? extends SettingsProvider<?>>> all,
       Function<String, ? extends SettingsProvider<?>> named) {
@@ -67,10 +67,10 @@ abstract class SettingsListing extends Subcommand {
   }
 
   private void print(SettingsProvider<?> entry) {
-    if (begun) {
+    if (started) {
       result("");
     }
-    begun = true;
+    started = true;
     result(entry.name());
     result("  " + entry.description());
     List<List<String>> rows =
@@ -83,7 +83,7 @@ abstract class SettingsListing extends Subcommand {
     }
   }
 
-  /** A number has a range and a unit, any other setting its choices if there are some. */
+  /** A number has a range and a unit, any other setting its choices, if any. */
   private static Map<String, Object> json(Parameter parameter) {
     Map<String, Object> json = new LinkedHashMap<>();
     json.put("name", parameter.name());

@@ -24,7 +24,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Writes a synthetic recording and what is true of it. */
+/** Writes a synthetic recording and its ground truth. */
 @Command(
     name = "simulate",
     footer = {"", "Example: haltere simulate fly fly.aedat4 --truth truth.csv"},
@@ -32,7 +32,7 @@ import picocli.CommandLine.Parameters;
         "Write a synthetic recording and its ground truth. The same settings give the same events.")
 final class SimulateCommand extends Subcommand {
   /** Length of a scene whose settings and options give none. */
-  private static final long USUAL_DURATION_US = 10_000_000;
+  private static final long DEFAULT_DURATION_US = 10_000_000;
 
   @Parameters(
       index = "0",
@@ -106,7 +106,7 @@ final class SimulateCommand extends Subcommand {
     return OK;
   }
 
-  /** What is written of several cameras, or null if nothing. */
+  /** Outputs of several cameras, or null for none. */
   private FlightFiles flight(Scene<?> scene) {
     if (observations == null && cameras == null) {
       return null;
@@ -161,7 +161,7 @@ final class SimulateCommand extends Subcommand {
 
   private long lengthUs(Scene<?> scene) {
     long asked = durationS == null ? Long.MAX_VALUE : Math.round(durationS * 1e6);
-    long own = scene.durationUs().orElse(durationS == null ? USUAL_DURATION_US : Long.MAX_VALUE);
+    long own = scene.durationUs().orElse(durationS == null ? DEFAULT_DURATION_US : Long.MAX_VALUE);
     return Math.min(asked, own);
   }
 
@@ -190,7 +190,7 @@ final class SimulateCommand extends Subcommand {
     return table.rows();
   }
 
-  /** The scenes that there are, for the usage. */
+  /** Names of the scenes, for the usage. */
   static final class SceneNames implements Iterable<String> {
     @Override
     public Iterator<String> iterator() {

@@ -5,7 +5,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import picocli.CommandLine.Option;
 
-/** What a user says of recordings that their files do not. */
+/** Properties of recordings that users state because files do not. */
 class SourceOptions extends OptionGroup {
   @Option(
       names = "--sensor",

@@ -30,13 +30,13 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /**
- * What all commands share: their last options, where results and messages go, and how wrong
- * arguments are reported.
+ * Common part of all commands: last options, output of results and messages, report of wrong
+ * arguments.
  *
  * <p>Thread rule: made, run and thrown away on one thread.
  */
 abstract class Subcommand implements Callable<Integer> {
-  /** The status of a command that did what it was asked for. */
+  /** The status of success. */
   static final int OK = 0;
 
   /** The status of bad input or work that failed. */
@@ -72,16 +72,16 @@ abstract class Subcommand implements Callable<Integer> {
       description = "Print this help.")
   boolean help;
 
-  private Surroundings surroundings;
-  private volatile boolean failedBeside;
+  private CommandEnvironment surroundings;
+  private volatile boolean hasFailure;
 
-  /** The same command where it can see the machine; before it is run. */
-  Subcommand in(Surroundings where) {
+  /** Sets the environment before the command runs. */
+  Subcommand in(CommandEnvironment where) {
     surroundings = where;
     return this;
   }
 
-  /** Whether the user wants stack traces, said before or after the command's name. */
+  /** Whether the user requests stack traces, before or after the command's name. */
   boolean isDebug() {
     return debug || (parent() != null && parent().debug);
   }
@@ -96,11 +96,11 @@ abstract class Subcommand implements Callable<Integer> {
         : null;
   }
 
-  Surroundings surroundings() {
+  CommandEnvironment surroundings() {
     return surroundings;
   }
 
-  /** Prints a line of the result: as it is, or a format of values. */
+  /** Prints a line of the result: literal without values, else formatted. */
   void result(String form, Object... values) {
     surroundings.out().print(line(form, values));
   }
@@ -109,7 +109,7 @@ abstract class Subcommand implements Callable<Integer> {
     return (values.length == 0 ? form : Quantities.text(form, values)) + "\n";
   }
 
-  /** The standard output for bytes; it fails where a print stream would pass over it. */
+  /** The standard output for bytes; fails where a print stream would ignore it. */
   OutputStream standardOutput() {
     return new FilterOutputStream(surroundings.out()) {
       @Override
@@ -131,7 +131,7 @@ abstract class Subcommand implements Callable<Integer> {
     };
   }
 
-  /** Tells the user what has been done. */
+  /** Prints a message. */
   void message(String form, Object... values) {
     if (!isQuiet()) {
       surroundings.err().print(line(form, values));
@@ -142,7 +142,7 @@ abstract class Subcommand implements Callable<Integer> {
     surroundings.err().print("haltere: warning: " + line(form, values));
   }
 
-  /** Reports what was wrong with a file, a line each. */
+  /** Prints warnings about a file, a line each. */
   void warnings(Path file, Iterable<String> lines) {
     lines.forEach(line -> warning(file + ": " + line));
   }
@@ -152,14 +152,14 @@ abstract class Subcommand implements Callable<Integer> {
   }
 
   /** Reports a failure that does not end the command, but its status is {@link #FAILED} then. */
-  void failedBeside(String line) {
-    failedBeside = true;
+  void reportFailure(String line) {
+    hasFailure = true;
     error(line);
   }
 
-  /** The status of a command that ended with another one, with failures beside its work. */
+  /** The status of a successful command, with failures beside its work. */
   int statusWithFailures(int status) {
-    return status == OK && failedBeside ? FAILED : status;
+    return status == OK && hasFailure ? FAILED : status;
   }
 
   ProgressBar progressBar(String label) {
@@ -178,13 +178,13 @@ abstract class Subcommand implements Callable<Integer> {
     return progressBar(verb + " " + file.getFileName());
   }
 
-  /** Runs a job with a progress bar, and says what was written and what was wrong. */
+  /** Runs a job with a progress bar, and prints outputs and warnings. */
   JobReport run(RecordingJob job, String verb, Path file) throws IOException {
     JobReport report;
     try (ProgressBar bar = progressBar(verb, file)) {
       report =
           job.onThreads(Math.min(2, Runtime.getRuntime().availableProcessors()))
-              .telling(
+              .withProgress(
                   (events, done, total) -> {
                     bar.events(events);
                     bar.progress(done, total);
@@ -196,19 +196,19 @@ abstract class Subcommand implements Callable<Integer> {
     return report;
   }
 
-  /** Refuses a format of tables that there is not. */
-  void checkTables(String option, String ending) {
-    Optional<String> missing = Tables.problem(Path.of("table." + ending));
+  /** Rejects an unknown format of tables. */
+  void checkTables(String option, String extension) {
+    Optional<String> missing = Tables.problem(Path.of("table." + extension));
     if (missing.isPresent()) {
-      throw wrongArguments(option + " is " + ending + ": " + missing.get());
+      throw wrongArguments(option + " is " + extension + ": " + missing.get());
     }
-    if (!Tables.endings().contains(ending)) {
+    if (!Tables.extensions().contains(extension)) {
       throw wrongArguments(
-          option + " is " + ending + "; there is " + String.join(", ", Tables.endings()));
+          option + " is " + extension + "; there is " + String.join(", ", Tables.extensions()));
     }
   }
 
-  /** What tables say of themselves, beside their chain or settings. */
+  /** Metadata of tables, in addition to their chain or settings. */
   static Provenance provenance(Path source) {
     return new Provenance(new Version().getVersion()[0], Optional.ofNullable(source));
   }
@@ -218,7 +218,7 @@ abstract class Subcommand implements Callable<Integer> {
     message("wrote %s (%,d rows)", file, rows);
   }
 
-  /** Ends the work where the process has been told to stop. */
+  /** Ends the work if the process is to stop. */
   static void checkInterrupted(String doing) throws InterruptedIOException {
     if (Thread.currentThread().isInterrupted()) {
       throw new InterruptedIOException("interrupted while " + doing);
@@ -253,7 +253,7 @@ abstract class Subcommand implements Callable<Integer> {
     return found;
   }
 
-  /** Settings with what is given of options, by the settings' names, and assignments. */
+  /** Settings with the given options, by the settings' names, and assignments. */
   <S extends Record> S assigned(
       Class<S> type, S settings, Map<String, Object> options, List<String> assignments) {
     List<String> all = new ArrayList<>();

@@ -20,7 +20,7 @@ import haltere.filters.road.LineCrossing;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.TrackPoint;
-import haltere.ui.command.results.OnRoad;
+import haltere.ui.command.results.RoadColumns;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -35,7 +35,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Tracks what moves in a recording and writes a table of it. */
+/** Tracks moving objects and writes their tracks to a table. */
 @Command(
     name = "track",
     footer = {"", "Example: haltere track cars.raw --out tracks.csv --report tracks.html"},
@@ -154,15 +154,15 @@ final class TrackCommand extends Subcommand {
     } else {
       RecordingJob job =
           RecordingJob.of(file, this::chain, (reader, chain) -> results(chain))
-              .reading(reading.readOptions(), reading.strict)
-              .opened(reading::open);
+              .withReading(reading.readOptions(), reading.strict)
+              .withOpening(reading::open);
       reporting.write(run(reporting.watching(job), "tracking", file), List.of(), writing.overwrite);
     }
     return OK;
   }
 
   private JobResults results(FilterChain chain) throws IOException {
-    // the tracker that is added is published too
+    // the added tracker is published too
     return JobResults.all(() -> tables(chain), () -> publishing.open(chain, this));
   }
 
@@ -176,7 +176,7 @@ final class TrackCommand extends Subcommand {
     return ChainFile.read(chainFile, geometry, this::warning);
   }
 
-  /** The road, or null if there is none. */
+  /** The road, or null without one. */
   private RoadFile road() throws IOException {
     if (roadFile == null) {
       return null;
@@ -229,7 +229,7 @@ final class TrackCommand extends Subcommand {
     }
     Function<ObjectTrack, Optional<PlanePoint>> onRoad = road.objects(geometry);
     objects.apply(road.motion(geometry));
-    TableSink<OnRoad.OfObject> table = files.table(out, OnRoad.OfObject.class);
+    TableSink<RoadColumns.OfObject> table = files.table(out, RoadColumns.OfObject.class);
     Consumer<PlanePoint> counter = counter(road, files);
     files.subscribe(
         objects.tracks(),
@@ -238,7 +238,8 @@ final class TrackCommand extends Subcommand {
                 .apply(track)
                 .ifPresent(
                     point -> {
-                      table.accept(new OnRoad.OfObject(track, OnRoad.of(point, road.lanes())));
+                      table.accept(
+                          new RoadColumns.OfObject(track, RoadColumns.of(point, road.lanes())));
                       counter.accept(point);
                     }));
   }
@@ -254,13 +255,15 @@ final class TrackCommand extends Subcommand {
       files.write(tracks.points(), out);
       return;
     }
-    TableSink<OnRoad.OfTrack> table = files.table(out, OnRoad.OfTrack.class);
+    TableSink<RoadColumns.OfTrack> table = files.table(out, RoadColumns.OfTrack.class);
     // A track's position in the picture is published before its position on the road.
     TrackPoint[] inPicture = new TrackPoint[1];
     files.subscribe(tracks.points(), point -> inPicture[0] = point);
     files.subscribe(
         tracks.roadPoints(),
-        point -> table.accept(new OnRoad.OfTrack(inPicture[0], OnRoad.of(point, road.lanes()))));
+        point ->
+            table.accept(
+                new RoadColumns.OfTrack(inPicture[0], RoadColumns.of(point, road.lanes()))));
     files.subscribe(tracks.roadPoints(), counter(road, files));
   }
 

@@ -20,7 +20,7 @@ final class ViewCommand extends Subcommand {
   public Integer call() throws IOException {
     boolean display = surroundings().window().hasDisplay();
     if (file != null && (surroundings().errIsTerminal() || !display)) {
-      // who has no terminal, as from a desktop entry, is told of a bad recording in the window
+      // without a terminal, the window reports a bad recording
       reading.open(file).close();
     }
     if (!display) {

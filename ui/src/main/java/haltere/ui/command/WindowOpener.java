@@ -4,22 +4,17 @@ import haltere.core.format.ReadOptions;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/**
- * Opens the viewer's window. It stands between the commands, which run without a display, and the
- * viewer, which needs one.
- */
+/** Opens the viewer's window; separates the commands, which need no display, from the viewer. */
 public interface WindowOpener {
-  /** What keeps a window from opening here: one line that says what to do; empty if it can open. */
+  /** The reason why no window can open, with advice; empty if it can. */
   Optional<String> obstacle();
 
-  /**
-   * Whether there is a display, so that a window is expected; false on a server or in a container.
-   */
+  /** Whether there is a display; false on a server or in a container. */
   boolean hasDisplay();
 
   /**
-   * Opens the viewer on a recording, or on the built-in scene without one, and returns when it has
-   * been closed: one line that says why if it could not open, else empty.
+   * Opens the viewer on a recording, or on the built-in scene without one, and returns after it has
+   * been closed: the reason if it could not open, else empty.
    */
   Optional<String> open(Optional<Path> file, ReadOptions options);
 

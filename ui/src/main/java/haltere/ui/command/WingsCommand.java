@@ -29,7 +29,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Tracks the wings of a tethered fly through a recording. */
+/** Tracks the wings of a tethered fly in a recording. */
 @Command(
     name = "wings",
     footer = {"", "Example: haltere wings fly.aedat4 --out wings.csv --report wings.html"},
@@ -144,8 +144,8 @@ final class WingsCommand extends Subcommand {
       RecordingJob job =
           RecordingJob.of(
                   file, sensor -> chain(sensor, settings), (reader, chain) -> results(chain))
-              .reading(reading.readOptions(), reading.strict)
-              .opened(reading::open);
+              .withReading(reading.readOptions(), reading.strict)
+              .withOpening(reading::open);
       JobReport done = run(reporting.watching(job), "tracking", file);
       reporting.write(done, summary.lines(), writing.overwrite);
     }

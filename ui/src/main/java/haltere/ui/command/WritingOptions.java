@@ -12,7 +12,7 @@ import java.util.Objects;
 import java.util.Set;
 import picocli.CommandLine.Option;
 
-/** Options of every command that writes files, and the checks that come before the work. */
+/** Options of commands that write files, and their checks before the work. */
 class WritingOptions extends OptionGroup {
   @Option(names = "--overwrite", description = "Replace existing output files.")
   boolean overwrite;

@@ -16,7 +16,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 
-/** The events that a chain left of a recording, written to another one. */
+/** The events that a chain passes, written to another recording. */
 final class WrittenRecording implements JobResults, StreamHandler {
   private final Subcommand command;
   private final RecordingReader reader;

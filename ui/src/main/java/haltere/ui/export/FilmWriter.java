@@ -5,8 +5,8 @@ import java.io.Closeable;
 import java.io.IOException;
 
 /**
- * Writes pictures of one size as a film. The file appears when it is finished; closing without that
- * leaves nothing.
+ * Writes pictures of one size as a film. The file is atomic: without finishing, closing leaves
+ * none.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -14,6 +14,6 @@ public interface FilmWriter extends Closeable {
   /** Adds a picture, as large as those before. */
   void add(BufferedImage image) throws IOException;
 
-  /** Ends the film and puts the file in its place. */
+  /** Ends the film and moves the file to its path. */
   void finish() throws IOException;
 }

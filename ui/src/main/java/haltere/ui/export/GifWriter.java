@@ -12,7 +12,7 @@ import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
-/** An animated GIF that repeats for ever. */
+/** An animated GIF with endless repetition. */
 public final class GifWriter implements FilmWriter {
   private static final String FORMAT = "javax_imageio_gif_image_1.0";
 
@@ -22,8 +22,7 @@ public final class GifWriter implements FilmWriter {
   private final int delayHundredths;
 
   /**
-   * Begins a film, which replaces a file that is there, of at most 50 pictures a second, which is
-   * what players show.
+   * Starts a film of at most 50 pictures a second, the limit of players; replaces an existing file.
    */
   public GifWriter(Path path, double framesPerSecond) throws IOException {
     delayHundredths = (int) Math.max(2, Math.round(100 / framesPerSecond));
@@ -49,12 +48,12 @@ public final class GifWriter implements FilmWriter {
     IIOMetadataNode application = new IIOMetadataNode("ApplicationExtension");
     application.setAttribute("applicationID", "NETSCAPE");
     application.setAttribute("authenticationCode", "2.0");
-    // 1, and zero repetitions, which means without end
+    // 1, then 0 repetitions: endless
     application.setUserObject(new byte[] {1, 0, 0});
     child(root, "ApplicationExtensions").appendChild(application);
     metadata.setFromTree(FORMAT, root);
     writer.writeToSequence(new IIOImage(image, null, metadata), null);
-    // otherwise the whole film would stay in memory
+    // else the whole film remains in memory
     stream.flushBefore(stream.getStreamPosition());
   }
 

@@ -22,12 +22,9 @@ import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
-/**
- * An MP4 film in H.264, made by the program ffmpeg, which is looked for on the machine and gets the
- * pictures by a pipe.
- */
+/** An MP4 film in H.264, encoded by the program ffmpeg, which gets the pictures by a pipe. */
 public final class Mp4Writer implements FilmWriter {
-  /** System property that names the program where it is not on the path. */
+  /** System property with the path of the program, if it is not on the search path. */
   public static final String PROPERTY = "haltere.ffmpeg";
 
   /** H.264 as most players take it, which has even sides. */
@@ -38,32 +35,29 @@ public final class Mp4Writer implements FilmWriter {
 
   private static final Duration PATIENCE = Duration.ofSeconds(60);
 
-  /** For a program that has been killed, until it is gone. */
-  private static final long GONE_S = 5;
+  /** Maximum wait for the end of a killed program. */
+  private static final long EXIT_TIMEOUT_S = 5;
 
   private final Path target;
   private final Path partial;
-  private final Path said;
+  private final Path log;
   private final double framesPerSecond;
   private final Path program;
   private final Duration patience;
   private Process process;
 
-  /** Of its own, so that a program that takes nothing keeps nobody from giving up. */
+  /** A separate thread, so that a blocked program can be abandoned. */
   private final ExecutorService feeder =
       Executors.newSingleThreadExecutor(work -> Daemon.thread(work, "haltere-film"));
 
   private Future<?> handed = CompletableFuture.completedFuture(null);
 
-  /**
-   * Begins a film, which replaces a file that is there; fails with one line for a person if there
-   * is no ffmpeg.
-   */
+  /** Starts a film; replaces an existing file. Fails with one line for the user without ffmpeg. */
   public Mp4Writer(Path target, double framesPerSecond) throws IOException {
     this(target, framesPerSecond, PATIENCE);
   }
 
-  /** Begins a film; the program is ended when it takes or does nothing for so long. */
+  /** Starts a film; the program is killed if it makes no progress for this time. */
   public Mp4Writer(Path target, double framesPerSecond, Duration patience) throws IOException {
     this.patience = patience;
     this.target = target;
@@ -76,7 +70,7 @@ public final class Mp4Writer implements FilmWriter {
                         "MP4 needs the program ffmpeg, which is not on this machine's path;"
                             + " install it, or save a GIF, which needs nothing"));
     partial = target.resolveSibling("." + target.getFileName() + ".part");
-    said = Files.createTempFile("haltere-ffmpeg", ".txt");
+    log = Files.createTempFile("haltere-ffmpeg", ".txt");
   }
 
   /** The program that {@value #PROPERTY} names, or the first ffmpeg on the path. */
@@ -110,7 +104,7 @@ public final class Mp4Writer implements FilmWriter {
       bytes[3 * i + 2] = (byte) rgb[i];
     }
     OutputStream pipe = process.getOutputStream();
-    hand(() -> pipe.write(bytes), "ffmpeg has taken no picture for " + seconds());
+    hand(() -> pipe.write(bytes), "ffmpeg has accepted no picture for " + seconds());
   }
 
   private void start(int width, int height) throws IOException {
@@ -120,26 +114,26 @@ public final class Mp4Writer implements FilmWriter {
     command.add(partial.toAbsolutePath().toString());
     ProcessBuilder builder = new ProcessBuilder(command);
     builder.redirectErrorStream(true);
-    builder.redirectOutput(said.toFile());
+    builder.redirectOutput(log.toFile());
     process = builder.start();
   }
 
-  private String lastWords() throws IOException {
-    List<String> lines = Files.readAllLines(said, StandardCharsets.ISO_8859_1);
+  private String lastLogLines() throws IOException {
+    List<String> lines = Files.readAllLines(log, StandardCharsets.ISO_8859_1);
     return lines.isEmpty() ? "it did not say why" : lines.get(lines.size() - 1);
   }
 
   @Override
   public void finish() throws IOException {
     if (process == null) {
-      throw new IOException("there are no pictures in this stretch of time");
+      throw new IOException("there are no pictures in this interval");
     }
-    String late = "ffmpeg did not come to its end within " + seconds();
+    String late = "ffmpeg did not end within " + seconds();
     hand(process.getOutputStream()::close, late);
     hand(process::waitFor, late);
     await(late);
     if (process.exitValue() != 0) {
-      throw new IOException("ffmpeg failed: " + lastWords());
+      throw new IOException("ffmpeg failed: " + lastLogLines());
     }
     Files.move(partial, target, StandardCopyOption.REPLACE_EXISTING);
   }
@@ -149,7 +143,7 @@ public final class Mp4Writer implements FilmWriter {
     void run() throws IOException, InterruptedException;
   }
 
-  /** Does the next step once the one before is done. */
+  /** Queues the next step once the previous one is done. */
   private void hand(Step next, String late) throws IOException {
     await(late);
     handed =
@@ -166,11 +160,11 @@ public final class Mp4Writer implements FilmWriter {
       handed.get(patience.toMillis(), TimeUnit.MILLISECONDS);
     } catch (TimeoutException hanging) {
       throw new IOException(late, hanging);
-    } catch (InterruptedException told) {
+    } catch (InterruptedException interruption) {
       Thread.currentThread().interrupt();
-      throw new IOException("the export was ended", told);
+      throw new IOException("the export was ended", interruption);
     } catch (ExecutionException broken) {
-      throw new IOException("ffmpeg stopped: " + lastWords(), broken);
+      throw new IOException("ffmpeg stopped: " + lastLogLines(), broken);
     }
   }
 
@@ -187,18 +181,18 @@ public final class Mp4Writer implements FilmWriter {
     }
     feeder.shutdownNow();
     Files.deleteIfExists(partial);
-    Files.deleteIfExists(said);
+    Files.deleteIfExists(log);
   }
 
   /** A file that is still being written could not be deleted for good. */
   private void awaitGone() {
-    boolean told = Thread.interrupted();
+    boolean interrupted = Thread.interrupted();
     try {
-      process.waitFor(GONE_S, TimeUnit.SECONDS);
+      process.waitFor(EXIT_TIMEOUT_S, TimeUnit.SECONDS);
     } catch (InterruptedException again) {
-      told = true;
+      interrupted = true;
     }
-    if (told) {
+    if (interrupted) {
       Thread.currentThread().interrupt();
     }
   }

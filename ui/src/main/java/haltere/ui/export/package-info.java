@@ -1,2 +1,2 @@
-/** Pictures in a row as films: GIF by the Java runtime, MP4 by a program that is looked for. */
+/** Films: GIF by the Java runtime, MP4 by ffmpeg. */
 package haltere.ui.export;

@@ -3,9 +3,8 @@ package haltere.ui.plot;
 import java.util.Arrays;
 
 /**
- * A number over time in bounded memory: the newest samples as they are, older ones as the lowest
- * and highest of each 16, 256 and 4,096 of them. At 1 kHz that is a minute of samples, and 18 hours
- * in all, in at most 4 MB.
+ * A number over time in bounded memory: the newest samples, and minima and maxima of 16, 256 and
+ * 4,096 older ones. At 1 kHz, 4 MB hold a minute of samples and 18 hours in all.
  *
  * <p>Where two samples are much further apart than those before, the curve has a gap. A time that
  * goes back means that the recording is played anew: the curve starts again.
@@ -14,8 +13,8 @@ public final class Curve {
   /** Takes the parts of a curve that fall into a window, oldest first. */
   public interface Painter {
     /**
-     * Takes a sample, or several that are too many to be told apart: first and last time, lowest
-     * and highest value, and whether a line leads to it from the stretch before.
+     * Draws a sample, or a summary of several: first and last time, minimum and maximum, and
+     * whether a line connects it to the previous one.
      */
     void stretch(long fromUs, long toUs, double lowest, double highest, boolean joined);
   }
@@ -34,7 +33,8 @@ public final class Curve {
   private final SummaryRing[] levels = new SummaryRing[LEVELS];
 
   /**
-   * Stretches of the finer level in the last one of each level, 0 where the next begins another.
+   * Number of summaries of the finer level in the last one of each level, 0 if the next starts
+   * another.
    */
   private final int[] merged = new int[LEVELS];
 
@@ -43,9 +43,7 @@ public final class Curve {
   private double last = Double.NaN;
   private double intervalUs;
 
-  /**
-   * An empty curve, with a key that tells it from others and the number that gives it its colour.
-   */
+  /** An empty curve, with its key and the number of its colour. */
   public Curve(String key, int number) {
     this(key, number, 0);
   }
@@ -60,17 +58,17 @@ public final class Curve {
     }
   }
 
-  /** What tells the curve from others, in words; may be empty. */
+  /** Key that identifies the curve; may be empty. */
   public String key() {
     return key;
   }
 
-  /** What gives it its colour: 0, 1, 2 …, another for each curve of its lane. */
+  /** Number of its colour: 0, 1, 2 …, unique within its lane. */
   public int number() {
     return number;
   }
 
-  /** How many fields stand before its own in its lane. */
+  /** Index of its field in its lane. */
   public int field() {
     return field;
   }
@@ -81,8 +79,8 @@ public final class Curve {
   }
 
   /**
-   * End of the transient with which an estimate begins, microseconds: the first tenth of the curve,
-   * which does not matter to the range of a plot.
+   * End of the initial transient of an estimate, microseconds: the first tenth of the curve, which
+   * does not affect the range of a plot.
    */
   public long settledUs() {
     return firstUs + (lastUs - firstUs) / 10;
@@ -99,7 +97,7 @@ public final class Curve {
       return;
     }
     if (timeUs < lastUs) {
-      forgetFrom(timeUs);
+      removeFrom(timeUs);
     }
     if (lastUs == Long.MIN_VALUE) {
       firstUs = timeUs;
@@ -117,7 +115,7 @@ public final class Curve {
     }
   }
 
-  /** Merges into the last stretch of a level, or begins another one; true if it did. */
+  /** Merges into the last summary of a level, or starts another one; true if it merged. */
   private boolean merge(
       int level, boolean counts, long fromUs, long toUs, double lowest, double highest) {
     boolean begins = counts && merged[level] == 0;
@@ -130,10 +128,8 @@ public final class Curve {
     return begins;
   }
 
-  /**
-   * Playback went back to a time in microseconds: what lies before it stays, the rest comes anew.
-   */
-  void forgetFrom(long timeUs) {
+  /** Removes samples from a time in microseconds on, after playback went back. */
+  void removeFrom(long timeUs) {
     if (lastUs < timeUs) {
       return;
     }
@@ -146,25 +142,25 @@ public final class Curve {
       return;
     }
     lastUs = finest.toUs(finest.size() - 1);
-    last = finest.highest(finest.size() - 1);
+    last = finest.max(finest.size() - 1);
     for (int level = 1; level < LEVELS; level++) {
-      mergeAnew(level);
+      rebuildLevel(level);
     }
   }
 
-  /** Begins the last stretch of a level with what the finer one has behind the last. */
-  private void mergeAnew(int level) {
+  /** Rebuilds the last summary of a level from the finer level. */
+  private void rebuildLevel(int level) {
     SummaryRing finer = levels[level - 1];
     SummaryRing ring = levels[level];
     merged[level] = 0;
     int from = ring.size() == 0 ? 0 : finer.firstEndingFrom(ring.toUs(ring.size() - 1) + 1);
-    // at most as many as make a stretch, but where a ring has forgotten its oldest
+    // at most one interval's worth, unless a ring has dropped its oldest
     for (int i = Math.max(from, finer.size() - MERGED); i < finer.size(); i++) {
-      merge(level, true, finer.fromUs(i), finer.toUs(i), finer.lowest(i), finer.highest(i));
+      merge(level, true, finer.fromUs(i), finer.toUs(i), finer.min(i), finer.max(i));
     }
   }
 
-  /** Forgets all samples. */
+  /** Removes all samples. */
   public void clear() {
     for (int level = 0; level < LEVELS; level++) {
       levels[level].clear();
@@ -176,8 +172,8 @@ public final class Curve {
   }
 
   /**
-   * Hands over what falls into a window of so many columns of pixels: some dozens of stretches at
-   * most for each. One stretch on either side comes along, so that lines lead to the edges.
+   * Draws a window with a number of pixel columns: at most some dozens of summaries for each. One
+   * more on either side connects lines to the edges.
    */
   public void paint(long fromUs, long toUs, int columns, Painter painter) {
     int level = level(fromUs, toUs, columns);
@@ -186,7 +182,7 @@ public final class Curve {
     long beforeUs = Long.MIN_VALUE;
     for (int i = Math.max(0, ring.firstEndingFrom(fromUs) - 1); i < ring.size(); i++) {
       boolean joined = beforeUs != Long.MIN_VALUE && ring.fromUs(i) - beforeUs <= gapUs;
-      painter.stretch(ring.fromUs(i), ring.toUs(i), ring.lowest(i), ring.highest(i), joined);
+      painter.stretch(ring.fromUs(i), ring.toUs(i), ring.min(i), ring.max(i), joined);
       beforeUs = ring.toUs(i);
       if (beforeUs > toUs) {
         return;
@@ -215,8 +211,8 @@ public final class Curve {
   }
 
   /**
-   * The value at a time in microseconds: that of the nearest sample, or the middle of the stretch
-   * it lies in; NaN where the curve has nothing near.
+   * The value at a time in microseconds: that of the nearest sample, or the middle of its summary;
+   * NaN without a sample nearby.
    */
   public double valueAt(long timeUs) {
     for (SummaryRing ring : levels) {
@@ -228,7 +224,7 @@ public final class Curve {
                 : after;
         long away =
             Math.max(0, Math.max(ring.fromUs(nearest) - timeUs, timeUs - ring.toUs(nearest)));
-        return away <= gapUs() ? (ring.lowest(nearest) + ring.highest(nearest)) / 2 : Double.NaN;
+        return away <= gapUs() ? (ring.min(nearest) + ring.max(nearest)) / 2 : Double.NaN;
       }
     }
     return Double.NaN;

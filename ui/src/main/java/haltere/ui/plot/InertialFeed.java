@@ -7,7 +7,8 @@ import java.util.Map;
 import java.util.stream.Collectors;
 
 /**
- * Keeps the inertial samples of a stream until the window takes them as curves, one for each axis.
+ * Stores the inertial samples of a stream until the window fetches them as curves, one for each
+ * axis.
  *
  * <p>Thread rule: samples come on the processing thread; all else is for one other thread.
  */
@@ -34,7 +35,7 @@ public final class InertialFeed {
     return new PlotField("inertial-sensor", "samples", column);
   }
 
-  /** Whether a sample has come. */
+  /** Whether there are samples. */
   public boolean hasSamples() {
     return any;
   }
@@ -56,10 +57,7 @@ public final class InertialFeed {
     }
   }
 
-  /**
-   * Hands over the samples of one of the {@link #FIELDS} that came since the last call, oldest
-   * first.
-   */
+  /** Passes the samples of one of the {@link #FIELDS} since the last call, oldest first. */
   public void drainTo(PlotField field, SampleQueue.SampleConsumer consumer) {
     queues.get(field).drainTo(consumer);
   }

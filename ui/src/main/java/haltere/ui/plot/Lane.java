@@ -10,12 +10,11 @@ import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
- * One plot under others: the curves of one or more fields with the same vertical axis. A curve for
- * each key that a field's rows bear; the one that has been silent for longest makes room for a new
- * one.
+ * One of several stacked plots: the curves of fields with the same vertical axis, one for each key
+ * of a field. The curve that has been silent for longest makes room for a new one.
  */
 public final class Lane {
-  /** More curves than this cannot be told apart. */
+  /** Maximum number of distinguishable curves. */
   static final int MAX_CURVES = 32;
 
   private final Map<PlotField, Map<String, Curve>> curves = new LinkedHashMap<>();
@@ -31,7 +30,7 @@ public final class Lane {
     curves.computeIfAbsent(field, absent -> new LinkedHashMap<>());
   }
 
-  /** What is plotted, in the order in which it was added. */
+  /** The plotted fields, in the order of their addition. */
   public List<PlotField> fields() {
     return List.copyOf(curves.keySet());
   }
@@ -50,7 +49,7 @@ public final class Lane {
     Curve curve = ofField.get(key);
     if (curve == null) {
       if (all.size() >= MAX_CURVES) {
-        forgetSilent();
+        removeSilentCurves();
       }
       curve = new Curve(name(field, key), freeNumber(), fields().indexOf(field));
       ofField.put(key, curve);
@@ -59,7 +58,7 @@ public final class Lane {
     curve.add(timeUs, value);
   }
 
-  /** The lowest number of no curve, so that a curve that begins anew has its colour again. */
+  /** The smallest unused number, so that a restarted curve has the same colour. */
   private int freeNumber() {
     return IntStream.rangeClosed(0, all.size())
         .filter(number -> all.stream().noneMatch(curve -> curve.number() == number))
@@ -71,7 +70,7 @@ public final class Lane {
     return key.isEmpty() ? field.column() : key;
   }
 
-  private void forgetSilent() {
+  private void removeSilentCurves() {
     Curve silent = Collections.min(all, Comparator.comparingLong(Curve::lastUs));
     all.remove(silent);
     curves.values().forEach(ofField -> ofField.values().remove(silent));
@@ -87,7 +86,7 @@ public final class Lane {
     return List.copyOf(curves.get(field).values());
   }
 
-  /** The unit of the values of a curve, such as "rad"; empty where there is none. */
+  /** The unit of the values of a curve, such as "rad"; empty without one. */
   public String unit(Curve curve) {
     return curves.entrySet().stream()
         .filter(ofField -> ofField.getValue().containsValue(curve))
@@ -97,8 +96,8 @@ public final class Lane {
   }
 
   /**
-   * Lowest and highest value in a window of so many columns of pixels, without the transients with
-   * which curves begin; the lowest is above the highest where there is none.
+   * Minimum and maximum in a window with a number of pixel columns, without initial transients; the
+   * minimum is above the maximum without samples.
    */
   public double[] range(TimeWindow window, int columns) {
     double[] range = {Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
@@ -119,11 +118,11 @@ public final class Lane {
   }
 
   /**
-   * Playback went back to a time in microseconds: of all curves what lies before it stays. Those
-   * that have nothing there are forgotten; a track that is found once more is another one.
+   * Removes samples from a time in microseconds on, after playback went back, and curves without
+   * samples before it; a track found later has another identity.
    */
-  public void forgetFrom(long timeUs) {
-    all.forEach(curve -> curve.forgetFrom(timeUs));
+  public void removeFrom(long timeUs) {
+    all.forEach(curve -> curve.removeFrom(timeUs));
     all.removeIf(curve -> curve.lastUs() == Long.MIN_VALUE);
     curves
         .values()
@@ -131,14 +130,14 @@ public final class Lane {
   }
 
   /**
-   * Time of the newest sample of a field that is plotted here, microseconds; {@link Long#MIN_VALUE}
-   * where there is none.
+   * Time of the newest sample of a plotted field, microseconds; {@link Long#MIN_VALUE} without
+   * samples.
    */
   public long lastUs(PlotField field) {
     return lastUs(curves.get(field).values());
   }
 
-  /** Forgets all curves. */
+  /** Removes all curves. */
   public void clear() {
     curves.values().forEach(Map::clear);
     all.clear();

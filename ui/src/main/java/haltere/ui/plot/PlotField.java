@@ -11,9 +11,9 @@ import java.util.function.Consumer;
 import java.util.regex.Pattern;
 
 /**
- * A number that is published over time, by name, so that it is found again in another chain.
+ * A published number over time. Its name identifies it in other chains too.
  *
- * @param stage name of the stage; empty for what is no filter's
+ * @param stage name of the stage; empty for other numbers
  * @param outlet name of the outlet
  * @param column name of the column
  */
@@ -24,19 +24,19 @@ public record PlotField(String stage, String outlet, String column) {
   private static final Pattern COVARIANCE = Pattern.compile("p (v?[xy]){2}");
 
   /**
-   * The unit of the number, which stands at the end of the column's name, such as "rad", "px/s" or
-   * "\u00b5s"; empty where the name has none.
+   * The unit of the number, by the suffix of the column's name, such as "rad", "px/s" or "\u00b5s";
+   * empty without one.
    */
   public String unit() {
     return ColumnUnit.of(column).map(ColumnUnit::symbol).orElse("");
   }
 
   /**
-   * The column in words without its unit, such as "event rate", or "P xx" for a number of a
+   * The column as a label without its unit, such as "event rate", or "P xx" for an entry of a
    * covariance matrix.
    */
-  public String words() {
-    int unit = ColumnUnit.of(column).map(found -> found.ending().length()).orElse(0);
+  public String label() {
+    int unit = ColumnUnit.of(column).map(found -> found.suffix().length()).orElse(0);
     String name = column.substring(0, column.length() - unit).replace('_', ' ');
     return COVARIANCE.matcher(name).matches() ? "P" + name.substring(1) : name;
   }
@@ -62,8 +62,7 @@ public record PlotField(String stage, String outlet, String column) {
   }
 
   /**
-   * The outlet of a chain that publishes the number, read as by {@link #of}; empty where there is
-   * none.
+   * The outlet of a chain that publishes the number, read as by {@link #of}; empty if none does.
    */
   public Optional<Outlet<?>> find(FilterChain chain) {
     for (ChainStage candidate : chain.stages()) {
@@ -79,9 +78,8 @@ public record PlotField(String stage, String outlet, String column) {
   }
 
   /**
-   * Hands over the numbers that a chain publishes from now on, on its processing thread, on request
-   * those of run-ups too; called there, or while it does not run. Empty where the chain does not
-   * publish the field.
+   * Subscribes to the numbers of a chain, on its processing thread, with those of run-ups on
+   * request; called there, or while it does not run. Empty if the chain does not publish the field.
    */
   public Optional<Outlet.Subscription> listen(
       FilterChain chain, boolean inRunUps, SampleQueue.SampleConsumer consumer) {
@@ -100,7 +98,7 @@ public record PlotField(String stage, String outlet, String column) {
     return found.map(outlet -> inRunUps ? outlet.follow(listener) : outlet.subscribe(listener));
   }
 
-  /** The field in words, such as "cluster-tracker / clusters / x_px". */
+  /** The field as text, such as "cluster-tracker / clusters / x_px". */
   @Override
   public String toString() {
     return (stage.isEmpty() ? "" : stage + " / ") + outlet + " / " + column;

@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What a type of published rows holds for a plot: the time, what tells one curve from another (such
- * as a track's number or a wing's edge), and the numbers.
+ * Plot properties of a type of published rows: time, key of the curve (such as a track's number or
+ * a wing's edge), and numbers.
  *
  * <p>Thread rule: immutable, any thread.
  */
@@ -21,7 +21,7 @@ public final class PlotRow {
   private final RowFields fields;
   private final List<String> columns = new ArrayList<>();
 
-  /** Where they are in a row, -1 where there is none. */
+  /** Index of the time in a row, -1 without one. */
   private int time = -1;
 
   private int key = -1;
@@ -42,7 +42,7 @@ public final class PlotRow {
   }
 
   /**
-   * Looks at a type of rows; empty where it is no flat record with a time column and at least one
+   * Examines a type of rows; empty unless it is a flat record with a time column and at least one
    * number.
    */
   public static Optional<PlotRow> of(Class<?> type) {
@@ -57,7 +57,7 @@ public final class PlotRow {
     return List.copyOf(columns);
   }
 
-  /** Where one of the {@link #columns()} is in a row, -1 if there is none of the name. */
+  /** Index of one of the {@link #columns()} in a row, -1 for unknown names. */
   public int index(String column) {
     return columns.contains(column) ? fields.names().indexOf(column) : -1;
   }
@@ -67,12 +67,12 @@ public final class PlotRow {
     return (long) fields.value(time, row);
   }
 
-  /** Which curve a row belongs to: the key in words, empty where all rows are of one curve. */
+  /** Key of a row's curve; empty if all rows belong to one curve. */
   public String key(Record row) {
     return key < 0 ? "" : String.valueOf(fields.value(key, row));
   }
 
-  /** The number of a row at an {@link #index}, NaN where there is none. */
+  /** The number of a row at an {@link #index}, NaN without one. */
   public double value(Record row, int index) {
     return fields.value(index, row) instanceof Number number ? number.doubleValue() : Double.NaN;
   }

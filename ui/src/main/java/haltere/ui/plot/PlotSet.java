@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * Plots that belong together: what one looks at to judge an estimate.
+ * Plots for the assessment of an estimate.
  *
- * @param title what they show, for a person
+ * @param title title for users
  * @param stage whose numbers they are
  * @param lanes the fields of each lane
  */
@@ -57,7 +57,7 @@ public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
         estimates/q_vxvx
       """;
 
-  /** What a report plots of whoever publishes it, lanes as above. */
+  /** Default plots of a report for any publishing filter, lanes as above. */
   private static final List<List<String>> MAIN =
       List.of(
           List.of(

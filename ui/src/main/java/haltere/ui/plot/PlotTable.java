@@ -3,8 +3,8 @@ package haltere.ui.plot;
 import java.util.List;
 
 /**
- * What lanes show, as a table: {@code t_us,field,key,value,lowest,highest}. Where the plot keeps
- * only stretches of samples the row is of the stretch's middle and the two ends differ.
+ * The plotted samples as a table: {@code t_us,field,key,value,lowest,highest}. Where only summaries
+ * remain, a row has the middle of a summary and its two extremes.
  *
  * @param text the whole table
  */

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Averages all numbers that a chain publishes, so that two chains can be compared.
+ * Averages all numbers that a chain publishes, for the comparison of two chains.
  *
  * <p>Thread rule: everything on the processing thread of the chain.
  */
@@ -17,7 +17,7 @@ public final class PublishedMeans implements AutoCloseable {
   private final Map<PlotField, DoubleSummaryStatistics> numbers = new LinkedHashMap<>();
   private final List<Outlet.Subscription> subscriptions = new ArrayList<>();
 
-  /** Listens to all that a chain publishes as it is now. */
+  /** Subscribes to all outlets of a chain. */
   public PublishedMeans(FilterChain chain) {
     for (PlotField field : PlotField.of(chain)) {
       numbers.put(field, new DoubleSummaryStatistics());
@@ -34,8 +34,8 @@ public final class PublishedMeans implements AutoCloseable {
   }
 
   /**
-   * The means of what was published since the last call, in the order of the chain; without those
-   * that nothing was published for.
+   * Means of results since the last call, in the order of the chain; without fields that had no
+   * results.
    */
   public Map<PlotField, Double> take() {
     Map<PlotField, Double> means = new LinkedHashMap<>();

@@ -3,8 +3,8 @@ package haltere.ui.plot;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Carries samples from one thread to another, at most so many at once, without locks and objects.
- * Neither side waits for room or for samples; what does not fit is counted and left out.
+ * A bounded queue of samples between two threads, without locks or allocation. Neither side waits;
+ * samples that do not fit are counted and dropped.
  *
  * <p>Thread rule: one thread puts samples in, one takes them out; {@link #lost} is for any.
  */
@@ -22,15 +22,15 @@ public final class SampleQueue {
   private final String[] keys;
   private final double[] values;
 
-  /** Samples that were put in since the beginning; the place of the next is this modulo length. */
+  /** Number of samples written; the position of the next is this modulo length. */
   private final AtomicLong written = new AtomicLong();
 
-  /** Samples that were taken out since the beginning. */
+  /** Number of samples read. */
   private final AtomicLong taken = new AtomicLong();
 
   private final AtomicLong lost = new AtomicLong();
 
-  /** An empty queue for so many samples. */
+  /** An empty queue with a capacity in samples. */
   public SampleQueue(int capacity) {
     timesUs = new long[capacity];
     keys = new String[capacity];

@@ -3,8 +3,8 @@ package haltere.ui.plot;
 import java.util.Arrays;
 
 /**
- * The newest stretches of a curve, each with its first and last time and its lowest and highest
- * value; a stretch may be a single sample. Grows up to a limit, then forgets the oldest.
+ * A ring of the newest summaries of a curve: first and last time, minimum and maximum; a summary
+ * may have a single sample. Grows up to a limit, then drops the oldest.
  */
 final class SummaryRing {
   private final int limit;
@@ -54,7 +54,7 @@ final class SummaryRing {
     highest[slot] = Math.max(highest[slot], high);
   }
 
-  /** Nothing has been forgotten before the limit is reached, so the oldest is the first. */
+  /** Grows. No sample has been dropped before the limit, so the oldest is the first. */
   private void grow() {
     int length = Math.min(limit, fromUs.length * 2);
     fromUs = Arrays.copyOf(fromUs, length);
@@ -80,15 +80,15 @@ final class SummaryRing {
     return toUs[slot(index)];
   }
 
-  double lowest(int index) {
+  double min(int index) {
     return lowest[slot(index)];
   }
 
-  double highest(int index) {
+  double max(int index) {
     return highest[slot(index)];
   }
 
-  /** Index of the first stretch that ends at or after a time; the size if there is none. */
+  /** Index of the first summary that ends at or after a time; the size without one. */
   int firstEndingFrom(long timeUs) {
     int low = 0;
     int high = size;
@@ -103,7 +103,7 @@ final class SummaryRing {
     return low;
   }
 
-  /** Forgets all stretches that end at or after a time. */
+  /** Removes all summaries that end at or after a time. */
   void truncate(long timeUs) {
     size = firstEndingFrom(timeUs);
   }

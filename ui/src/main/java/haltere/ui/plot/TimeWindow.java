@@ -1,8 +1,8 @@
 package haltere.ui.plot;
 
 /**
- * Which stretch of time all lanes show: it follows the newest samples, or stands still where a
- * person looks around.
+ * The time interval that all lanes show: it follows the newest samples, or stands still while a
+ * user inspects the past.
  */
 public final class TimeWindow {
   /** Shortest span that can be shown. */
@@ -18,12 +18,12 @@ public final class TimeWindow {
   /** Five seconds, following. */
   public TimeWindow() {}
 
-  /** Start of what is shown, microseconds on the recording's clock. */
+  /** Start of the window, microseconds on the recording's clock. */
   public long fromUs() {
     return endUs - spanUs;
   }
 
-  /** End of what is shown, microseconds on the recording's clock. */
+  /** End of the window, microseconds on the recording's clock. */
   public long toUs() {
     return endUs;
   }
@@ -33,17 +33,19 @@ public final class TimeWindow {
     return spanUs;
   }
 
-  /** Whether it moves along with time; false while a person looks around. */
+  /** Whether the window follows the newest samples; false while a user inspects the past. */
   public boolean isFollowing() {
     return following;
   }
 
-  /** Follows, or stands still. */
+  /** Starts or stops following the newest samples. */
   public void setFollowing(boolean on) {
     following = on;
   }
 
-  /** Tells where time is, microseconds on the recording's clock; has an effect while following. */
+  /**
+   * Sets the present time, microseconds on the recording's clock; has an effect while following.
+   */
   public void advanceTo(long nowUs) {
     if (following) {
       endUs = nowUs;
@@ -51,8 +53,8 @@ public final class TimeWindow {
   }
 
   /**
-   * Shows more or less (factor below 1) around a place, 0 at the start of the window to 1 at its
-   * end, within the limits. While following, the end stays.
+   * Zooms (in with a factor below 1) around a share of the window, 0 to 1, within the limits. While
+   * following, the end is fixed.
    */
   public void zoom(double factor, double position) {
     long wanted = Math.max(MIN_SPAN_US, Math.min(MAX_SPAN_US, Math.round(spanUs * factor)));
@@ -62,19 +64,19 @@ public final class TimeWindow {
     spanUs = wanted;
   }
 
-  /** Moves what is shown by microseconds, positive to later times, and stops following. */
+  /** Shifts the window by microseconds, positive to later times, and stops following. */
   public void scroll(long byUs) {
     following = false;
     endUs += byUs;
   }
 
-  /** The time at a place, 0 at the start of the window to 1 at its end. */
+  /** The time at a share of the window, 0 to 1. */
   public long timeAt(double position) {
     return fromUs() + Math.round(position * spanUs);
   }
 
-  /** The place of a time, 0 at the start of the window to 1 at its end, beyond outside of it. */
-  public double placeOf(long timeUs) {
+  /** The share of the window at a time, 0 to 1 within it. */
+  public double shareOf(long timeUs) {
     return (timeUs - fromUs()) / (double) spanUs;
   }
 }

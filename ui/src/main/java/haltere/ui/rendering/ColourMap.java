@@ -1,10 +1,10 @@
 package haltere.ui.rendering;
 
 /**
- * Colours of a picture of events: the background, and what a fresh ON and a fresh OFF event look
- * like. All but green and red can be told apart with any of the common kinds of colour blindness.
+ * Colours of a picture of events: background, fresh ON and fresh OFF events. All but green and red
+ * are safe for the common kinds of colour blindness.
  *
- * @param name what a person calls the map
+ * @param name display name
  * @param background opaque ARGB of a pixel without a recent event
  * @param on opaque ARGB of a fresh ON event
  * @param off opaque ARGB of a fresh OFF event

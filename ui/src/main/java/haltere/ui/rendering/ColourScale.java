@@ -3,18 +3,18 @@ package haltere.ui.rendering;
 import java.util.Optional;
 
 /**
- * What the ends of a gradient stand for, where colours stand for ages or counts.
+ * The meaning of the ends of a gradient that shows ages or counts.
  *
  * <p>Thread rule: immutable.
  *
  * @param gradient the colours
- * @param first what the first colour stands for, in words
- * @param last what the last colour stands for, in words
+ * @param first meaning of the first colour, as text
+ * @param last meaning of the last colour, as text
  */
 public record ColourScale(Gradient gradient, String first, String last) {
   /**
-   * The scale of a mode whose colours stand for ages or counts, by the highest of them in words;
-   * empty for other modes, and where that is not known.
+   * The scale of a mode that shows ages or counts, by the text of its maximum; empty for other
+   * modes, and for an unknown maximum.
    */
   public static Optional<ColourScale> of(DisplayMode mode, Gradient gradient, String farEnd) {
     if (farEnd.isEmpty()) {

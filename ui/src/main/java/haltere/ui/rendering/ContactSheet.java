@@ -48,18 +48,18 @@ public final class ContactSheet implements StreamHandler {
   private static final long SHORT_US = 2_000;
 
   /**
-   * The events of a moment, its time since the start and on the clock of the events, what was known
-   * then, and the rows of its objects that came later.
+   * The events of a moment, its time since the start and on the clock of the events, the results
+   * known then, and later rows of its objects.
    */
   private record Panel(
       BufferedImage picture,
       long elapsedUs,
       long timeUs,
-      List<LayerTaps.Marks<?>> marks,
+      List<OverlaySnapshots.Marks<?>> marks,
       Map<Integer, ObjectTrack> late) {}
 
   private final EventFrame frame;
-  private final LayerTaps marks;
+  private final OverlaySnapshots marks;
   private final List<Panel> panels = new ArrayList<>();
 
   /** How many of the pictures, the first ones, are of a clock that has ended. */
@@ -79,7 +79,7 @@ public final class ContactSheet implements StreamHandler {
   /** A sheet without pictures, over each of which the marks of a chain are drawn. */
   public ContactSheet(FilterChain chain) {
     frame = new EventFrame(chain.geometry());
-    marks = new LayerTaps(chain);
+    marks = new OverlaySnapshots(chain);
     for (Outlet<?> outlet : chain.outlets()) {
       if (outlet.type() == ObjectTrack.class) {
         outlet.subscribe(row -> take((ObjectTrack) row));
@@ -180,14 +180,14 @@ public final class ContactSheet implements StreamHandler {
   private BufferedImage finished(Panel panel) {
     drawMarks(panel);
     long minutes = panel.elapsedUs / 60_000_000L;
-    String words =
+    String text =
         String.format(Locale.ROOT, "%d:%06.3f", minutes, panel.elapsedUs * 1e-6 - 60 * minutes);
-    new PictureStamp(panel.picture, true).words(words);
+    new PictureStamp(panel.picture, true).label(text);
     return panel.picture;
   }
 
   /**
-   * Joins pictures of equal proportions, at least one, in rows of four, each so many pixels wide.
+   * Joins pictures of equal proportions, at least one, in rows of four, each of a width in pixels.
    */
   public static BufferedImage join(List<BufferedImage> pictures, int widthPx) {
     int columns = Math.min(COLUMNS, pictures.size());

@@ -1,6 +1,6 @@
 package haltere.ui.rendering;
 
-/** What the colour of a pixel says about its events. */
+/** Meaning of the colour of a pixel. */
 public enum DisplayMode {
   /** The polarity of its last event, fading with age. */
   POLARITY("Polarity", false),
@@ -17,17 +17,17 @@ public enum DisplayMode {
   /** The frequency at which it flickers. */
   FREQUENCY("Frequency", true);
 
-  private final String words;
+  private final String label;
   private final boolean gathers;
 
-  DisplayMode(String words, boolean gathers) {
-    this.words = words;
+  DisplayMode(String label, boolean gathers) {
+    this.label = label;
     this.gathers = gathers;
   }
 
-  /** What a menu calls it, one or two words. */
-  public String words() {
-    return words;
+  /** Label in menus, one or two words. */
+  public String label() {
+    return label;
   }
 
   /** Whether all events of a pixel count, not just its last one. */

@@ -9,8 +9,8 @@ import haltere.core.stream.StreamNotification;
 import java.util.Arrays;
 
 /**
- * What the sensor saw last: for each pixel the time and the polarity of its latest event. A {@link
- * FramePainter} turns that into colours that fade with age. Only the last minutes are remembered.
+ * The last event of each pixel: time and polarity. A {@link FramePainter} turns it into colours
+ * that fade with age. Only the last minutes are stored.
  *
  * <p>After a start of the stream, a rewind, a seek or any other reset nothing of the time before is
  * left. Lost data leaves the picture as it is, because time goes on.
@@ -22,7 +22,7 @@ public final class EventFrame implements StreamHandler {
   private static final int NEVER = -(1 << 30);
 
   /** Longest time from the epoch to an event, 268 s. At least half of it is remembered. */
-  private static final long LONGEST_US = 1L << 28;
+  private static final long MAX_AGE_US = 1L << 28;
 
   /** Latest time after the epoch from which ages can count. */
   private static final long LATEST_US = (1L << 29) - 1;
@@ -42,7 +42,7 @@ public final class EventFrame implements StreamHandler {
   private long nowUs = StreamNotification.NO_TIME_US;
   private boolean dirty;
 
-  /** A frame without events; events outside of the sensor are ignored. */
+  /** A frame without events; events outside the sensor are ignored. */
   public EventFrame(SensorGeometry geometry) {
     this.geometry = geometry;
     this.lastEvents = new int[geometry.pixels()];
@@ -68,7 +68,7 @@ public final class EventFrame implements StreamHandler {
       epochUs = times[0] - 1;
     }
     for (int i = 0; i < size; i++) {
-      if (times[i] - epochUs > LONGEST_US) {
+      if (times[i] - epochUs > MAX_AGE_US) {
         moveEpoch(times[i]);
       }
       int address = addresses[i];
@@ -85,7 +85,7 @@ public final class EventFrame implements StreamHandler {
 
   /** Makes room for later times, forgetting events that are half the longest time old. */
   private void moveEpoch(long timeUs) {
-    long newEpochUs = timeUs - LONGEST_US / 2;
+    long newEpochUs = timeUs - MAX_AGE_US / 2;
     long moved = newEpochUs - epochUs;
     for (int i = 0; i < lastEvents.length; i++) {
       lastEvents[i] =
@@ -103,7 +103,7 @@ public final class EventFrame implements StreamHandler {
     }
   }
 
-  /** Forgets all events. */
+  /** Removes all events. */
   public void clear() {
     if (dirty) {
       Arrays.fill(lastEvents, NEVER);
@@ -112,10 +112,7 @@ public final class EventFrame implements StreamHandler {
     nowUs = StreamNotification.NO_TIME_US;
   }
 
-  /**
-   * Lets the picture grow older although no event has come; a time before {@link #nowUs()} changes
-   * nothing.
-   */
+  /** Advances the picture's time without events; a time before {@link #nowUs()} has no effect. */
   public void advanceTo(long timeUs) {
     nowUs = Math.max(nowUs, timeUs);
   }

@@ -7,8 +7,8 @@ import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 
 /**
- * Gathers events and paints them in any style. What a style needs beyond the last event of each
- * pixel is gathered only while it is in use.
+ * Accumulates events and paints them in any style. State beyond the last event of each pixel is
+ * accumulated only while a style needs it.
  *
  * <p>Thread rule: one thread at a time, in the viewer the processing thread.
  */
@@ -16,9 +16,9 @@ public final class EventPicture implements StreamHandler {
   private final EventFrame frame;
   private final FramePainter painter;
   private PictureStyle style;
-  private Gathered gathered;
+  private StyleState gathered;
 
-  /** A picture without events; events outside of the sensor are ignored. */
+  /** A picture without events; events outside the sensor are ignored. */
   public EventPicture(SensorGeometry geometry, PictureStyle style) {
     frame = new EventFrame(geometry);
     painter = new FramePainter(style.colours(), style.timeConstantUs());
@@ -35,10 +35,7 @@ public final class EventPicture implements StreamHandler {
     return style;
   }
 
-  /**
-   * Changes what the next picture looks like; one that is gathered begins with the events after
-   * this.
-   */
+  /** Changes the style of the next picture; accumulating styles start with the next events. */
   public void configure(PictureStyle newStyle) {
     style = newStyle;
     painter.configure(newStyle);
@@ -55,7 +52,7 @@ public final class EventPicture implements StreamHandler {
     }
   }
 
-  /** The next event is the first of a new exposure; only styles that are sharp forget. */
+  /** The next event is the first of a new exposure; only sharp styles are cleared. */
   public void beginExposure() {
     if (gathered != null && style.sharp() && !style.isAccumulated()) {
       gathered.beginExposure();
@@ -85,7 +82,7 @@ public final class EventPicture implements StreamHandler {
     }
   }
 
-  /** Lets the picture grow older although no event has come. */
+  /** Advances the picture's time without events. */
   public void advanceTo(long timeUs) {
     frame.advanceTo(timeUs);
   }
@@ -104,8 +101,7 @@ public final class EventPicture implements StreamHandler {
   }
 
   /**
-   * Frequency at which a pixel flickers, rows upwards, hertz; NaN where none is known, and for
-   * styles that do not show frequencies.
+   * Frequency at which a pixel flickers, rows upwards, hertz; NaN if unknown, and for other styles.
    */
   public double frequencyHz(int x, int y) {
     return gathered == null ? Double.NaN : gathered.frequencyHz(x, y, frame.nowUs());
@@ -118,7 +114,8 @@ public final class EventPicture implements StreamHandler {
 
   /**
    * Paints for a {@link PictureScaler}: a pixel for each of the sensor's, row by row from the TOP,
-   * with its rank in place of its opacity, 0 for the background, 127 for what differs most from it.
+   * with its rank in place of its opacity: 0 for the background, 127 for the largest difference
+   * from it.
    */
   public void paintRanked(int[] ranked) {
     if (gathered != null) {

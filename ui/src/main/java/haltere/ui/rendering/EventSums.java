@@ -6,11 +6,11 @@ import haltere.core.event.SensorGeometry;
 import java.util.Arrays;
 
 /**
- * For each pixel the sum of all its events, each of which fades exponentially with age: s = Σ p
- * exp((t - now) / τ), with p = 1 or the polarity. The sums are kept relative to a time of reference
- * and brought to the present when they are painted, so an event costs one addition.
+ * For each pixel the exponentially fading sum of its events, s = Σ p exp((t - now) / τ), with p = 1
+ * or the polarity. Sums are relative to a reference time and scaled when painted, so an event costs
+ * one addition.
  */
-final class EventSums implements Gathered {
+final class EventSums implements StyleState {
   /** Steps of the colours. */
   private static final int ENTRIES = 1024;
 
@@ -18,12 +18,12 @@ final class EventSums implements Gathered {
   private static final double FULL_INTENSITY = 6;
 
   /** The reference is moved before weights grow beyond e to this. */
-  private static final double LONGEST_EXPONENT = 20;
+  private static final double MAX_EXPONENT = 20;
 
   /** A weight serves for events within this share of the time constant. */
-  private static final double SAME_WEIGHT = 1.0 / 256;
+  private static final double WEIGHT_TOLERANCE = 1.0 / 256;
 
-  /** About so many pixels are looked at to find what counts as much. */
+  /** Approximate number of sampled pixels for the scale of counts. */
   private static final int SAMPLES = 20_000;
 
   private static final double SHARE_BELOW_FULL = 0.995;
@@ -42,7 +42,7 @@ final class EventSums implements Gathered {
   private boolean empty = true;
   private double fullCount;
 
-  /** The weight of events at a time, whichever packet they come in. */
+  /** The weight of events at a time, independent of packets. */
   private long weightUs;
 
   private float weight;
@@ -51,28 +51,28 @@ final class EventSums implements Gathered {
     width = geometry.width();
     height = geometry.height();
     sums = new float[geometry.pixels()];
-    // an odd distance, so that not the same columns are looked at in each row
+    // an odd step samples other columns in each row
     sampling = Math.max(1, geometry.pixels() / SAMPLES) | 1;
     samples = new float[geometry.pixels() / sampling + 1];
     row = new int[width];
     configure(style);
   }
 
-  /** Changes what the next picture looks like; another mode or time constant begins anew. */
+  /** Changes the style of the next picture; another mode or time constant clears the sums. */
   @Override
   public void configure(PictureStyle newStyle) {
     if (newStyle.equals(style)) {
       return;
     }
-    boolean anew =
+    boolean restarts =
         style == null || newStyle.mode() != style.mode() || newStyle.sharp() != style.sharp();
-    if (!anew && newStyle.timeConstantUs() != style.timeConstantUs()) {
+    if (!restarts && newStyle.timeConstantUs() != style.timeConstantUs()) {
       // sums fade by the old time constant up to the newest event and by the new one from there
       moveReference(newestUs);
     }
     style = newStyle;
     weightUs = Long.MIN_VALUE / 2;
-    if (anew) {
+    if (restarts) {
       clear();
     }
     for (int i = 0; i < ENTRIES; i++) {
@@ -82,7 +82,7 @@ final class EventSums implements Gathered {
               ? Gradient.GREY.colour(share)
               : style.gradient().colour(share);
     }
-    Ranks.rank(table, style.background());
+    ColourRanks.rank(table, style.background());
   }
 
   @Override
@@ -98,7 +98,7 @@ final class EventSums implements Gathered {
     clear();
   }
 
-  /** The next picture tells what counts as much from its own events. */
+  /** The next picture computes the scale of counts from its own events. */
   @Override
   public void settle() {
     fullCount = 0;
@@ -118,7 +118,7 @@ final class EventSums implements Gathered {
       newestUs = times[0];
     }
     boolean signed = style.mode() == DisplayMode.INTENSITY;
-    double sameUs = style.timeConstantUs() * SAME_WEIGHT;
+    double sameUs = style.timeConstantUs() * WEIGHT_TOLERANCE;
     long atUs = weightUs;
     float now = weight;
     for (int i = 0; i < size; i++) {
@@ -143,7 +143,7 @@ final class EventSums implements Gathered {
       return 1;
     }
     double exponent = (double) (timeUs - referenceUs) / style.timeConstantUs();
-    if (exponent > LONGEST_EXPONENT) {
+    if (exponent > MAX_EXPONENT) {
       moveReference(timeUs);
       return 1;
     }
@@ -193,7 +193,7 @@ final class EventSums implements Gathered {
     }
   }
 
-  /** By itself, the compiler makes vectors of this loop. */
+  /** Separate, so that the compiler vectorises this loop. */
   private static void indices(
       float[] sums, int from, int width, float gain, float middle, int[] indices) {
     for (int x = 0; x < width; x++) {
@@ -202,7 +202,9 @@ final class EventSums implements Gathered {
     }
   }
 
-  /** What all but the liveliest pixels stay below, so that a hot one does not darken all others. */
+  /**
+   * Upper bound of all but the most active pixels, so that a hot pixel does not darken all others.
+   */
   private void findFullCount(double present) {
     int found = 0;
     for (int i = 0; i < sums.length; i += sampling) {

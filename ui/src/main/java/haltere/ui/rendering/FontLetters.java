@@ -12,8 +12,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 
 /**
- * The bold letters of the platform's sans-serif font, to be read over events, each drawn once and
- * copied from then on. Where no font is installed words are left out.
+ * Bold letters of the platform's sans-serif font, drawn once and cached. Without an installed font,
+ * text is omitted.
  *
  * <p>Thread rule: all methods may be called from any thread.
  */
@@ -21,7 +21,7 @@ public final class FontLetters implements Letters {
   /** Letters of pictures and films, 16 pixels high. */
   public static final FontLetters OF_PICTURES = new FontLetters(16);
 
-  /** Size of words over a view, units of the view. */
+  /** Font size over a view, units of the view. */
   private static final double VIEW_SIZE = 12;
 
   private static final Map<Double, FontLetters> OF_VIEWS = new ConcurrentHashMap<>();
@@ -31,7 +31,7 @@ public final class FontLetters implements Letters {
 
   private record Letter(double advance, int width, int[] argb) {}
 
-  /** A font, null where there is none, with its room above and below a line, pixels. */
+  /** A font, null if there is none, with its extents above and below a line, pixels. */
   private record Face(Font font, double ascent, double descent) {}
 
   private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, false);
@@ -50,12 +50,14 @@ public final class FontLetters implements Letters {
     this.source = source;
   }
 
-  /** Letters over a view that has so many pixels of the screen per unit. */
+  /** Letters over a view, with its pixels of the screen per unit. */
   public static FontLetters ofView(double density) {
     return OF_VIEWS.computeIfAbsent(density, each -> new FontLetters(VIEW_SIZE * each));
   }
 
-  /** Loads the fonts, a fraction of a second, on a thread of its own before words are drawn. */
+  /**
+   * Loads the fonts on a separate thread before text is drawn, which takes a fraction of a second.
+   */
   public static void prepare() {
     Daemon.thread(() -> OF_PICTURES.width("0"), "haltere-letters").start();
   }
@@ -71,7 +73,7 @@ public final class FontLetters implements Letters {
     try {
       Font font = source.get();
       LineMetrics metrics = font.getLineMetrics("Ag", CONTEXT);
-      // some air above the letters
+      // margin above the letters
       double ascent = Math.rint(metrics.getAscent() + sizePx / 12);
       return new Face(font, ascent, Math.rint(metrics.getDescent()));
     } catch (RuntimeException | InternalError | LinkageError noFonts) {
@@ -97,17 +99,17 @@ public final class FontLetters implements Letters {
 
   @Override
   public void draw(String line, int left, int base, Dots dots) {
-    double place = left;
+    double x = left;
     for (int i = 0; i < line.length(); i++) {
       Letter letter = letter(line.charAt(i));
-      int from = (int) Math.rint(place) - MARGIN;
+      int from = (int) Math.rint(x) - MARGIN;
       for (int k = 0; k < letter.argb.length; k++) {
         if (letter.argb[k] != 0) {
           int row = base - (int) ascent() + k / letter.width;
           dots.dot(from + k % letter.width, row, (letter.argb[k] >>> 24) / 255.0);
         }
       }
-      place += letter.advance;
+      x += letter.advance;
     }
   }
 

@@ -5,9 +5,9 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 
 /**
- * Hands preallocated pictures from the thread that paints to the thread that shows, without a lock
- * and without garbage: one is being painted, one is finished, one is being shown. A finished
- * picture that nobody has fetched is replaced by the next one, and counted.
+ * Passes preallocated pictures from the painting thread to the displaying thread, without locks or
+ * allocation: one is painted, one is finished, one is shown. A finished picture that nobody has
+ * fetched is conflated with the next one, and counted.
  *
  * @param <T> type of the pictures
  */
@@ -19,7 +19,7 @@ public final class FrameExchange<T> {
   private T painted;
   private T shown;
 
-  /** An exchange without a finished picture; makes three. */
+  /** An exchange without a finished picture; creates three. */
   public FrameExchange(Supplier<? extends T> factory) {
     painted = factory.get();
     finished = new AtomicReference<>(new Slot<>(factory.get(), false));
@@ -41,7 +41,7 @@ public final class FrameExchange<T> {
   }
 
   /**
-   * Whether the newest picture is still to be fetched, so that another one would replace it. Any
+   * Whether the newest picture has not been fetched, so that another one would replace it. Any
    * thread.
    */
   public boolean isPending() {
@@ -49,8 +49,8 @@ public final class FrameExchange<T> {
   }
 
   /**
-   * The newest picture, the shower's until the next one is fetched; null if there is no new one.
-   * Showing thread only.
+   * The newest picture, owned by the displaying thread until it fetches the next one; null without
+   * a new one. Displaying thread only.
    */
   public T fetch() {
     if (!finished.get().fresh()) {

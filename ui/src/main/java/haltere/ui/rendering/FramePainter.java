@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.Objects;
 
 /**
- * Paints an {@link EventFrame} into an array of ARGB pixels: each pixel in a colour that its last
- * event and the event's age give it.
+ * Paints an {@link EventFrame} into ARGB pixels, by the polarity and the age of each pixel's last
+ * event.
  *
  * <p>That is read from a table by age, so a picture costs about a nanosecond a pixel.
  */
@@ -15,7 +15,7 @@ public final class FramePainter {
   static final double TIME_CONSTANTS = 6;
 
   /** Longest time constant, 20 s. An {@link EventFrame} does not remember for longer. */
-  public static final long LONGEST_TIME_CONSTANT_US = 20_000_000;
+  public static final long MAX_TIME_CONSTANT_US = 20_000_000;
 
   /** Shortest table; the age is cut to fit between this and twice as many entries. */
   private static final int ENTRIES = 1024;
@@ -29,21 +29,18 @@ public final class FramePainter {
 
   private int[] row = new int[0];
 
-  /** A painter; events fade to 1/e within 1 us to {@link #LONGEST_TIME_CONSTANT_US}. */
+  /** A painter; events fade to 1/e within 1 us to {@link #MAX_TIME_CONSTANT_US}. */
   public FramePainter(ColourMap colours, long timeConstantUs) {
     configure(PictureStyle.fading(colours, timeConstantUs));
   }
 
-  /**
-   * Changes what the next picture looks like, to a style in which only the last event of a pixel
-   * counts.
-   */
+  /** Changes the style of the next picture, to one that needs only the last event of a pixel. */
   public void configure(PictureStyle newStyle) {
     if (newStyle.equals(style)) {
       return;
     }
     style = newStyle;
-    double oldestUs = style.longestUs();
+    double oldestUs = style.maxAgeUs();
     ageShift = 0;
     while (oldestUs / (1L << ageShift) >= 2 * ENTRIES) {
       ageShift++;
@@ -57,7 +54,7 @@ public final class FramePainter {
     }
     table[2 * entries - 2] = style.background();
     table[2 * entries - 1] = style.background();
-    Ranks.rank(table, style.background());
+    ColourRanks.rank(table, style.background());
   }
 
   /** The colours in use. */
@@ -97,13 +94,13 @@ public final class FramePainter {
   }
 
   /**
-   * Places in the table for a row of pixels. By itself, the compiler makes vectors of this loop.
+   * Indices in the table for a row of pixels. Separate, so that the compiler vectorises this loop.
    */
   private static void indices(
       int[] lastEvents, int from, int width, int now, int shift, int oldest, int[] indices) {
     for (int x = 0; x < width; x++) {
       int entry = lastEvents[from + x];
-      // both have the polarity in the lowest bit, which is cleared and set anew
+      // both have the polarity in the lowest bit
       int age = now - (entry & ~1) >> shift & ~1;
       indices[x] = Math.max(0, Math.min(oldest, age)) | entry & 1;
     }

@@ -5,9 +5,8 @@ import java.awt.image.BufferedImage;
 import java.awt.image.WritableRaster;
 
 /**
- * Frames as pictures. Grey frames of more than 8 bits become grey pictures of 16 bits, so that
- * nothing of them is lost; all others have 8 bits a channel. Numbers below black are black and
- * those above white white.
+ * Frames as pictures. Grey frames of more than 8 bits become 16-bit pictures; all others have 8
+ * bits a channel. Values are clipped to black and white.
  *
  * <p>Thread rule: all methods may be called from any thread.
  */

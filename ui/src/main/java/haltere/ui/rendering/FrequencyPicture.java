@@ -5,11 +5,8 @@ import haltere.core.event.SensorGeometry;
 import haltere.filters.frequency.FrequencyMap;
 import haltere.filters.frequency.FrequencyMapSettings;
 
-/**
- * Paints the frequency of each pixel, on a logarithmic scale from the lowest to the highest that
- * the map tells.
- */
-final class FrequencyPicture implements Gathered {
+/** Paints the frequency of each pixel on a logarithmic scale over the range of the map. */
+final class FrequencyPicture implements StyleState {
   /** How far back events matter, microseconds. */
   static final long MEMORY_US =
       new FrequencyMap(new SensorGeometry(1, 1), FrequencyMapSettings.defaults()).memoryUs();
@@ -49,7 +46,7 @@ final class FrequencyPicture implements Gathered {
       double share = Math.log(1e6 / periodUs / map.settings().minFrequencyHz()) / octaves;
       table[entry] = style.gradient().colour(share);
     }
-    Ranks.rank(table, style.background());
+    ColourRanks.rank(table, style.background());
   }
 
   @Override

@@ -3,10 +3,10 @@ package haltere.ui.rendering;
 import java.util.List;
 
 /**
- * Colours for one quantity from nothing to much. Their lightness rises or falls all the way, so
- * that they can be read with any kind of colour blindness and in print without colour.
+ * Colours of a quantity from none to much. Lightness is monotonic, so the gradient is readable with
+ * colour blindness and in monochrome print.
  *
- * @param name what a person calls it
+ * @param name display name
  * @param anchors opaque ARGB at even distances, at least two
  */
 public record Gradient(String name, List<Integer> anchors) {

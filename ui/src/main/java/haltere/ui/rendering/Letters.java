@@ -1,6 +1,6 @@
 package haltere.ui.rendering;
 
-/** Draws words as dots, each of which covers a share of its pixel. */
+/** Draws text as dots, each of which covers a share of its pixel. */
 public interface Letters {
   /** Takes a dot. */
   interface Dots {

@@ -1,17 +1,16 @@
 package haltere.ui.rendering;
 
 /**
- * Draws smooth lines and rings into pixels, which are the size of those of the screen; pixels that
- * are not opaque are premultiplied by their opacity. Costs by the pixels that are touched only,
- * some nanoseconds each: where there is no graphics card a toolkit's general shapes take many times
- * as long.
+ * Draws antialiased lines and rings into screen pixels; pixels that are not opaque are
+ * premultiplied. The cost is some nanoseconds for each touched pixel, much less than that of a
+ * toolkit's shapes without a graphics card.
  *
  * <p>Places are in pixels from the left top corner of the picture, 0.5 is the middle of the first.
  * What lies outside of the picture is left out.
  */
 public final class LinePainter {
   /** Whatever is larger than this is no mark that anybody could see. */
-  private static final double LONGEST = 1e6;
+  private static final double MAX_LENGTH_PX = 1e6;
 
   private int[] pixels = new int[0];
   private int width;
@@ -25,8 +24,8 @@ public final class LinePainter {
   }
 
   /**
-   * A straight line between two places, of a thickness in pixels and a colour that need not be
-   * opaque; its ends are round, or end where they end.
+   * A straight line between two positions, of a thickness in pixels and a colour that may be
+   * translucent; its ends are round or flat.
    */
   public void line(
       double x1, double y1, double x2, double y2, double thickness, int argb, boolean round) {
@@ -34,7 +33,7 @@ public final class LinePainter {
     double dx = x2 - x1;
     double dy = y2 - y1;
     double length = Math.sqrt(dx * dx + dy * dy);
-    if (!(length < LONGEST) || isOutside(x1, y1, x2, y2, half + 1)) {
+    if (!(length < MAX_LENGTH_PX) || isOutside(x1, y1, x2, y2, half + 1)) {
       return;
     }
     if (length < 1e-9) {
@@ -70,7 +69,7 @@ public final class LinePainter {
       int stepA,
       int stepB) {
     double reach = half + 0.5;
-    // how far the line reaches across, on the second axis
+    // extent of the line along the second axis
     double across = reach / Math.abs(da);
     double slope = db / da;
     double a2 = a1 + length * da;
@@ -82,22 +81,22 @@ public final class LinePainter {
       int low = Math.max(0, (int) Math.ceil(middle - across - 0.5));
       int high = Math.min(limitB - 1, (int) Math.floor(middle + across - 0.5));
       double forward = pa * da + (low + 0.5 - b1) * db;
-      double aside = pa * db - (low + 0.5 - b1) * da;
+      double lateral = pa * db - (low + 0.5 - b1) * da;
       int index = along * stepA + low * stepB;
       for (int beside = low; beside <= high; beside++) {
         double beyond = Math.max(-forward, forward - length);
-        double share = Math.min(1, reach - Math.abs(aside));
+        double share = Math.min(1, reach - Math.abs(lateral));
         if (beyond > 0) {
           share =
               round
-                  ? Math.min(1, reach - Math.sqrt(aside * aside + beyond * beyond))
+                  ? Math.min(1, reach - Math.sqrt(lateral * lateral + beyond * beyond))
                   : share * (0.5 - beyond);
         }
         if (share > 0) {
           blend(index, argb, share);
         }
         forward += db;
-        aside -= da;
+        lateral -= da;
         index += stepB;
       }
     }
@@ -110,12 +109,12 @@ public final class LinePainter {
         || Math.min(y1, y2) > height + reach;
   }
 
-  /** A circle's outline of a thickness in pixels; a dot where the radius is 0. */
+  /** A circle of a thickness in pixels; a dot for radius 0. */
   void ring(double x, double y, double radius, double thickness, int argb) {
     double half = thickness / 2;
     double outer = radius + half + 0.5;
     double inner = Math.max(0, radius - half - 0.5);
-    if (!(outer < LONGEST)) {
+    if (!(outer < MAX_LENGTH_PX)) {
       return;
     }
     int first = Math.max(0, (int) Math.floor(y - outer));
@@ -129,7 +128,7 @@ public final class LinePainter {
       double near = Math.abs(dy) < inner ? Math.sqrt(inner * inner - dy * dy) : 0;
       int leftTo = (int) Math.floor(x - near);
       arc(row, (int) Math.floor(x - far), leftTo, x, dy, radius, half, argb);
-      // where both halves meet no pixel is drawn twice
+      // no pixel is drawn twice where both halves meet
       int rightFrom = Math.max(leftTo + 1, (int) Math.floor(x + near));
       arc(row, rightFrom, (int) Math.ceil(x + far), x, dy, radius, half, argb);
     }
@@ -156,7 +155,7 @@ public final class LinePainter {
     }
   }
 
-  /** A pixel, if it is there, with a colour of which a share is taken. */
+  /** Blends a colour into a pixel by a share, if the pixel exists. */
   void dot(int column, int row, int argb, double share) {
     if (column >= 0 && row >= 0 && column < width && row < height) {
       blend(row * width + column, argb, share);

@@ -6,9 +6,8 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * The one place where the meaning of a mark becomes a colour and a width. Marks with an identity
- * get a colour of their own that differs from those of the events; few enough that neighbours
- * differ, safe for colour-blind eyes.
+ * Colours and widths of marks by their meaning. Marks with an identity get colours that differ from
+ * those of the events and of neighbours, safe for colour blindness.
  */
 public final class MarkColours {
   private static final int[] ON_DARK = {
@@ -61,7 +60,7 @@ public final class MarkColours {
     };
   }
 
-  /** Colour of what lies behind words, so that they can be read over events: ARGB, not opaque. */
+  /** Colour behind text, for readability over events: ARGB, not opaque. */
   public static int plate(boolean dark) {
     return dark ? 0xB80D1117 : 0xC8FFFFFF;
   }

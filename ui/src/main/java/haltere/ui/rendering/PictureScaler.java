@@ -1,9 +1,8 @@
 package haltere.ui.rendering;
 
 /**
- * Scales a picture to the size at which it is shown, by plain copying: enlarged, each pixel becomes
- * a block of its colour; reduced, each pixel takes that of the pixels it stands for which differs
- * most from the background, so that no event disappears between two lines.
+ * Scales a picture by copying. Magnified pixels become blocks; a reduced pixel takes the colour of
+ * its source pixels that differs most from the background, so that no event disappears.
  *
  * <p>Where the screen is drawn without a graphics card this is several times faster than having the
  * toolkit do it.
@@ -29,7 +28,7 @@ public final class PictureScaler {
    */
   private int[] combined = new int[0];
 
-  /** Where in {@link #combined} each column of the target is found, if none takes more than two. */
+  /** Index of each column of the target in {@link #combined}, if none combines more than two. */
   private int[] positions = {};
 
   /**
@@ -61,7 +60,7 @@ public final class PictureScaler {
   private static int[] edges(double from, double scale, int count, int limit) {
     int[] edges = new int[count + 1];
     for (int i = 0; i <= count; i++) {
-      // the middle of a target's pixel decides when enlarging, its edge when reducing
+      // centre of a target's pixel for magnification, its edge for reduction
       double position = from + (scale >= 1 ? i + 0.5 : i) / scale;
       edges[i] = (int) Math.max(0, Math.min(limit - (i < count ? 1 : 0), Math.floor(position)));
     }
@@ -69,8 +68,7 @@ public final class PictureScaler {
   }
 
   /**
-   * Scales pixels that carry their rank, as {@link EventPicture#paintRanked} makes them, to opaque
-   * ones, row by row.
+   * Scales pixels with ranks, from {@link EventPicture#paintRanked}, to opaque ones, row by row.
    */
   public void scale(int[] ranked, int[] target) {
     int width = columns.length - 1;
@@ -134,7 +132,7 @@ public final class PictureScaler {
     }
   }
 
-  /** By itself, the compiler makes vectors of this loop. */
+  /** Separate, so that the compiler vectorises this loop. */
   private static void highest(
       int[] one, int fromOne, int[] other, int fromOther, int[] target, int to, int count) {
     for (int i = 0; i < count; i++) {

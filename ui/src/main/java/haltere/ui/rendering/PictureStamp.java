@@ -5,7 +5,7 @@ import haltere.core.overlay.MarkStyle.Role;
 import java.awt.image.BufferedImage;
 
 /**
- * Writes the time, a scale bar and what colours stand for into the corners of a picture.
+ * Writes time, scale bar and legend into the corners of a picture.
  *
  * <p>Thread rule: one thread at a time for a picture.
  */
@@ -15,14 +15,14 @@ public final class PictureStamp {
   private static final int BAR_HEIGHT = 4;
   private static final int STRIP_WIDTH = 90;
 
-  /** Share of the picture's width that the scale bar has at the most. */
-  private static final double LONGEST_BAR = 0.25;
+  /** Maximum share of the picture's width for the scale bar. */
+  private static final double MAX_BAR_SHARE = 0.25;
 
   private final LinePainter painter = new LinePainter();
   private final int width;
   private final int height;
   private final int plate;
-  private final int ink;
+  private final int argb;
 
   /** A stamp for a picture without transparency, dark or light. */
   public PictureStamp(BufferedImage image, boolean dark) {
@@ -30,13 +30,13 @@ public final class PictureStamp {
     height = image.getHeight();
     painter.setTarget(Pictures.pixels(image), width, height);
     plate = MarkColours.plate(dark);
-    ink = MarkColours.argb(MarkStyle.of(Role.LABEL), dark);
+    argb = MarkColours.argb(MarkStyle.of(Role.LABEL), dark);
   }
 
-  /** Writes words such as a time into the upper left corner. */
-  public void words(String words) {
-    painter.fill(0, 0, width(words) + 2 * MARGIN, HEIGHT, plate);
-    write(words, MARGIN, 0);
+  /** Writes a text, such as a time, into the upper left corner. */
+  public void label(String text) {
+    painter.fill(0, 0, width(text) + 2 * MARGIN, HEIGHT, plate);
+    write(text, MARGIN, 0);
   }
 
   /**
@@ -45,23 +45,21 @@ public final class PictureStamp {
    */
   public void scaleBar(int scale) {
     int length = 1;
-    for (int factor = 1; scale * factor <= LONGEST_BAR * width; factor *= 10) {
+    for (int factor = 1; scale * factor <= MAX_BAR_SHARE * width; factor *= 10) {
       for (int step : new int[] {1, 2, 5}) {
-        length = scale * factor * step <= LONGEST_BAR * width ? factor * step : length;
+        length = scale * factor * step <= MAX_BAR_SHARE * width ? factor * step : length;
       }
     }
-    String words = length + " px";
+    String text = length + " px";
     int end = MARGIN + length * scale;
     int top = height - HEIGHT;
-    painter.fill(0, top, end + width(words) + 2 * MARGIN, height, plate);
-    write(words, end + MARGIN, top);
+    painter.fill(0, top, end + width(text) + 2 * MARGIN, height, plate);
+    write(text, end + MARGIN, top);
     int bar = top + (HEIGHT - BAR_HEIGHT) / 2;
-    painter.fill(MARGIN, bar, end, bar + BAR_HEIGHT, ink);
+    painter.fill(MARGIN, bar, end, bar + BAR_HEIGHT, argb);
   }
 
-  /**
-   * Draws what colours stand for into the lower right corner; not at all where that has no room.
-   */
+  /** Draws the legend of colours into the lower right corner, if there is room. */
   public void colours(ColourScale scale) {
     int strip = width - STRIP_WIDTH - width(scale.last()) - 3 * MARGIN;
     int left = strip - width(scale.first()) - 2 * MARGIN;
@@ -79,15 +77,15 @@ public final class PictureStamp {
     write(scale.last(), strip + STRIP_WIDTH + MARGIN, top);
   }
 
-  private static int width(String words) {
-    return (int) FontLetters.OF_PICTURES.width(words);
+  private static int width(String text) {
+    return (int) FontLetters.OF_PICTURES.width(text);
   }
 
-  private void write(String words, int left, int top) {
+  private void write(String text, int left, int top) {
     FontLetters.OF_PICTURES.draw(
-        words,
+        text,
         left,
         top + HEIGHT - MARGIN - 1,
-        (column, row, share) -> painter.dot(column, row, ink, share));
+        (column, row, share) -> painter.dot(column, row, argb, share));
   }
 }

@@ -3,13 +3,13 @@ package haltere.ui.rendering;
 import java.util.Objects;
 
 /**
- * How events become a picture.
+ * The style of a picture of events.
  *
- * @param mode what the colour of a pixel says
+ * @param mode meaning of the colour of a pixel
  * @param colours for polarities, and for the background
  * @param gradient for ages and counts
  * @param timeConstantUs age at which an event has faded to 1/e, 1 us to {@link
- *     FramePainter#LONGEST_TIME_CONSTANT_US}; or the length of what is shown
+ *     FramePainter#MAX_TIME_CONSTANT_US}; or the length of what is shown
  * @param sharp whether events count fully for that time and not at all after it
  */
 public record PictureStyle(
@@ -23,7 +23,7 @@ public record PictureStyle(
     Objects.requireNonNull(colours, "colours");
     Objects.requireNonNull(gradient, "gradient");
     if (timeConstantUs < 1
-        || timeConstantUs > FramePainter.LONGEST_TIME_CONSTANT_US
+        || timeConstantUs > FramePainter.MAX_TIME_CONSTANT_US
             && !(sharp && timeConstantUs == ACCUMULATED_US)) {
       throw new IllegalArgumentException(
           "the time constant is " + timeConstantUs + " us, it must be 1 us to 20 s");
@@ -55,11 +55,11 @@ public record PictureStyle(
   }
 
   /** Time after which nothing is left of an event, microseconds. */
-  public double longestUs() {
+  public double maxAgeUs() {
     return sharp ? timeConstantUs : timeConstantUs * FramePainter.TIME_CONSTANTS;
   }
 
-  /** What is left of an event of some age: 1 at first, 0 at the end. */
+  /** Intensity of an event by its age: 1 at first, 0 at the end. */
   double freshness(double ageUs) {
     if (sharp) {
       return ageUs <= timeConstantUs ? 1 : 0;
@@ -76,14 +76,14 @@ public record PictureStyle(
     };
   }
 
-  /** Colour of a pixel whose last event has some age, where only that one counts. */
+  /** Colour of a pixel by the age of its last event, for styles of the last event. */
   int colour(boolean on, double ageUs) {
     if (!mode.shows(on)) {
       return background();
     }
-    // a surface in time is read as a time, so it fades evenly
+    // a time surface shows times, so it fades linearly
     return mode == DisplayMode.TIME_SURFACE
-        ? gradient.colour(1 - ageUs / longestUs())
+        ? gradient.colour(1 - ageUs / maxAgeUs())
         : colours.colour(on, freshness(ageUs));
   }
 }

@@ -14,14 +14,14 @@ import javax.imageio.ImageIO;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /**
- * Pictures of events with their marks, as PNG files. Needs no display.
+ * Pictures of events with marks, as PNG files, without a display.
  *
  * <p>Thread rule: all methods may be called from any thread; what they are given is used by one
  * thread at a time.
  */
 public final class Pictures {
   /** Length of a picture's longer side that small sensors are scaled up to, as nearly as may be. */
-  public static final int USUAL_SIDE = 768;
+  public static final int DEFAULT_SIDE = 768;
 
   private Pictures() {}
 
@@ -29,8 +29,8 @@ public final class Pictures {
    * The whole number by which a sensor is scaled up for a picture of usual size, at least 1: 6 for
    * 128x128.
    */
-  public static int usualScale(SensorGeometry geometry) {
-    return Math.max(1, USUAL_SIDE / geometry.longerSide());
+  public static int defaultScale(SensorGeometry geometry) {
+    return Math.max(1, DEFAULT_SIDE / geometry.longerSide());
   }
 
   /**
@@ -75,7 +75,7 @@ public final class Pictures {
     return image;
   }
 
-  /** What draws over a picture of the whole sensor, so many pixels for one of the sensor's. */
+  /** A canvas over a picture of the whole sensor, with its scale in pixels. */
   static OverlayCanvas canvas(BufferedImage image, double scale, boolean dark) {
     PixelOverlayCanvas canvas = new PixelOverlayCanvas(FontLetters.OF_PICTURES);
     canvas.setTarget(pixels(image), image.getWidth(), image.getHeight());
@@ -92,7 +92,7 @@ public final class Pictures {
   /** A picture as a PNG file in memory. */
   public static byte[] png(BufferedImage image) {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    // a stream of its own, because ImageIO's would make a file in the temporary folder
+    // own stream: ImageIO's creates a file in the temporary folder
     try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(bytes)) {
       if (!ImageIO.write(image, "png", stream)) {
         throw new IllegalStateException("this Java runtime cannot write PNG");

@@ -3,7 +3,7 @@ package haltere.ui.rendering;
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.OverlayCanvas;
 
-/** Draws marks straight into the pixels of a picture that is as large as on the screen. */
+/** Draws marks into the pixels of a picture in screen resolution. */
 public final class PixelOverlayCanvas implements OverlayCanvas {
   /** Most corners of an ellipse. */
   private static final int CORNERS = 64;
@@ -14,7 +14,7 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
   /** Points of a path that are nearer to the one before, in pixels, are left out. */
   private static final double MIN_STEP = 1;
 
-  /** Room around words, units of the view. */
+  /** Margin around text, units of the view. */
   private static final double MARGIN = 3;
 
   private final LinePainter painter = new LinePainter();
@@ -26,20 +26,22 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
   private double bottom;
   private boolean dark = true;
 
-  /** A canvas without pixels, with the letters that words are drawn with. */
+  /** A canvas without pixels, with the letters of its text. */
   public PixelOverlayCanvas(Letters letters) {
     this.letters = letters;
   }
 
-  /** Says where to draw, opaque pixels row by row from the top; words may go anywhere again. */
+  /**
+   * Sets the target, opaque pixels row by row from the top; all positions are free for text again.
+   */
   public void setTarget(int[] pixels, int newWidth, int newHeight) {
     painter.setTarget(pixels, newWidth, newHeight);
     positions.begin(newWidth, newHeight);
   }
 
   /**
-   * Says where the sensor lies: units of the view per pixel of the sensor, its left edge and its
-   * bottom edge in units from the left and the top, and pixels per unit of the view.
+   * Sets the position of the sensor: units of the view per pixel of the sensor, its left edge and
+   * its bottom edge in units from the left and the top, and pixels per unit of the view.
    */
   public void setView(double newScale, double newLeft, double newBottom, double newDensity) {
     density = newDensity;
@@ -71,7 +73,7 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
     for (int i = 1; i < points; i++) {
       double toX = pixelX(x[i]);
       double toY = pixelY(y[i]);
-      // a path of something slow has many points in a pixel
+      // the path of a slow object has many points in a pixel
       if (i == points - 1 || Math.abs(toX - fromX) + Math.abs(toY - fromY) >= MIN_STEP) {
         segment(fromX, fromY, toX, toY, style);
         fromX = toX;
@@ -80,7 +82,7 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
     }
   }
 
-  /** Without round ends, so that what lets shine through is not drawn twice where two meet. */
+  /** Without round ends, so that translucent lines are not drawn twice where they meet. */
   private void segment(double x1, double y1, double x2, double y2, MarkStyle style) {
     painter.line(x1, y1, x2, y2, thickness(style), argb(style), false);
   }

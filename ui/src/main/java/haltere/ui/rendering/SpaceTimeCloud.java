@@ -6,7 +6,7 @@ import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 
 /**
- * The newest events, for a picture of them in space and time.
+ * The newest events for a picture in space and time.
  *
  * <p>Thread rule: one thread at a time, in the viewer the processing thread.
  */
@@ -17,13 +17,13 @@ public final class SpaceTimeCloud implements StreamHandler {
     final int[] agesUs;
     int count;
 
-    /** No points, with room for so many. */
+    /** No points, with a capacity. */
     public Points(int capacity) {
       addresses = new int[capacity];
       agesUs = new int[capacity];
     }
 
-    /** How many there are. */
+    /** Number of points. */
     public int count() {
       return count;
     }
@@ -34,7 +34,7 @@ public final class SpaceTimeCloud implements StreamHandler {
   private long taken;
   private long nowUs;
 
-  /** A cloud without events, which keeps so many of the newest. */
+  /** An empty cloud, with a capacity for the newest events. */
   public SpaceTimeCloud(int capacity) {
     times = new long[capacity];
     addresses = new int[capacity];
@@ -68,7 +68,7 @@ public final class SpaceTimeCloud implements StreamHandler {
   }
 
   /**
-   * Copies the events of the last while, at most {@link Integer#MAX_VALUE} us; the newest ones if
+   * Copies the events of a time span, at most {@link Integer#MAX_VALUE} us; the newest ones if
    * there are more than the points can hold.
    */
   public void copyTo(long spanUs, Points points) {

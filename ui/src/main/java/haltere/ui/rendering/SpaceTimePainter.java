@@ -3,7 +3,7 @@ package haltere.ui.rendering;
 import haltere.core.event.EventAddress;
 import java.util.Arrays;
 
-/** Paints events in space and time. Of two events at one place the nearer one is seen. */
+/** Paints events in space and time; the nearer of two events hides the other. */
 public final class SpaceTimePainter {
   private static final int SHADES = 64;
   private static final double OLDEST_SHADE = 0.35;
@@ -14,8 +14,7 @@ public final class SpaceTimePainter {
   private ColourMap colours;
 
   /**
-   * Paints events where a projection says, row by row from the top; the view tells which part
-   * stands out.
+   * Paints events by a projection, row by row from the top; the view defines the highlighted part.
    */
   public void paint(
       SpaceTimeCloud.Points points,

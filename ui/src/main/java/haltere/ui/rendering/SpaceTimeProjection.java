@@ -61,7 +61,7 @@ public final class SpaceTimeProjection {
     return ((y - halfHeight) * cosTilt - away(x, ageUs) * sinTilt) * scale;
   }
 
-  /** Nearness to the looker; of two points at one place the larger one is seen. */
+  /** Nearness to the viewer; of two points at one position the larger one is visible. */
   double near(double x, double y, double ageUs) {
     return away(x, ageUs) * cosTilt + (y - halfHeight) * sinTilt;
   }

@@ -1,13 +1,13 @@
 package haltere.ui.rendering;
 
 /**
- * From where a cloud of events is looked at, and which part of its time stands out.
+ * The viewpoint on a cloud of events, and its highlighted slice.
  *
  * @param turnRad turn around the sensor's vertical; 0 looks along time
  * @param tiltRad tilt towards the looker
  * @param zoom 1 fits the box into the picture
  * @param spanUs time from the front to the back of the box
- * @param sliceFrom where the part that stands out begins, 0 (now) to 1 (the oldest)
+ * @param sliceFrom start of the highlighted slice, 0 (now) to 1 (the oldest)
  * @param sliceTo where it ends
  */
 public record SpaceTimeView(

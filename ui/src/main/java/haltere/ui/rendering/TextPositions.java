@@ -7,15 +7,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Where the words of a picture go so that they stay whole at its edges and none lie over others.
- * What comes first has the place that it wants. What comes later goes beside it, and if there is no
- * room within two lines, the label of one of several objects is left out and other words are drawn
- * where they want to be.
+ * Places text in a picture without clipping or overlaps. Earlier text has its preferred position,
+ * later text goes beside it. Without room within two lines, the label of one of several objects is
+ * omitted and other text is drawn at its preferred position.
  *
  * <p>Lengths are pixels, rows count from the top.
  */
 public final class TextPositions {
-  /** Beside the wanted place: widths to the left, then lines up. */
+  /** Offsets from the preferred position: widths to the left, then lines up. */
   private static final int[][] BESIDE = {
     {0, 0}, {0, 1}, {0, -1}, {1, 0}, {1, 1}, {1, -1}, {0, 2}, {0, -2}, {1, 2}, {1, -2}
   };
@@ -26,7 +25,7 @@ public final class TextPositions {
   private double left;
   private double base;
 
-  /** Begins a picture without words. */
+  /** Starts a picture without text. */
   public void begin(double width, double height) {
     pictureWidth = width;
     pictureHeight = height;
@@ -34,13 +33,13 @@ public final class TextPositions {
   }
 
   /**
-   * Finds room for words that should begin at a place on a base line, with their room above and
-   * below it and a margin at either side, and takes it. Returns whether they are to be drawn, at
-   * {@link #left()} and {@link #base()}.
+   * Finds and occupies a position for text with a preferred start and base line, extents above and
+   * below it and a margin at either side. Returns whether to draw it, at {@link #left()} and {@link
+   * #base()}.
    */
   public boolean find(
-      double wantedLeft,
-      double wantedBase,
+      double preferredLeft,
+      double preferredBase,
       double width,
       double ascent,
       double descent,
@@ -48,10 +47,10 @@ public final class TextPositions {
       MarkStyle style) {
     double line = ascent + descent;
     for (int[] step : BESIDE) {
-      // to the left of a mark it stands about as far away as to its right
-      left = wantedLeft - step[0] * (width + 4 * margin);
+      // about the same distance to the left of a mark as to its right
+      left = preferredLeft - step[0] * (width + 4 * margin);
       left = Math.max(margin, Math.min(left, pictureWidth - width - margin));
-      base = wantedBase - step[1] * line;
+      base = preferredBase - step[1] * line;
       base = Math.max(ascent, Math.min(base, pictureHeight - descent));
       Rectangle2D plate =
           new Rectangle2D.Double(left - margin, base - ascent, width + 2 * margin, line);
@@ -60,17 +59,17 @@ public final class TextPositions {
         return true;
       }
     }
-    left = Math.max(margin, Math.min(wantedLeft, pictureWidth - width - margin));
-    base = Math.max(ascent, Math.min(wantedBase, pictureHeight - descent));
+    left = Math.max(margin, Math.min(preferredLeft, pictureWidth - width - margin));
+    base = Math.max(ascent, Math.min(preferredBase, pictureHeight - descent));
     return style.role() != Role.LABEL || style.identity() < 0;
   }
 
-  /** Where the words that were found room for begin. */
+  /** Left end of the placed text. */
   public double left() {
     return left;
   }
 
-  /** Base line of the words that were found room for. */
+  /** Base line of the placed text. */
   public double base() {
     return base;
   }

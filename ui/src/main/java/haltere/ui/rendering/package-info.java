@@ -1,6 +1,5 @@
 /**
- * Events and marks as pixels, without a window: used by the viewer and by everything that writes
- * pictures. Imports no JavaFX. Thread rule: a type that names none of its own is for one thread at
- * a time.
+ * Events and marks as pixels, for the viewer and for written pictures, without JavaFX. Thread rule,
+ * unless a type states another: one thread at a time.
  */
 package haltere.ui.rendering;

@@ -16,7 +16,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Where a body was and which way it pointed, time by time, with what each camera saw otherwise.
+ * Position and axis of a body over time, with the observations of each camera.
  *
  * @param cameras those that can be used
  * @param moments in order of time
@@ -25,8 +25,8 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
   /**
    * One time.
    *
-   * @param estimate position and axis from what was seen up to then
-   * @param lines for each camera, what it observed and what was expected
+   * @param estimate position and axis from observations up to then
+   * @param lines observed and expected line of each camera
    */
   public record Moment(OrientationEstimate estimate, List<CameraLine> lines) {
     /** Copies. */
@@ -73,7 +73,7 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
     return new BodyFlight(cameras, moments);
   }
 
-  /** Keeps what was seen of the first body. */
+  /** Collects the observations of the first body. */
   private static final class Collector implements ObservationFile.Listener {
     private final Map<Long, List<LineObservation>> seen;
     private String first;
@@ -83,7 +83,7 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
     }
 
     @Override
-    public void seen(long timeUs, String object, LineObservation line) {
+    public void observed(long timeUs, String object, LineObservation line) {
       first = first == null ? object : first;
       if (first.equals(object)) {
         seen.computeIfAbsent(timeUs, time -> new ArrayList<>()).add(line);
@@ -91,8 +91,8 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
     }
 
     @Override
-    public void bad(String where, String why) {
-      // the command line tells of each; here the rest is shown
+    public void skipped(String where, String why) {
+      // the command line reports each; here the rest is shown
     }
   }
 }

@@ -13,9 +13,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Draws a body in space at one time: the way that it has come, its axis with the head, the cone in
- * which the axis lies with 95 % probability, the cameras with what they see, and by how much each
- * saw something else than was expected.
+ * Draws a body in space at one time: its path, its axis with the head, the 95 % cone of the axis,
+ * the cameras with their observations, and the residual of each.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -86,19 +85,19 @@ public final class BodyFlightDrawing {
             .toList();
     polyline(way, MarkStyle.of(Role.PATH, 0), canvas);
     double[] position = place(moment.estimate());
-    line(position, new double[] {position[0], position[1], bounds.least()[2]}, view, canvas);
+    line(position, new double[] {position[0], position[1], bounds.min()[2]}, view, canvas);
     drawBody(moment.estimate(), view, canvas);
   }
 
-  /** A grid of squares at the height of what is lowest, with the names of its directions. */
+  /** Draws a grid at the lowest height, with the names of its directions. */
   private void drawFloor(SpaceView view, OverlayCanvas canvas) {
     double step = Ticks.of(0, sizeM, FLOOR_LINES).step();
-    double height = bounds.least()[2];
+    double height = bounds.min()[2];
     double[] from = new double[2];
     double[] to = new double[2];
     for (int k = 0; k < 2; k++) {
-      from[k] = step * Math.floor(bounds.least()[k] / step);
-      to[k] = step * Math.max(Math.ceil(bounds.most()[k] / step), from[k] / step + 1);
+      from[k] = step * Math.floor(bounds.min()[k] / step);
+      to[k] = step * Math.max(Math.ceil(bounds.max()[k] / step), from[k] / step + 1);
     }
     for (int k = 0; k < 2; k++) {
       for (long i = Math.round(from[k] / step); i * step <= to[k] + step / 2; i++) {
@@ -111,7 +110,7 @@ public final class BodyFlightDrawing {
     }
     double[] endX = view.project(to[0], from[1], height);
     double[] endY = view.project(from[0], to[1], height);
-    canvas.text(endX[0], endX[1], "x, squares of " + words(step), MarkStyle.of(Role.LABEL));
+    canvas.text(endX[0], endX[1], "x, squares of " + label(step), MarkStyle.of(Role.LABEL));
     canvas.text(endY[0], endY[1], "y", MarkStyle.of(Role.LABEL));
   }
 
@@ -135,10 +134,10 @@ public final class BodyFlightDrawing {
     for (double end : new double[] {12, 12 + lengthPx}) {
       canvas.line(end, 10, end, 18, MarkStyle.of(Role.LABEL));
     }
-    canvas.text(18 + lengthPx, 10, words(lengthM), MarkStyle.of(Role.LABEL));
+    canvas.text(18 + lengthPx, 10, label(lengthM), MarkStyle.of(Role.LABEL));
   }
 
-  private static String words(double lengthM) {
+  private static String label(double lengthM) {
     if (lengthM < 0.01) {
       return String.format(Locale.ROOT, "%.1g mm", lengthM * 1000);
     }
@@ -192,7 +191,7 @@ public final class BodyFlightDrawing {
     double[] sight = new double[3];
     for (int i = 0; i < 5; i++) {
       double[] pixel = corners[i % 4];
-      camera.sight(pixel[0], pixel[1], sight);
+      camera.lineOfSight(pixel[0], pixel[1], sight);
       double front = Vectors.dot(sight, towards) < 0 ? -depth : depth;
       double[] at = view.project(along(centre, front, sight));
       picture.add(at);
@@ -203,14 +202,14 @@ public final class BodyFlightDrawing {
     polyline(picture, MarkStyle.of(Role.REGION), canvas);
     double residual = moment == null ? Double.NaN : moment.lines().get(index).residualDeg();
     boolean isAccepted = moment != null && moment.lines().get(index).isAccepted();
-    String words =
+    String text =
         Double.isNaN(residual)
             ? camera.id()
             : String.format(Locale.ROOT, "%s %+.1f\u00b0", camera.id(), residual);
     canvas.text(
         corner[0] + 6,
         corner[1] + 6,
-        words,
+        text,
         MarkStyle.of(isAccepted || Double.isNaN(residual) ? Role.LABEL : Role.WARNING));
   }
 

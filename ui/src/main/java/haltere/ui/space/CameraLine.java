@@ -7,11 +7,11 @@ import haltere.filters.orientation.camera.LineObservation;
 import java.util.Optional;
 
 /**
- * The line of a body in the picture of one camera at one time: as observed, and as the estimated
- * axis is seen.
+ * The line of a body in the picture of one camera at one time: observed, and projected from the
+ * estimated axis.
  *
  * @param camera name of the camera
- * @param observed what the camera observed; empty if nothing
+ * @param observed the observation; empty without one
  * @param residualDeg angle from the expected to the observed line, degrees; NaN if there was none
  * @param isAccepted whether the observed line was used for the axis
  * @param xPx column of the estimated position; NaN if the camera does not see it

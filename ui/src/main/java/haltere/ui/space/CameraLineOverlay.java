@@ -8,15 +8,15 @@ import haltere.filters.orientation.camera.LineObservation;
 import java.util.Locale;
 
 /**
- * Draws a body's line over the picture of a camera: the estimated axis with its head, and beyond
- * its ends the observed line, solid and green if it was accepted, broken and red if it was gated.
+ * Draws a body's line over the picture of a camera: the estimated axis with its head, and the
+ * observed line beyond its ends: solid and green if accepted, broken and red if gated.
  */
 public final class CameraLineOverlay implements Overlay<CameraLine> {
   private static final MarkStyle ACCEPTED = MarkStyle.of(Role.MEASUREMENT, 1);
   private static final MarkStyle GATED = MarkStyle.of(Role.WARNING);
   private static final MarkStyle AXIS = MarkStyle.of(Role.ESTIMATE);
 
-  /** Where the observed line begins, half lengths of the body. */
+  /** Start of the observed line, half lengths of the body. */
   private static final double FROM = 1.2;
 
   /** Length of the observed line beyond each end of the body: half lengths, and pixels at least. */
@@ -43,7 +43,7 @@ public final class CameraLineOverlay implements Overlay<CameraLine> {
 
   private static void drawObserved(CameraLine line, LineObservation seen, OverlayCanvas canvas) {
     double half = line.halfLengthPx();
-    String words = line.camera();
+    String text = line.camera();
     MarkStyle style = MarkStyle.of(Role.LABEL);
     if (Double.isFinite(seen.angleRad())) {
       style = line.isAccepted() ? ACCEPTED : GATED;
@@ -64,7 +64,7 @@ public final class CameraLineOverlay implements Overlay<CameraLine> {
         }
       }
       if (Double.isFinite(line.residualDeg())) {
-        words =
+        text =
             String.format(
                 Locale.ROOT,
                 "%s %+.1f\u00b0%s",
@@ -73,6 +73,6 @@ public final class CameraLineOverlay implements Overlay<CameraLine> {
                 line.isAccepted() ? "" : " gated");
       }
     }
-    canvas.text(seen.xPx() + half, seen.yPx() + MIN_BEYOND_PX, words, style);
+    canvas.text(seen.xPx() + half, seen.yPx() + MIN_BEYOND_PX, text, style);
   }
 }

@@ -14,14 +14,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Several event cameras that look at one body on one clock: the first one's events are played, the
- * others' are pulled along.
+ * Several event cameras that observe one body on one clock: the first camera plays, the others
+ * follow its time.
  *
  * <p>Thread rule: as its playables.
  *
  * @param cameras calibrated, in order
  * @param first the events of the first camera
- * @param others the events of the others; each can go back to its start
+ * @param others the events of the others; each can seek to its start
  */
 public record CameraRig(List<CameraModel> cameras, Playable first, List<Playable> others)
     implements AutoCloseable {

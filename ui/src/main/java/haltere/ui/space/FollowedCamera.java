@@ -14,14 +14,14 @@ import java.io.IOException;
 import java.util.Optional;
 
 /**
- * One of the cameras of a rig beside the first: pulled along to the first one's time, while the
- * body's line is followed in its events. What it has for later waits. The times of a camera that is
- * open now are brought onto the first one's clock.
+ * A camera of a rig other than the first: read up to the first one's time, while the body's line is
+ * tracked in its events. Later events wait. Times of a live camera are converted to the first one's
+ * clock.
  *
  * <p>Thread rule: the player's processing thread.
  */
 final class FollowedCamera implements StreamHandler {
-  /** How far before a time it begins when the player goes back to it. */
+  /** Time before the player's new position at which a camera starts again. */
   private static final long RUN_UP_US = 50_000;
 
   private final Playable source;
@@ -55,10 +55,10 @@ final class FollowedCamera implements StreamHandler {
   /** Goes on to a time; a source that cannot be read any more has ended. */
   void to(long timeUs) {
     try {
-      giveUntil(timeUs);
-      while (given == waiting.size() && !ended && isThereMore()) {
+      deliverUntil(timeUs);
+      while (given == waiting.size() && !ended && readNext()) {
         ended = !source.next(this);
-        giveUntil(timeUs);
+        deliverUntil(timeUs);
       }
     } catch (IOException unreadable) {
       ended = true;
@@ -67,11 +67,11 @@ final class FollowedCamera implements StreamHandler {
     orientation.reached(number, isComplete ? timeUs : Math.min(lastUs, timeUs));
   }
 
-  private boolean isThereMore() throws IOException {
+  private boolean readNext() throws IOException {
     return !(source instanceof CameraPlayable live) || live.camera().await(0);
   }
 
-  private void giveUntil(long untilUs) {
+  private void deliverUntil(long untilUs) {
     int to = waiting.indexAtOrAfter(untilUs + 1, given);
     if (to > given) {
       part.clear();
@@ -82,12 +82,12 @@ final class FollowedCamera implements StreamHandler {
     }
   }
 
-  /** Goes back to before a time; to the start where there is no other place, and a camera never. */
+  /** Seeks to before a time; to the start if that is impossible; a live camera does not seek. */
   void goBack(long timeUs) {
     if (source.isLive()) {
       return;
     }
-    forget();
+    clear();
     long elapsedUs = source.elapsedUs(timeUs) - RUN_UP_US;
     try {
       source.seek(source.seekable() ? Math.max(0, elapsedUs) : 0);
@@ -97,8 +97,8 @@ final class FollowedCamera implements StreamHandler {
     }
   }
 
-  /** Forgets the body and what waits. */
-  void forget() {
+  /** Removes the body and waiting events. */
+  void clear() {
     tracker.reset();
     waiting.clear();
     given = 0;
@@ -120,7 +120,7 @@ final class FollowedCamera implements StreamHandler {
     }
   }
 
-  /** Times do not go back where more has become known of how the clocks relate. */
+  /** Converted times do not go back when the relation of the clocks becomes more accurate. */
   private void takeOnFirstClock(EventPacket packet) {
     Optional<ClockRelation> own = relation(source);
     Optional<ClockRelation> firsts = relation(first);

@@ -18,9 +18,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The flight of a body while a {@link CameraRig} plays: takes the events of the first camera from a
- * player, pulls those of the others along to the same time, follows the body's line in each and
- * hands over the last part of its way at the end of each slice.
+ * The flight of a body during playback of a {@link CameraRig}: processes the first camera's events,
+ * reads the others up to the same time, tracks the body's line in each, and publishes the recent
+ * path at the end of each slice.
  *
  * <p>Thread rule: the player's processing thread; {@link #latest} on another.
  */
@@ -73,7 +73,7 @@ public final class LiveFlight implements SliceSink {
   public void packet(EventPacket packet) {
     if (!packet.isEmpty()) {
       if (packet.firstTimeUs() < playedUs) {
-        forget();
+        clear();
         long fromUs = packet.firstTimeUs();
         others.forEach(other -> other.goBack(fromUs));
       }
@@ -99,12 +99,12 @@ public final class LiveFlight implements SliceSink {
   @Override
   public void notified(StreamNotification notification) {
     if (notification.endsContinuity()) {
-      forget();
+      clear();
     }
     pictures.forEach(picture -> picture.notified(notification));
   }
 
-  private void forget() {
+  private void clear() {
     orientation.reset();
     tracker.reset();
     moments.clear();

@@ -3,34 +3,32 @@ package haltere.ui.space;
 /**
  * The box around points in space.
  *
- * @param least smallest coordinates x, y and z, metres
- * @param most largest coordinates, metres
+ * @param min smallest coordinates x, y and z, metres
+ * @param max largest coordinates, metres
  */
-record SpaceBounds(double[] least, double[] most) {
-  /** The box around points; of no size, at the origin, where there are none. */
+record SpaceBounds(double[] min, double[] max) {
+  /** The box around points; a point at the origin without points. */
   static SpaceBounds of(Iterable<double[]> points) {
-    double[] least = null;
-    double[] most = null;
+    double[] min = null;
+    double[] max = null;
     for (double[] point : points) {
-      least = least == null ? point.clone() : least;
-      most = most == null ? point.clone() : most;
+      min = min == null ? point.clone() : min;
+      max = max == null ? point.clone() : max;
       for (int k = 0; k < 3; k++) {
-        least[k] = Math.min(least[k], point[k]);
-        most[k] = Math.max(most[k], point[k]);
+        min[k] = Math.min(min[k], point[k]);
+        max[k] = Math.max(max[k], point[k]);
       }
     }
-    return least == null
-        ? new SpaceBounds(new double[3], new double[3])
-        : new SpaceBounds(least, most);
+    return min == null ? new SpaceBounds(new double[3], new double[3]) : new SpaceBounds(min, max);
   }
 
   double middle(int coordinate) {
-    return 0.5 * (least[coordinate] + most[coordinate]);
+    return 0.5 * (min[coordinate] + max[coordinate]);
   }
 
   /** Length from corner to corner, metres, more than 0. */
   double diagonalM() {
-    double level = Math.hypot(most[0] - least[0], most[1] - least[1]);
-    return Math.max(1e-6, Math.hypot(level, most[2] - least[2]));
+    double level = Math.hypot(max[0] - min[0], max[1] - min[1]);
+    return Math.max(1e-6, Math.hypot(level, max[2] - min[2]));
   }
 }

@@ -1,8 +1,8 @@
 package haltere.ui.space;
 
 /**
- * From where a person looks at space: around a point, from an azimuth and an elevation, without
- * perspective, z up. Points become pixels to the right and up.
+ * The viewpoint in space: around a centre, with azimuth and elevation, parallel projection, z up.
+ * Points become pixels to the right and up.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -33,7 +33,7 @@ public final class SpaceView {
     elevationRad = Math.max(-LIMIT_RAD, Math.min(LIMIT_RAD, elevationRad + byElevationRad));
   }
 
-  /** Comes nearer by a factor above 1, or goes away. */
+  /** Zooms in by a factor above 1, or out. */
   public void zoom(double factor) {
     pixelsPerM *= Math.max(0.1, Math.min(10, factor));
   }
@@ -43,7 +43,7 @@ public final class SpaceView {
     return pixelsPerM;
   }
 
-  /** Where a point in metres is drawn, pixels to the right and up. */
+  /** Projects a point in metres to pixels to the right and up. */
   public double[] project(double... point) {
     double x = point[0] - middle[0];
     double y = point[1] - middle[1];

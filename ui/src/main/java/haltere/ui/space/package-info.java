@@ -1,2 +1,2 @@
-/** A body in space with the cameras that see it, drawn as marks; knows no toolkit. */
+/** A body in space with its cameras, drawn as marks; independent of a toolkit. */
 package haltere.ui.space;

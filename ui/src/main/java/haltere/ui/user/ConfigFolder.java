@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
 
-/** Where a user's settings are kept: the platform's usual folder for them. */
+/** The platform's folder for a user's settings. */
 public final class ConfigFolder {
   /** System property that names another folder, for tests and for portable installations. */
   static final String PROPERTY = "haltere.config";

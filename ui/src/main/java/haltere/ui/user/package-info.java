@@ -1,2 +1,2 @@
-/** Where the program keeps what belongs to a user. */
+/** Locations of a user's files. */
 package haltere.ui.user;

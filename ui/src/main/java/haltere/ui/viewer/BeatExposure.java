@@ -8,11 +8,11 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 
 /**
- * Slices of one wing beat: while they are wanted, their length follows the beats that a wing
- * tracker in the chain publishes. Until it has found some they last 5 ms.
+ * Slices of one wing beat: their length follows the beats of a wing tracker in the chain; 5 ms
+ * until it has found some.
  */
 final class BeatExposure implements ViewerFeature {
-  private static final double SAME = 0.003;
+  private static final double MAX_DEVIATION = 0.003;
   private static final long BETWEEN_NANOS = 200_000_000;
 
   private ViewerContext window;
@@ -62,7 +62,7 @@ final class BeatExposure implements ViewerFeature {
     if (wanted >= 1
         && window.playback().beatsProperty().get()
         && window.playback().slicingProperty().get() instanceof Slicing.ByTime now
-        && Math.abs(now.sliceUs() - wanted) > SAME * wanted) {
+        && Math.abs(now.sliceUs() - wanted) > MAX_DEVIATION * wanted) {
       window.playback().setBeat(Math.round(wanted));
     }
   }

@@ -15,7 +15,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.stage.Stage;
 
-/** How window and events look, as it is chosen in menus and kept. */
+/** Appearance of window and events, chosen in menus and saved. */
 final class DisplayFeature implements ViewerFeature {
   private ViewerContext window;
 
@@ -39,16 +39,16 @@ final class DisplayFeature implements ViewerFeature {
         () -> "");
   }
 
-  /** How the window looks, what the colour of a pixel says, which colours there are. */
+  /** Adds the choices of theme, display mode and colours. */
   private void addLooks(DisplayControl display) {
     offer(
-        "theme", "Theme", "theme", display.themeProperty(), List.of(Theme.values()), Theme::words);
+        "theme", "Theme", "theme", display.themeProperty(), List.of(Theme.values()), Theme::label);
     ObjectProperty<DisplayMode> shown = display.modeProperty();
     for (DisplayMode mode : DisplayMode.values()) {
       String id = "show-as-" + Parameter.text(mode);
       window.actions().add(id, shown.isEqualTo(mode), () -> shown.set(mode), () -> "");
     }
-    keep("showAs", shown, List.of(DisplayMode.values()), DisplayMode::words);
+    keep("showAs", shown, List.of(DisplayMode.values()), DisplayMode::label);
     offer(
         "colours",
         "Colours/Polarity",
@@ -74,29 +74,29 @@ final class DisplayFeature implements ViewerFeature {
     window.settings().keep("fadingUs", display.decayUsProperty(), us -> us, Long.class::cast);
   }
 
-  /** Offers the values of a property in a menu, and keeps the one that is chosen. */
+  /** Adds the values of a property to a menu, and saves the chosen one. */
   private <T> void offer(
       String id,
       String menu,
       String setting,
       ObjectProperty<T> property,
       List<T> values,
-      Function<T, String> words) {
-    window.actions().addChoices(id + "-", "View/" + menu, property, values, words);
-    keep(setting, property, values, words);
+      Function<T, String> text) {
+    window.actions().addChoices(id + "-", "View/" + menu, property, values, text);
+    keep(setting, property, values, text);
   }
 
   private <T> void keep(
-      String setting, ObjectProperty<T> property, List<T> values, Function<T, String> words) {
+      String setting, ObjectProperty<T> property, List<T> values, Function<T, String> text) {
     window
         .settings()
         .keep(
             setting,
             property,
-            words::apply,
+            text::apply,
             kept ->
                 values.stream()
-                    .filter(value -> words.apply(value).equals(kept))
+                    .filter(value -> text.apply(value).equals(kept))
                     .findFirst()
                     .orElseThrow());
   }

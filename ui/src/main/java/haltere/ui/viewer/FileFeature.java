@@ -14,14 +14,14 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
-/** Opens recordings, those that were open last among them, and the built-in scenes. */
+/** Opens recordings, recent ones, and the built-in scenes. */
 final class FileFeature implements ViewerFeature {
   private static final String NAME = "recentFiles";
   private static final String RECENT = "File/Open recent";
   private static final String SCENES = "File/Open scene";
   private static final int MAX_FILES = 10;
 
-  /** The one that was open last comes first. */
+  /** The most recently opened file is the first. */
   private final List<Path> files = new ArrayList<>();
 
   private ViewerContext window;
@@ -46,7 +46,7 @@ final class FileFeature implements ViewerFeature {
   private static void addScenes(ViewerActions actions, Sessions sessions) {
     actions.add("open-scene", () -> sessions.open(SessionRequest.scene()));
     List<SceneProvider<?>> scenes = new ArrayList<>(Scenes.all().values());
-    // the one to begin with stands first
+    // the default is the first
     scenes.sort(Comparator.comparing(scene -> !scene.name().equals("fly")));
     for (SceneProvider<?> scene : scenes) {
       String title = Texts.title(scene.name()) + " scene";

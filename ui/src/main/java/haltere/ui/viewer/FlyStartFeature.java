@@ -5,7 +5,7 @@ import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
-import haltere.ui.viewer.session.FirstView;
+import haltere.ui.viewer.session.InitialView;
 import haltere.ui.viewer.session.ViewerSession;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -13,8 +13,8 @@ import javafx.scene.control.Button;
 import javafx.scene.control.ContentDisplay;
 
 /**
- * Begins a tethered fly in slow motion, in which single strokes are seen, once its wings have been
- * found in real time; and says in a caption what is seen, until it is clicked.
+ * Starts a tethered fly in slow motion once its wings have been found in real time, and shows a
+ * caption until it is clicked.
  */
 final class FlyStartFeature implements ViewerFeature {
   /** Recording time per real time: a stroke of 5 ms takes half a second. */
@@ -23,7 +23,7 @@ final class FlyStartFeature implements ViewerFeature {
   /** The wing tracker searches for 35 ms, then both wings settle. */
   private static final long SEARCH_US = 80_000;
 
-  private final BooleanProperty captionWanted = new SimpleBooleanProperty(true);
+  private final BooleanProperty captionEnabled = new SimpleBooleanProperty(true);
   private final Button caption =
       Controls.named(new Button("", Icons.REMOVE.node()), "fly-caption", "caption");
   private ViewerContext window;
@@ -36,24 +36,24 @@ final class FlyStartFeature implements ViewerFeature {
     window = installed;
     caption.setWrapText(true);
     caption.setContentDisplay(ContentDisplay.RIGHT);
-    // the picture's column gets room for as many lines as there are at its width
+    // the caption's height follows its number of lines
     caption
         .widthProperty()
         .subscribe(wide -> caption.setMinHeight(caption.prefHeight(wide.doubleValue())));
-    caption.setOnAction(event -> captionWanted.set(false));
+    caption.setOnAction(event -> captionEnabled.set(false));
     window.panels().addAbovePicture(caption);
     showCaption();
-    window.settings().keep("flyCaption", captionWanted);
+    window.settings().keep("flyCaption", captionEnabled);
     window.onSession(this::begin);
-    // a speed that is chosen during the search stays, also where it is the same
+    // a speed chosen during the search remains, even if it is the same
     window.playback().speedProperty().subscribe(() -> searching = false);
     window.panels().onPulse(() -> window.ifOpen(this::pulse));
-    captionWanted.subscribe((was, is) -> showCaption());
+    captionEnabled.subscribe((was, is) -> showCaption());
     window.display().onChange(this::showCaption);
   }
 
   private void begin(ViewerSession made) {
-    boolean fly = made.request().start() == FirstView.FLY;
+    boolean fly = made.request().start() == InitialView.FLY;
     double speed = window.playback().speedProperty().get();
     if (fly && !isFly) {
       speedBefore = speed;
@@ -73,7 +73,7 @@ final class FlyStartFeature implements ViewerFeature {
   }
 
   private void showCaption() {
-    Controls.show(isFly && captionWanted.get(), caption);
+    Controls.show(isFly && captionEnabled.get(), caption);
     ColourMap colours = window.display().coloursProperty().get();
     caption.setText(
         "Simulated tethered fly, seen from above"

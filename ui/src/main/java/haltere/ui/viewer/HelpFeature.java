@@ -35,6 +35,6 @@ final class HelpFeature implements ViewerFeature {
                 System.getProperty("javafx.runtime.version", ""),
                 System.getProperty("os.name"),
                 System.getProperty("os.arch"));
-    Windows.tell(owner, "About Haltere", Controls.named(new Label(facts.strip()), "about"));
+    Windows.showContent(owner, "About Haltere", Controls.named(new Label(facts.strip()), "about"));
   }
 }

@@ -13,10 +13,7 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import javafx.scene.Node;
 
-/**
- * Goes from panel to panel and sizes them by keys; keeps under a name which panels are shown and
- * how large they are, and shows them so again.
- */
+/** Focuses and sizes panels by keys; saves layouts of panels by name and restores them. */
 final class LayoutFeature implements ViewerFeature {
   private static final String NAME = "layouts";
   private static final String MENU = "View/Layouts";
@@ -64,7 +61,7 @@ final class LayoutFeature implements ViewerFeature {
     Windows.ask(window.stage(), "Layout", "Name of the layout", "", this::keep);
   }
 
-  /** Keeps what is shown now under a name, in place of what was kept there. */
+  /** Saves the present layout under a name, in place of an earlier one. */
   void keep(String name) {
     layouts.put(name, window.settings().chosen(PANELS, SHARES));
     offer();
@@ -85,7 +82,7 @@ final class LayoutFeature implements ViewerFeature {
     if (layouts.get(name) instanceof Map<?, ?> layout) {
       hidePanels();
       window.settings().choose(layout);
-      // panels that have just come get their sizes once they have been laid out
+      // new panels get their sizes after their layout
       window.steps().afterLayout(() -> window.settings().choose(layout));
     }
   }

@@ -16,8 +16,8 @@ import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
 
 /**
- * The manual in a window of its own: the page {@code docs/viewer.md}, without pictures and links,
- * as headings, paragraphs, lists and tables.
+ * The manual in a window: the page {@code docs/viewer.md} without pictures and links, as headings,
+ * paragraphs, lists and tables.
  */
 final class Manual {
   private static final String PAGE = "manual/viewer.md";
@@ -37,7 +37,7 @@ final class Manual {
     Windows.beside(owner, "Manual \u2013 Haltere", scroll, WIDTH, 640).show();
   }
 
-  /** The parts of a page in their order: blocks are set apart by empty lines. */
+  /** The parts of a page in their order: blocks are separated by empty lines. */
   static List<Node> nodes(String markdown) {
     List<Node> nodes = new ArrayList<>();
     boolean code = false;
@@ -80,7 +80,7 @@ final class Manual {
     return Controls.paragraph(plain(markdown));
   }
 
-  /** The words of a block in one line, without pictures, links and emphasis. */
+  /** The text of a block in one line, without pictures, links and emphasis. */
   static String plain(String markdown) {
     return markdown
         .replaceAll("!\\[[^\\]]*\\]\\([^)]*\\)", "")

@@ -10,7 +10,7 @@ import haltere.ui.viewer.playback.PlaybackController;
 import java.util.OptionalLong;
 import javafx.beans.binding.BooleanExpression;
 
-/** The transport's actions and their keys. */
+/** The actions of playback and their keys. */
 final class PlaybackFeature implements ViewerFeature {
   private static final long JUMP_US = 1_000_000;
   private static final int JOG_SLICES = 20;
@@ -24,7 +24,7 @@ final class PlaybackFeature implements ViewerFeature {
     playback = window.playback();
     add("play-pause", playback::togglePause);
     actions.add(
-        "play-backwards", playback.reverseProperty(), playback::toggleReverse, this::noWayBack);
+        "play-backwards", playback.reverseProperty(), playback::toggleReverse, this::seekProblem);
     add("step-on", () -> playback.step(1));
     add("step-off", () -> playback.step(-1));
     add("jog-on", () -> playback.step(JOG_SLICES));
@@ -52,14 +52,14 @@ final class PlaybackFeature implements ViewerFeature {
     add(
         "name-mark",
         () -> Windows.ask(window.stage(), "Mark", "Name of the mark here", "", playback::mark));
-    actions.add("jump-to-time", () -> askForTime(window), this::noWayBack);
+    actions.add("jump-to-time", () -> askForTime(window), this::seekProblem);
     actions.add("mark-before", () -> playback.toMark(false), this::noMarks);
     actions.add("mark-after", () -> playback.toMark(true), this::noMarks);
     actions.add("clear-marks", playback::clearMarks, this::noMarks);
     add("reset-filters", playback::reset);
   }
 
-  private String noWayBack() {
+  private String seekProblem() {
     return playback.reach().isEmpty() ? "nothing to go back to is open" : "";
   }
 
@@ -83,16 +83,16 @@ final class PlaybackFeature implements ViewerFeature {
         "Jump",
         "Time, as 1:02.345 or 250 ms",
         here,
-        words -> {
-          OptionalLong us = Texts.parseTime(words);
-          us.ifPresent(at -> jump(window, words, at));
+        text -> {
+          OptionalLong us = Texts.parseTime(text);
+          us.ifPresent(at -> jump(window, text, at));
           if (us.isEmpty()) {
-            window.status().showError(words + " is no time, such as 1:02.345 or 250 ms");
+            window.status().showError(text + " is not a time such as 1:02.345 or 250 ms");
           }
         });
   }
 
-  private void jump(ViewerContext window, String words, long us) {
+  private void jump(ViewerContext window, String text, long us) {
     playback
         .reach()
         .filter(span -> us < span.fromUs() || us >= span.toUs())
@@ -101,7 +101,7 @@ final class PlaybackFeature implements ViewerFeature {
                 window
                     .status()
                     .showError(
-                        words
+                        text
                             + " is outside of what can be shown, "
                             + Texts.time(span.fromUs(), true)
                             + " to "

@@ -21,13 +21,13 @@ import javafx.scene.image.WritableImage;
 import javafx.scene.layout.StackPane;
 import javafx.stage.Stage;
 
-/** Plots of what filters publish, below the events or in a window of their own. */
+/** Plots of published results, below the events or in a window of their own. */
 final class PlotFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext window) {
     PlotPanel plots = window.panels().plots();
     BooleanProperty shown = window.addPanel("plots", PanelLayout.Position.BELOW, () -> plots);
-    // lanes are not kept, so a panel that was open would be empty
+    // lanes are not saved, so an open panel would be empty
     shown.set(false);
     window.onSession(
         made -> {
@@ -38,11 +38,11 @@ final class PlotFeature implements ViewerFeature {
             shown.set(true);
           }
         });
-    BooleanProperty apart = new SimpleBooleanProperty();
-    followPlace(window, plots, shown, apart);
+    BooleanProperty detached = new SimpleBooleanProperty();
+    bindLocation(window, plots, shown, detached);
     ViewerActions actions = window.actions();
     FileDialogs dialogs = window.dialogs();
-    actions.add("plots-apart", apart);
+    actions.add("plots-apart", detached);
     Supplier<String> noPlots = () -> plots.lanes().isEmpty() ? "nothing is plotted" : "";
     actions.add(
         "save-plot-table",
@@ -74,11 +74,11 @@ final class PlotFeature implements ViewerFeature {
     window.run(() -> Pictures.write(file, copy));
   }
 
-  /** Plots are at one place at a time: closing their window puts them below the events again. */
-  private static void followPlace(
-      ViewerContext window, PlotPanel plots, BooleanProperty shown, BooleanProperty apart) {
+  /** Plots are in one place at a time: closing their window moves them below the events again. */
+  private static void bindLocation(
+      ViewerContext window, PlotPanel plots, BooleanProperty shown, BooleanProperty detached) {
     Stage[] own = new Stage[1];
-    apart.subscribe(
+    detached.subscribe(
         (was, is) -> {
           if (is) {
             shown.set(false);
@@ -88,13 +88,13 @@ final class PlotFeature implements ViewerFeature {
             ViewerKeys.install(own[0].getScene(), window.actions());
             // it has no menus, which know the keys with Ctrl
             own[0].getScene().getAccelerators().putAll(window.stage().getScene().getAccelerators());
-            own[0].setOnHidden(event -> apart.set(false));
+            own[0].setOnHidden(event -> detached.set(false));
             own[0].show();
           } else {
             own[0].hide();
             shown.set(true);
           }
         });
-    shown.subscribe((was, is) -> apart.set(apart.get() && !is));
+    shown.subscribe((was, is) -> detached.set(detached.get() && !is));
   }
 }

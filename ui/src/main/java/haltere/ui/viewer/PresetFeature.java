@@ -21,8 +21,8 @@ import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 
 /**
- * Chains that a user keeps under a name: chain files in the folder {@code presets} beside the
- * settings, which can be copied there and given to others.
+ * Saved chains by name: chain files in the folder {@code presets} beside the settings, which can be
+ * copied.
  */
 public final class PresetFeature implements ViewerFeature {
   private static final String MENU = "Chain/Presets";
@@ -48,12 +48,12 @@ public final class PresetFeature implements ViewerFeature {
             });
   }
 
-  /** What is kept, by name. */
+  /** Saved presets, by name. */
   public List<String> names() {
     return names;
   }
 
-  /** A menu that keeps a chain under a name, or puts what is kept in place of its filters. */
+  /** A menu that saves a chain under a name, or replaces its filters by a saved one. */
   private List<MenuItem> items(String menu, ChainEditor chain) {
     List<MenuItem> items = new ArrayList<>();
     items.add(Controls.item(menu + "-keep", "Save as preset\u2026", () -> keep(chain)));
@@ -90,7 +90,7 @@ public final class PresetFeature implements ViewerFeature {
     window.file(() -> read(folder), this::offer);
   }
 
-  /** What the files hold by the names of the chains, in alphabetical order. */
+  /** Contents of the files by the names of the chains, in alphabetical order. */
   private static Map<String, String> read(Path folder) throws IOException {
     Map<String, String> kept = new LinkedHashMap<>();
     if (Files.isDirectory(folder)) {
@@ -98,7 +98,7 @@ public final class PresetFeature implements ViewerFeature {
         for (Path file : files.sorted().toList()) {
           String name = file.getFileName().toString();
           if (name.endsWith(ENDING)) {
-            // any bytes, so that a file that is no chain spoils nothing
+            // any bytes: an invalid file must not break the menu
             String json = Files.readString(file, StandardCharsets.ISO_8859_1);
             kept.put(name.substring(0, name.length() - ENDING.length()), json);
           }

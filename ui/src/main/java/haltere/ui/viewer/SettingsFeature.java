@@ -9,7 +9,7 @@ import javafx.application.Platform;
 import javafx.beans.property.ReadOnlyDoubleProperty;
 import javafx.stage.Stage;
 
-/** Keeps where the window stands and how large it and its panels are; saves what is kept. */
+/** Saves position and size of the window and its panels, with the other settings. */
 final class SettingsFeature implements ViewerFeature {
   private static final long BETWEEN_NANOS = 1_000_000_000;
 
@@ -45,7 +45,7 @@ final class SettingsFeature implements ViewerFeature {
                     "height", Math.round(stage.getHeight())));
           }
         };
-    // not while the stage is being shown, when its size comes in pieces
+    // not during showing, when the size changes in steps
     for (ReadOnlyDoubleProperty size :
         List.of(
             stage.xProperty(), stage.yProperty(), stage.widthProperty(), stage.heightProperty())) {

@@ -5,7 +5,7 @@ import haltere.core.stream.internal.Daemon;
 import haltere.ui.user.ConfigFolder;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.controls.Theme;
-import haltere.ui.viewer.feature.SourceMemory;
+import haltere.ui.viewer.feature.SourceSettings;
 import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
@@ -33,9 +33,9 @@ public final class ViewerApplication {
   private ViewerApplication() {}
 
   /**
-   * Opens the window on a recording, or on the built-in scene without one, and returns when it has
-   * been closed: empty, or one line that says why it could not open. Whether the machine has a
-   * display and the libraries that JavaFX needs the caller has looked up before.
+   * Opens the window on a recording, or on the built-in scene without one, and returns after it has
+   * been closed: empty, or the reason why it could not open. The caller has checked the display and
+   * JavaFX's libraries.
    */
   public static Optional<String> open(Optional<Path> file, ReadOptions options) {
     return open(file, options, UserSettings.load(ConfigFolder.ofUser()), window -> {});
@@ -43,7 +43,7 @@ public final class ViewerApplication {
 
   /**
    * Opens the window on the built-in scene as {@link #open} does, without the user's settings, and
-   * closes it once it has shown some pictures.
+   * closes it after some pictures.
    */
   public static Optional<String> rehearse() {
     return open(
@@ -74,11 +74,11 @@ public final class ViewerApplication {
       ReadOptions options,
       UserSettings settings,
       Consumer<ViewerWindow> opened) {
-    SourceMemory memory = new SourceMemory(settings);
-    SessionRequest request = memory.withSensor(SessionRequest.of(file, options));
-    Optional<String> ownChain = memory.chain(request);
-    // the first session is made ready while JavaFX starts
-    FutureTask<ViewerSession> first = new FutureTask<>(() -> request.firstSession(ownChain));
+    SourceSettings sources = new SourceSettings(settings);
+    SessionRequest request = sources.withSensor(SessionRequest.of(file, options));
+    Optional<String> savedChain = sources.chain(request);
+    // prepares the first session while JavaFX starts
+    FutureTask<ViewerSession> first = new FutureTask<>(() -> request.firstSession(savedChain));
     Daemon.thread(first, "haltere-first").start();
     String name = file.map(Path::toString).orElse("the fly scene");
     return run(
@@ -89,10 +89,7 @@ public final class ViewerApplication {
         });
   }
 
-  /**
-   * Runs JavaFX until the window is closed; what the window shows is said before it is on the
-   * screen.
-   */
+  /** Runs JavaFX until the window is closed; the consumer gets the window before it is shown. */
   private static Optional<String> run(UserSettings settings, Consumer<ViewerWindow> begin) {
     CountDownLatch closed = new CountDownLatch(1);
     AtomicReference<Throwable> problem = new AtomicReference<>();
@@ -109,12 +106,12 @@ public final class ViewerApplication {
             }
           });
       closed.await();
-    } catch (InterruptedException toldToStop) {
-      // the process ends: JavaFX's own way to end would wait for its thread in vain
+    } catch (InterruptedException interrupted) {
+      // the process ends: JavaFX's exit would wait for its thread for ever
       Thread.currentThread().interrupt();
       return Optional.empty();
-    } catch (RuntimeException | LinkageError notHere) {
-      return Optional.of("JavaFX cannot open a window here: " + Texts.oneLine(notHere));
+    } catch (RuntimeException | LinkageError unavailable) {
+      return Optional.of("JavaFX cannot open a window here: " + Texts.oneLine(unavailable));
     }
     Platform.exit();
     try {
@@ -131,7 +128,7 @@ public final class ViewerApplication {
                         : Texts.oneLine(broken)));
   }
 
-  /** Where there are no fonts at all, JavaFX runs into a null in its own classes. */
+  /** Without any fonts, JavaFX fails with a null pointer in its own classes. */
   private static boolean isAboutFonts(Throwable problem) {
     return problem instanceof NullPointerException
         && Arrays.stream(problem.getStackTrace())

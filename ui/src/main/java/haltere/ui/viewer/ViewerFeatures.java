@@ -19,7 +19,7 @@ import haltere.ui.viewer.start.StartFeature;
 import haltere.ui.viewer.wings.WingsFeature;
 import java.util.List;
 
-/** All features of the window; their order is that of the menus. */
+/** All features of the window, in the order of the menus. */
 final class ViewerFeatures {
   private ViewerFeatures() {}
 
@@ -27,7 +27,7 @@ final class ViewerFeatures {
     return List.of(
         new SettingsFeature(),
         new FileFeature(),
-        new UsualFiltersFeature(),
+        new CommonFiltersFeature(),
         new FileInfoFeature(),
         new SamplesFeature(),
         new SavingFeature(),
@@ -36,7 +36,7 @@ final class ViewerFeatures {
         new BodyFlightFeature(),
         new LiveFlightFeature(),
         new DisplayFeature(),
-        new SeeingFeature(),
+        new InspectionFeature(),
         new VanishingPointFeature(),
         new SpaceTimeFeature(),
         new PlotFeature(),
@@ -58,7 +58,7 @@ final class ViewerFeatures {
     window.actions().add("quit", window.stage()::close);
   }
 
-  /** Takes changes of the chain and of settings back, and makes them once more. */
+  /** Undo and redo of changes of the chain and of settings. */
   private static void undoAndRedo(ViewerContext window) {
     ViewerActions actions = window.actions();
     EditHistory history = window.editor().history();
@@ -72,7 +72,7 @@ final class ViewerFeatures {
         () -> history.canRedo() ? "" : "nothing was undone");
   }
 
-  private static void say(ViewerContext window, String what, String words) {
-    window.status().setActivity(words.isEmpty() ? "Nothing to change." : what + words);
+  private static void say(ViewerContext window, String what, String text) {
+    window.status().setActivity(text.isEmpty() ? "Nothing to change." : what + text);
   }
 }

@@ -36,16 +36,16 @@ import javafx.stage.WindowEvent;
 import javafx.util.Duration;
 
 /**
- * The viewer's window: holds the session that is open and joins the parts that open and show. What
- * a person can do beyond that its {@link ViewerFeatures features} bring.
+ * The viewer's window: holds the open session and connects its parts. All else is in {@link
+ * ViewerFeatures features}.
  */
 public final class ViewerWindow {
-  /** Size at first, where the screen has room for it. */
+  /** Initial size, if the screen has room for it. */
   private static final double WIDTH = 1200;
 
   private static final double HEIGHT = 760;
 
-  /** Least size of the window, where the screen has room for it. */
+  /** Minimum size of the window, if the screen has room for it. */
   static final double MIN_WIDTH = 640;
 
   static final double MIN_HEIGHT = 420;
@@ -96,7 +96,7 @@ public final class ViewerWindow {
             display,
             settings);
     scene.getStylesheets().add(ViewerWindow.class.getResource("viewer.css").toExternalForm());
-    // after the style sheet, because each new sheet styles everything anew
+    // after the style sheet: each new sheet restyles all nodes
     scene.setRoot(panels);
     ViewerKeys.install(scene, actions);
     Controls.onDrop(
@@ -113,13 +113,13 @@ public final class ViewerWindow {
     features.forEach(feature -> feature.install(context));
     menu.follow();
     keepWantedSize(room);
-    // the keys of playback work at once; a list in the focus would keep some of them
+    // playback keys work at once; a focused list would consume some of them
     stage.addEventHandler(
         WindowEvent.WINDOW_SHOWN, event -> Platform.runLater(panels.view()::requestFocus));
     pulse.start();
   }
 
-  /** Asks once more for its size where a window manager has made the new window small. */
+  /** Requests its size again if a window manager has made the new window small. */
   private void keepWantedSize(Rectangle2D room) {
     double width =
         Math.min(Double.isNaN(stage.getWidth()) ? WIDTH : stage.getWidth(), room.getWidth());
@@ -132,7 +132,7 @@ public final class ViewerWindow {
           if (!stage.isMaximized() && stage.getWidth() <= MIN_WIDTH) {
             stage.setWidth(width);
             stage.setHeight(height);
-            // what was squeezed meanwhile gets its room back
+            // restores the shares of panels that were squeezed
             managed.setOnFinished(grown -> context.settings().choose(shares));
             managed.play();
           }
@@ -145,7 +145,7 @@ public final class ViewerWindow {
         () -> {
           context.ifOpen(
               open -> {
-                open.display().maker().setOptions(display.options());
+                open.display().renderer().setOptions(display.options());
                 open.player().refresh();
               });
           ColourMap colours = display.options().colours();
@@ -176,7 +176,7 @@ public final class ViewerWindow {
     stage.show();
   }
 
-  /** Opens the first of some files; false if there is none. */
+  /** Opens the first of some files; false for an empty list. */
   public boolean dropped(List<File> files) {
     if (files.isEmpty()) {
       return false;
@@ -185,17 +185,17 @@ public final class ViewerWindow {
     return true;
   }
 
-  /** A fault of the viewer itself: the user sees that something is wrong, the log what. */
+  /** Shows a fault of the viewer: a line for the user, details in the log. */
   private void showFault(Throwable fault) {
     if (fault instanceof RejectedExecutionException) {
-      // the process is being ended and JavaFX's painter went first
+      // the process ends and JavaFX's renderer has already stopped
       return;
     }
     fault.printStackTrace();
     context.status().showError("Fault in the viewer, please report it: " + fault);
   }
 
-  /** What the window consists of. */
+  /** The parts of the window. */
   public ViewerContext context() {
     return context;
   }

@@ -10,9 +10,10 @@ import java.util.Arrays;
 import java.util.Locale;
 
 /**
- * Rows as the wing tracker of 2006 wrote them, separated by tabs. Kalman filter: edge code, time,
- * edge, centre, amplitude, phase, angular frequency, measurement. Running average: edge code, time,
- * edge, frequency, amplitude, measurement; of the fourth edge time, edge and measurement alone.
+ * Rows in the layout of the wing tracker of 2006, separated by tabs. Kalman filter: edge code,
+ * time, edge, centre, amplitude, phase, angular frequency, measurement. Running average: edge code,
+ * time, edge, frequency, amplitude, measurement; of the fourth edge only time, edge and
+ * measurement.
  *
  * <p>Thread rule: the processing thread.
  */
@@ -30,7 +31,7 @@ final class OriginalRows {
     Arrays.fill(measured, Double.NaN);
   }
 
-  /** What the columns are, a line each. */
+  /** Descriptions of the columns, a line each. */
   static String[] columns(WingMethod method) {
     String common =
         "edge codes: 1 left leading, 2 left trailing, 3 right leading, 4 right trailing";
@@ -52,12 +53,12 @@ final class OriginalRows {
     return rows;
   }
 
-  /** A line for a person. */
-  void comment(String words) {
-    write("# " + words + "\n");
+  /** Writes a comment line. */
+  void comment(String label) {
+    write("# " + label + "\n");
   }
 
-  /** Keeps what was measured of an edge last. */
+  /** Stores the last measurement of an edge. */
   void keep(WingMeasurement m) {
     measured[m.edge().ordinal()] = m.measuredRad();
   }

@@ -5,8 +5,8 @@ import haltere.core.format.AtomicFile;
 import haltere.core.settings.Parameter;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.sink.CsvSink;
+import haltere.filters.wing.ManualWingChange;
 import haltere.filters.wing.WingBeat;
-import haltere.filters.wing.WingByHand;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterState;
@@ -29,10 +29,9 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
 /**
- * A readable log of tracked wings. Its first lines, which begin with #, say what the recording and
- * the program's version are, what the columns mean in which units, and the settings. Settings that
- * are changed while it is written, and numbers of filters that a person changes, are told between
- * the rows in the same way. The file appears when it is finished.
+ * A readable log of tracked wings. Its header, lines with #, has recording, version, columns with
+ * units, and settings. Changes of settings and manual changes of filters are such lines between the
+ * rows. The file is atomic.
  *
  * <p>Thread rule: opened, finished and closed on the processing thread, or while it does not run.
  */
@@ -48,15 +47,15 @@ public final class WingLog implements Closeable {
           Map.entry("frequency_hz", "beat frequency, hertz"),
           Map.entry("sd_angle_rad", "standard deviation of the angle, radians"),
           Map.entry("sd_frequency_hz", "standard deviation of the frequency, hertz"),
-          Map.entry("events", "events taken in since the wing was found"),
+          Map.entry("events", "events used since the wing was found"),
           Map.entry("measured_rad", "stroke angle of the event's pixel, radians"),
-          Map.entry("expected_rad", "what was expected of the event, radians"),
+          Map.entry("expected_rad", "expected stroke angle of the event, radians"),
           Map.entry("side", "wing"),
           Map.entry("beat", "number of the beat since the wing was found"),
           Map.entry("period_us", "length of the beat, microseconds"),
-          Map.entry("min_rad", "least stroke angle of the beat, radians"),
+          Map.entry("min_rad", "smallest stroke angle of the beat, radians"),
           Map.entry("max_rad", "largest stroke angle of the beat, radians"),
-          Map.entry("phase_lag_rad", "how far this wing is behind the other, radians"));
+          Map.entry("phase_lag_rad", "phase lag of this wing behind the other, radians"));
 
   private static final SettingsSchema<WingTrackerSettings> SCHEMA =
       SettingsSchema.of(WingTrackerSettings.class);
@@ -69,7 +68,7 @@ public final class WingLog implements Closeable {
   private CsvSink<?> table;
   private WingTrackerSettings settings;
   private LongSupplier rows = () -> 0;
-  private Consumer<String> comments = words -> {};
+  private Consumer<String> comments = label -> {};
 
   private WingLog(AtomicFile file, WingTrackerFilter filter) {
     this.file = file;
@@ -79,10 +78,7 @@ public final class WingLog implements Closeable {
     text = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
   }
 
-  /**
-   * Starts a log of a filter's results and listens from now on; the source is what a person calls
-   * the recording.
-   */
+  /** Starts a log of a filter's results, with the display name of the recording. */
   public static WingLog open(
       Path path, String source, WingTrackerFilter filter, WingLogFormat format, boolean overwrite)
       throws IOException {
@@ -148,23 +144,23 @@ public final class WingLog implements Closeable {
     log(outlet, type, sink);
   }
 
-  /** Writes a row for each result of an outlet, and before it what was changed since the last. */
+  /** Writes a row for each result of an outlet, after lines on changes since the last row. */
   private <R> void log(String outlet, Class<R> type, Consumer<? super R> rowsOf) {
     subscriptions.add(
         filter
-            .byHand()
-            .subscribe(change -> comments.accept("by hand from here on: " + words(change))));
+            .manualChanges()
+            .subscribe(change -> comments.accept("manual change: " + label(change))));
     subscribe(
         outlet,
         type,
         row -> {
-          tellChanges();
+          logChanges();
           rowsOf.accept(row);
         });
   }
 
   /** Says which settings are others from the next row on. */
-  private void tellChanges() {
+  private void logChanges() {
     WingTrackerSettings now = filter.settings();
     if (now == settings) {
       return;
@@ -173,16 +169,16 @@ public final class WingLog implements Closeable {
       String name = parameter.name();
       Object value = SCHEMA.get(now, name);
       if (!value.equals(SCHEMA.get(settings, name))) {
-        comments.accept("setting from here on: " + name + "=" + value + unit(parameter));
+        comments.accept("setting changed: " + name + "=" + value + unit(parameter));
       }
     }
     settings = now;
   }
 
-  private String words(WingByHand change) {
+  private String label(ManualWingChange change) {
     String part = change.part() + " ";
     if (change.edit().isEmpty()) {
-      return part + "begun anew";
+      return part + "restarted";
     }
     WingFilterEdit edit = change.edit().get();
     List<String> names =
@@ -198,7 +194,7 @@ public final class WingLog implements Closeable {
           case PROCESS_NOISE -> "Q of " + names.get(edit.row());
           case MEASUREMENT_NOISE -> "R";
         };
-    return part + number + (edit.givesBack() ? " given back" : "=" + edit.value());
+    return part + number + (edit.restoresAutomatic() ? " automatic again" : "=" + edit.value());
   }
 
   private static String unit(Parameter parameter) {
@@ -213,16 +209,16 @@ public final class WingLog implements Closeable {
     }
   }
 
-  private void comment(String words) throws IOException {
-    text.write("# " + words + "\n");
+  private void comment(String label) throws IOException {
+    text.write("# " + label + "\n");
   }
 
-  /** How many rows were written so far, without the lines that begin with #. */
+  /** Number of rows written, without header lines. */
   public long rows() {
     return rows.getAsLong();
   }
 
-  /** Ends the log and puts the file in its place. */
+  /** Ends the log and moves the file to its path. */
   public void finish() throws IOException {
     leave();
     if (table != null) {

@@ -1,15 +1,15 @@
 package haltere.ui.wing;
 
 /**
- * What a log of wings consists of.
+ * Format of a log of wings.
  *
  * @param rows when there is a row
  * @param layout how a row is written
  */
 public record WingLogFormat(Rows rows, Layout layout) {
-  /** When there is a row. */
+  /** Condition of a row. */
   public enum Rows {
-    /** For each event that a method has taken in. */
+    /** For each event used by a method. */
     EVENT,
     /** At each tick of the rate of the settings, for each edge and each wing. */
     TICK,

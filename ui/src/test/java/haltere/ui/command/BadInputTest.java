@@ -35,22 +35,22 @@ class BadInputTest {
   }
 
   /** One line on the standard error that has all of these words in it, nothing else, status 1. */
-  private void assertFails(CommandRun run, Object... words) {
+  private void assertFails(CommandRun run, Object... label) {
     assertEquals(1, run.status(), run.err());
     assertEquals(1, run.errorLines().size(), run.err());
     String line = run.errorLines().get(0);
     assertTrue(line.startsWith("haltere: "), line);
-    for (Object word : words) {
+    for (Object word : label) {
       assertTrue(line.contains(word.toString()), () -> "no \"" + word + "\" in: " + line);
     }
     assertEquals("", run.out());
   }
 
   /** Status 2, a line that has all of these words in it, then the usage. */
-  private void assertWrongArguments(CommandRun run, Object... words) {
+  private void assertWrongArguments(CommandRun run, Object... label) {
     assertEquals(2, run.status(), run.err());
     String line = run.errorLines().get(0);
-    for (Object word : words) {
+    for (Object word : label) {
       assertTrue(line.contains(word.toString()), () -> "no \"" + word + "\" in: " + line);
     }
     assertTrue(run.err().contains("Usage: haltere"), run.err());

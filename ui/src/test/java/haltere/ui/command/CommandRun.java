@@ -23,8 +23,8 @@ import java.util.Optional;
  */
 record CommandRun(int status, String out, String err, List<Optional<Path>> windows, byte[] bytes) {
   /** A command on a machine without display and terminal. */
-  static CommandRun of(Object... words) {
-    return on(Machine.BARE, words);
+  static CommandRun of(Object... text) {
+    return on(Machine.BARE, text);
   }
 
   /** A machine that a command runs on. */
@@ -54,7 +54,7 @@ record CommandRun(int status, String out, String err, List<Optional<Path>> windo
     }
   }
 
-  static CommandRun on(Machine machine, Object... words) {
+  static CommandRun on(Machine machine, Object... text) {
     List<Optional<Path>> windows = new ArrayList<>();
     WindowOpener window =
         new WindowOpener() {
@@ -76,8 +76,8 @@ record CommandRun(int status, String out, String err, List<Optional<Path>> windo
         };
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     ByteArrayOutputStream err = new ByteArrayOutputStream();
-    Surroundings surroundings =
-        new Surroundings(
+    CommandEnvironment surroundings =
+        new CommandEnvironment(
             Channels.newChannel(new ByteArrayInputStream(machine.input())),
             new PrintStream(out, false, StandardCharsets.UTF_8),
             new PrintStream(err, false, StandardCharsets.UTF_8),
@@ -86,9 +86,9 @@ record CommandRun(int status, String out, String err, List<Optional<Path>> windo
             Map.of(),
             machine.folder(),
             window);
-    String[] args = new String[words.length];
-    for (int i = 0; i < words.length; i++) {
-      args[i] = words[i].toString();
+    String[] args = new String[text.length];
+    for (int i = 0; i < text.length; i++) {
+      args[i] = text[i].toString();
     }
     int status = new HaltereProgram(surroundings).run(args);
     return new CommandRun(

@@ -38,9 +38,9 @@ class ConvertCommandTest {
     Locale.setDefault(locale);
   }
 
-  private List<String> converted(Object... words) throws IOException {
+  private List<String> converted(Object... label) throws IOException {
     CommandRun run =
-        CommandRun.of(Stream.concat(Stream.of("convert", in, out), Stream.of(words)).toArray());
+        CommandRun.of(Stream.concat(Stream.of("convert", in, out), Stream.of(label)).toArray());
     assertEquals(0, run.status(), run.err());
     assertEquals("", run.out());
     List<String> lines = Files.readAllLines(out);
@@ -161,13 +161,13 @@ class ConvertCommandTest {
 
   @Test
   void encodingIsRejectedForOtherThanRawFiles() throws IOException {
-    for (Object[] words :
+    for (Object[] label :
         new Object[][] {
           {"convert", in, out, "--evt", "2"},
           {"convert", in, folder.resolve("a.raw"), "--evt", "4"},
           {"convert", in, folder.resolve("a.raw"), "--evt", "2", "--stream", "frames"}
         }) {
-      CommandRun run = CommandRun.of(words);
+      CommandRun run = CommandRun.of(label);
       assertEquals(2, run.status(), run.err());
       assertTrue(run.errorLines().get(0).startsWith("haltere convert: --evt is "), run.err());
     }

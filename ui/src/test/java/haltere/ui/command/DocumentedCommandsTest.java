@@ -129,25 +129,25 @@ class DocumentedCommandsTest {
   }
 
   private static CommandRun succeed(String command, byte[] input) {
-    List<String> words = new ArrayList<>();
+    List<String> label = new ArrayList<>();
     String quick = command.replaceAll("--duration \\S+", "");
     for (String word : quick.strip().split("\\s+")) {
-      words.add(place(word));
+      label.add(place(word));
     }
     if (NEEDS_MORE.stream().anyMatch(command::contains)) {
-      words.add("--help");
+      label.add("--help");
     } else {
       if (!command.equals(quick) || command.matches("simulate .*|.*--device .*")) {
-        words.addAll(List.of("--duration", "0.3"));
+        label.addAll(List.of("--duration", "0.3"));
       }
-      if (words.get(0).equals("record") && !command.contains("--device")) {
-        words.addAll(List.of("--device", "simulated:fly"));
+      if (label.get(0).equals("record") && !command.contains("--device")) {
+        label.addAll(List.of("--device", "simulated:fly"));
       }
-      if (WRITING.contains(words.get(0)) && !command.contains("convert - ")) {
-        words.add("--overwrite");
+      if (WRITING.contains(label.get(0)) && !command.contains("convert - ")) {
+        label.add("--overwrite");
       }
     }
-    CommandRun run = CommandRun.on(CommandRun.Machine.BARE.withInput(input), words.toArray());
+    CommandRun run = CommandRun.on(CommandRun.Machine.BARE.withInput(input), label.toArray());
     assertEquals(0, run.status(), command + ": " + run.err());
     return run;
   }

@@ -192,10 +192,10 @@ class ExampleCommandTest {
     }
   }
 
-  private static void assertFailed(CommandRun run, int status, String... words) {
+  private static void assertFailed(CommandRun run, int status, String... label) {
     assertEquals(status, run.status(), run.err());
     assertTrue(status == 2 || run.errorLines().size() == 1, run.err());
-    for (String word : words) {
+    for (String word : label) {
       assertTrue(run.err().contains(word), run.err());
     }
     assertFalse(run.err().contains("\tat "), run.err());

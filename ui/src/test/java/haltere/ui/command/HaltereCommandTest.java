@@ -105,8 +105,8 @@ class HaltereCommandTest {
   void missingGraphicsLibrariesAreReportedInOneLine() {
     CommandRun.Machine lacking =
         CommandRun.Machine.BARE.withDisplay().withObstacle("install libgtk-3-0");
-    for (Object[] words : new Object[][] {{}, {"view"}}) {
-      CommandRun run = CommandRun.on(lacking, words);
+    for (Object[] label : new Object[][] {{}, {"view"}}) {
+      CommandRun run = CommandRun.on(lacking, label);
       assertEquals(1, run.status());
       assertEquals("haltere: install libgtk-3-0\n", run.err());
       assertEquals(List.of(), run.windows());

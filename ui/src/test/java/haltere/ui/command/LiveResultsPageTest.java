@@ -117,15 +117,15 @@ class LiveResultsPageTest {
             List.of("--outlet", "a/b"),
             List.of("--receivers", "1"),
             List.of("--speed", "0"))) {
-      Object[] words = new Object[4 + wrong.size()];
-      words[0] = "run";
-      words[1] = recording;
-      words[2] = "--chain";
-      words[3] = chain;
+      Object[] text = new Object[4 + wrong.size()];
+      text[0] = "run";
+      text[1] = recording;
+      text[2] = "--chain";
+      text[3] = chain;
       for (int i = 0; i < wrong.size(); i++) {
-        words[4 + i] = wrong.get(i);
+        text[4 + i] = wrong.get(i);
       }
-      assertEquals(2, CommandRun.of(words).status(), wrong.toString());
+      assertEquals(2, CommandRun.of(text).status(), wrong.toString());
     }
   }
 

@@ -62,10 +62,10 @@ class OrientCommandTest {
   }
 
   private CommandRun orient(Object... more) {
-    List<Object> words =
+    List<Object> text =
         new ArrayList<>(List.of("orient", seen, "--cameras", cameras, "--out", out));
-    Collections.addAll(words, more);
-    return CommandRun.of(words.toArray());
+    Collections.addAll(text, more);
+    return CommandRun.of(text.toArray());
   }
 
   private static List<String[]> rows(Path table) throws IOException {
@@ -364,10 +364,10 @@ class OrientCommandTest {
     assertTrue(all.contains("camera-2"));
   }
 
-  private static void assertFailed(int status, String words, Object... command) {
+  private static void assertFailed(int status, String text, Object... command) {
     CommandRun run = CommandRun.of(command);
     assertEquals(status, run.status(), run.err());
-    assertTrue(run.err().contains(words), run.err());
+    assertTrue(run.err().contains(text), run.err());
     assertFalse(run.err().contains("\tat "), run.err());
   }
 

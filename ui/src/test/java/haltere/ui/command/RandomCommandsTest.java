@@ -103,11 +103,11 @@ class RandomCommandsTest {
   @MethodSource("seeds")
   void commandWithRandomOptionsEndsWithAStatusAndAReason(long seed) throws IOException {
     writeFiles();
-    List<String> words = command(new SplittableRandom(seed));
+    List<String> text = command(new SplittableRandom(seed));
     CommandRun run =
         assertTimeoutPreemptively(
-            LIMIT, () -> CommandRun.of(words.toArray()), () -> "no end: " + words);
-    String told = String.join(" ", words) + "\nstatus " + run.status() + "\n" + run.err();
+            LIMIT, () -> CommandRun.of(text.toArray()), () -> "no end: " + text);
+    String told = String.join(" ", text) + "\nstatus " + run.status() + "\n" + run.err();
     assertTrue(run.status() >= 0 && run.status() <= 2, told);
     assertFalse(run.err().contains("\tat "), told);
     assertFalse(run.err().contains("unexpected failure"), told);
@@ -150,23 +150,24 @@ class RandomCommandsTest {
         .filter(option -> option.required() || option.longestName().equals("--duration"))
         .filter(option -> random.nextInt(8) > 0 || option.longestName().equals("--duration"))
         .forEach(chosen::add);
-    List<String> words = new ArrayList<>(List.of(name));
+    List<String> text = new ArrayList<>(List.of(name));
     for (OptionSpec option : chosen) {
-      words.add(
+      text.add(
           option.arity().max() == 0
               ? option.longestName()
               : option.longestName() + "=" + value(option, random));
     }
     for (int i = random.nextInt(spec.positionalParameters().size() + 2); i > 0; i--) {
-      words.add(random.nextInt(4) > 0 ? file(random) : pick(WORDS, random));
+      text.add(random.nextInt(4) > 0 ? file(random) : pick(WORDS, random));
     }
-    return words;
+    return text;
   }
 
-  private static Surroundings nowhere() {
+  private static CommandEnvironment nowhere() {
     PrintStream nobody = new PrintStream(OutputStream.nullOutputStream());
     ReadableByteChannel nothing = Channels.newChannel(InputStream.nullInputStream());
-    return new Surroundings(nothing, nobody, nobody, false, false, Map.of(), Path.of(""), null);
+    return new CommandEnvironment(
+        nothing, nobody, nobody, false, false, Map.of(), Path.of(""), null);
   }
 
   private String value(OptionSpec option, SplittableRandom random) {

@@ -32,8 +32,8 @@ class SamplesCommandTest {
     return folder.resolve(name);
   }
 
-  private static String succeed(Object... words) {
-    CommandRun run = CommandRun.of(words);
+  private static String succeed(Object... label) {
+    CommandRun run = CommandRun.of(label);
     assertEquals(0, run.status(), run.err());
     return run.err();
   }

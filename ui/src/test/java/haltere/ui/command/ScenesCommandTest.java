@@ -39,7 +39,7 @@ class ScenesCommandTest {
   @Test
   void usageOfSimulateListsTheScenes() {
     CommandRun run = CommandRun.of("simulate", "--help");
-    String words = run.out().replaceAll("\\s+", " ");
-    assertTrue(words.contains("dots, flight, fly, rendered-fly, road"), run.out());
+    String text = run.out().replaceAll("\\s+", " ");
+    assertTrue(text.contains("dots, flight, fly, rendered-fly, road"), run.out());
   }
 }

@@ -77,8 +77,8 @@ class SimulateCommandTest {
     assertWrong("--rate", "simulate", "fly", out, "--rate", "NaN");
   }
 
-  private static void assertWrong(String word, Object... words) {
-    CommandRun run = CommandRun.of(words);
+  private static void assertWrong(String word, Object... text) {
+    CommandRun run = CommandRun.of(text);
     assertEquals(2, run.status(), run.err());
     assertTrue(run.errorLines().get(0).contains(word), run.err());
   }

@@ -357,8 +357,8 @@ class TrackCommandTest {
     }
   }
 
-  private static void assertFails(int status, String word, Object... words) {
-    CommandRun run = CommandRun.of(words);
+  private static void assertFails(int status, String word, Object... label) {
+    CommandRun run = CommandRun.of(label);
     assertEquals(status, run.status(), run.err());
     assertTrue(run.errorLines().get(0).contains(word), run.err());
     assertTrue(status == 2 || run.errorLines().size() == 1, run.err());

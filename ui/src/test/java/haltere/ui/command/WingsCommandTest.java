@@ -146,7 +146,7 @@ class WingsCommandTest {
   private List<String> log(Path fly, String rows, String layout, String... more)
       throws IOException {
     Path log = folder.resolve(rows + layout + ".txt");
-    List<Object> words =
+    List<Object> text =
         new ArrayList<>(
             List.of(
                 "wings",
@@ -159,8 +159,8 @@ class WingsCommandTest {
                 rows,
                 "--log-layout",
                 layout));
-    words.addAll(List.of(more));
-    CommandRun run = CommandRun.of(words.toArray());
+    text.addAll(List.of(more));
+    CommandRun run = CommandRun.of(text.toArray());
     assertEquals(0, run.status(), run.err());
     return Files.readAllLines(log).stream().filter(line -> !line.startsWith("#")).toList();
   }

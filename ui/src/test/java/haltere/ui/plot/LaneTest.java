@@ -38,8 +38,8 @@ class LaneTest {
 
   @Test
   void covarianceIsNamedP() {
-    assertEquals("P xvx", new PlotField("tracks", "estimates", "p_xvx").words());
-    assertEquals("phase", new PlotField("wing-tracker", "wings", "phase_rad").words());
+    assertEquals("P xvx", new PlotField("tracks", "estimates", "p_xvx").label());
+    assertEquals("phase", new PlotField("wing-tracker", "wings", "phase_rad").label());
   }
 
   @Test
@@ -111,7 +111,7 @@ class LaneTest {
       lane.take(FIELD, 100, "left", 1);
       lane.take(FIELD, 100, "right", 1);
       assertEquals(List.of(0, 1), lane.curves().stream().map(Curve::number).toList());
-      lane.forgetFrom(0);
+      lane.removeFrom(0);
     }
   }
 
@@ -169,7 +169,7 @@ class LaneTest {
     for (int track = 0; track < Lane.MAX_CURVES; track++) {
       lane.take(PlotField.EVENT_RATE, 1000 * track, "old " + track, 1);
     }
-    lane.forgetFrom(3000);
+    lane.removeFrom(3000);
     assertEquals(
         List.of("old 0", "old 1", "old 2"), lane.curves().stream().map(Curve::key).toList());
     lane.take(PlotField.EVENT_RATE, 3000, "new", 2);

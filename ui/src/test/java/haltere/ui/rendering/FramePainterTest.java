@@ -69,7 +69,7 @@ class FramePainterTest {
   }
 
   @ParameterizedTest
-  @ValueSource(longs = {0, -1, FramePainter.LONGEST_TIME_CONSTANT_US + 1})
+  @ValueSource(longs = {0, -1, FramePainter.MAX_TIME_CONSTANT_US + 1})
   void timeConstantOutOfRangeIsRejected(long timeConstantUs) {
     assertThrows(IllegalArgumentException.class, () -> new FramePainter(MAP, timeConstantUs));
   }

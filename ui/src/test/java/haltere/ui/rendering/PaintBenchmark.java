@@ -45,7 +45,7 @@ public final class PaintBenchmark {
       System.out.printf(
           Locale.ROOT,
           "%-14s paint %.2f ms (95 %% below %.2f), event %.1f ns%n",
-          mode.words(),
+          mode.label(),
           quantile(paintMs, 0.5),
           quantile(paintMs, 0.95),
           quantile(eventNs, 0.5));

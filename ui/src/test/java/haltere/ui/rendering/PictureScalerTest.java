@@ -65,7 +65,7 @@ class PictureScalerTest {
     for (int pixel = 0; pixel < width * height; pixel++) {
       int[] source = new int[width * height];
       Arrays.fill(source, BACKGROUND);
-      source[pixel] = Ranks.ranked(0x112233, BACKGROUND);
+      source[pixel] = ColourRanks.ranked(0x112233, BACKGROUND);
       scaler.scale(source, target);
       long seen = Arrays.stream(target).filter(colour -> colour == (0x112233 | OPAQUE)).count();
       assertTrue(seen >= 1 && seen <= 4, "pixel " + pixel + " is seen " + seen + " times");
@@ -74,9 +74,9 @@ class PictureScalerTest {
 
   @Test
   void reducedPictureKeepsTheColourFarthestFromTheBackground() {
-    int faded = Ranks.ranked(0x402010, BACKGROUND);
-    int fresh = Ranks.ranked(0x4F8FE6, BACKGROUND);
-    int nothing = Ranks.ranked(BACKGROUND, BACKGROUND);
+    int faded = ColourRanks.ranked(0x402010, BACKGROUND);
+    int fresh = ColourRanks.ranked(0x4F8FE6, BACKGROUND);
+    int nothing = ColourRanks.ranked(BACKGROUND, BACKGROUND);
     int[] target = new int[1];
     for (int[] source :
         List.of(
@@ -88,10 +88,10 @@ class PictureScalerTest {
     // on white it is the darkest
     scaler.scale(
         new int[] {
-          Ranks.ranked(0xFFFFFF, 0xFFFFFF),
-          Ranks.ranked(0xC05010, 0xFFFFFF),
-          Ranks.ranked(0xF0E0D0, 0xFFFFFF),
-          Ranks.ranked(0xFFFFFF, 0xFFFFFF)
+          ColourRanks.ranked(0xFFFFFF, 0xFFFFFF),
+          ColourRanks.ranked(0xC05010, 0xFFFFFF),
+          ColourRanks.ranked(0xF0E0D0, 0xFFFFFF),
+          ColourRanks.ranked(0xFFFFFF, 0xFFFFFF)
         },
         target);
     assertEquals(0xFFC05010, target[0]);

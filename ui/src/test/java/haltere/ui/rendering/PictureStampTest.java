@@ -24,7 +24,7 @@ class PictureStampTest {
   @Test
   void timeIsInTheUpperLeftCorner() {
     BufferedImage picture = new BufferedImage(768, 768, BufferedImage.TYPE_INT_RGB);
-    new PictureStamp(picture, true).words("1");
+    new PictureStamp(picture, true).label("1");
     long inked =
         IntStream.range(0, 26 * 26)
             .filter(i -> picture.getRGB(i % 26, i / 26) != picture.getRGB(2, 2))

@@ -26,8 +26,8 @@ class PicturesTest {
 
   @Test
   void smallSensorIsEnlargedByAnInteger() {
-    assertEquals(6, Pictures.usualScale(geometry));
-    assertEquals(1, Pictures.usualScale(new SensorGeometry(1280, 720)));
+    assertEquals(6, Pictures.defaultScale(geometry));
+    assertEquals(1, Pictures.defaultScale(new SensorGeometry(1280, 720)));
     frame.packet(EventFrameTest.one(5, 127, 0, true));
     BufferedImage image = Pictures.draw(frame, painter, 6, canvas -> {});
     assertEquals(768, image.getWidth());

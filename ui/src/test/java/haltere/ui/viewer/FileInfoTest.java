@@ -102,7 +102,7 @@ class FileInfoTest {
     viewer.waitFor("no banner", () -> !seesBanner());
   }
 
-  private static <T> String words(ChoiceBox<T> box) {
+  private static <T> String label(ChoiceBox<T> box) {
     return box.getConverter().toString(box.getValue());
   }
 
@@ -113,9 +113,9 @@ class FileInfoTest {
     viewer.waitFor("the question", () -> viewer.isThere("camera-use"));
     ChoiceBox<?> sizes = viewer.node("camera-choice", ChoiceBox.class);
     viewer.waitFor("choices", () -> viewer.onFx(() -> sizes.getItems().size()) > 3);
-    assertTrue(viewer.onFx(() -> words(sizes)).startsWith("240 \u00d7 180"));
+    assertTrue(viewer.onFx(() -> label(sizes)).startsWith("240 \u00d7 180"));
     viewer.run(() -> sizes.getSelectionModel().select(5));
-    viewer.waitFor("the choice", () -> words(sizes).startsWith("640"));
+    viewer.waitFor("the choice", () -> label(sizes).startsWith("640"));
     viewer.click("camera-use");
     viewer.waitFor(
         "the larger sensor", () -> viewer.session().player().playable().geometry().width() == 640);

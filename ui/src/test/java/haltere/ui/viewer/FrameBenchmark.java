@@ -172,7 +172,7 @@ public final class FrameBenchmark {
                     .session()
                     .orElseThrow()
                     .display()
-                    .maker()
+                    .renderer()
                     .exchange()
                     .conflated());
     double measured = Arrays.stream(times).sum() / 1e3;

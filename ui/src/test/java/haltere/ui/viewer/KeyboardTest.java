@@ -190,7 +190,7 @@ class KeyboardTest {
   @Test
   void toolsAreOperatedByArrowsAndEnter() {
     viewer = ViewerHarness.withBlob();
-    SeeingFeature seeing = viewer.window.feature(SeeingFeature.class);
+    InspectionFeature seeing = viewer.window.feature(InspectionFeature.class);
     goTo("event-view");
     viewer.press(KeyCode.T);
     drawToTheRight(3);
@@ -216,7 +216,7 @@ class KeyboardTest {
 
   private String tapeWords() {
     var tape = viewer.window.context().display().tapeProperty().get();
-    return tape.map(MeasuredLine::words).orElse("");
+    return tape.map(MeasuredLine::label).orElse("");
   }
 
   private static boolean isFiveWide(PixelRegion region) {

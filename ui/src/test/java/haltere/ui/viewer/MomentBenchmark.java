@@ -5,7 +5,7 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.Filters;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.playback.KeptPlayable;
+import haltere.core.playback.BufferedPlayable;
 import haltere.core.playback.Playable;
 import haltere.core.playback.Player;
 import haltere.core.playback.PlayerOptions;
@@ -50,7 +50,7 @@ public final class MomentBenchmark implements AutoCloseable {
 
   private MomentBenchmark(Playable playable, Function<SensorGeometry, FilterChain> chains) {
     chain = chains.apply(playable.geometry());
-    display = DisplaySink.apart(playable.geometry(), chain, options(DisplayMode.POLARITY));
+    display = DisplaySink.onOwnThread(playable.geometry(), chain, options(DisplayMode.POLARITY));
     player =
         new Player(
             playable,
@@ -132,7 +132,7 @@ public final class MomentBenchmark implements AutoCloseable {
   }
 
   private void show(DisplayMode mode) {
-    display.maker().setOptions(options(mode));
+    display.renderer().setOptions(options(mode));
     player.refresh();
   }
 
@@ -193,12 +193,12 @@ public final class MomentBenchmark implements AutoCloseable {
 
   private static Playable busy(double millionEps) {
     SensorGeometry sensor = new SensorGeometry(346, 260);
-    return new KeptPlayable(
+    return new BufferedPlayable(
         new ScenePlayable(() -> new BusySource(sensor, millionEps), "busy source"), 6_000_000);
   }
 
   private static Playable fly() {
-    return new KeptPlayable(
+    return new BufferedPlayable(
         new ScenePlayable(() -> new FlyScene(FlySceneSettings.defaults()), "Fly scene"), 6_000_000);
   }
 

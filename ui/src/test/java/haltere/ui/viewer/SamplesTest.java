@@ -153,8 +153,8 @@ class SamplesTest {
             bar.getChildrenUnmodifiable().stream()
                 .anyMatch(
                     each ->
-                        each instanceof Label words
-                            && words.getText().matches(".*(Exposure|Readout).*")));
+                        each instanceof Label text
+                            && text.getText().matches(".*(Exposure|Readout).*")));
     assertFalse(viewer.isThere("trigger-mark"));
   }
 

@@ -17,7 +17,7 @@ import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.feature.UserSettings;
-import haltere.ui.viewer.session.FirstView;
+import haltere.ui.viewer.session.InitialView;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
@@ -185,7 +185,7 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
                         Optional.empty(),
                         ReadOptions.DEFAULT,
                         "test",
-                        FirstView.OBJECTS)));
+                        InitialView.OBJECTS)));
     waitFor("a session", () -> window.context().sessions().session().isPresent());
     waitFor("frames", () -> window.context().panels().framesShown() > 0);
     waitFor("what plays", () -> status().elapsedUs() > 0);

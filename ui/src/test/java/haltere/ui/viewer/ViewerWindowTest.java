@@ -143,7 +143,7 @@ class ViewerWindowTest {
     viewer = ViewerHarness.withBlob();
     viewer.waitFor("some events", () -> viewer.status().elapsedUs() > 200_000);
     viewer.pause();
-    viewer.waitFor("the last frame", () -> !viewer.session().display().maker().isStale());
+    viewer.waitFor("the last frame", () -> !viewer.session().display().renderer().isStale());
     viewer.waitFor(
         "the blob is where it belongs",
         () -> {
@@ -161,7 +161,7 @@ class ViewerWindowTest {
     viewer = ViewerHarness.withBlob();
     viewer.waitFor("time for the tracker", () -> viewer.status().elapsedUs() > 500_000);
     viewer.pause();
-    viewer.waitFor("the last frame", () -> !viewer.session().display().maker().isStale());
+    viewer.waitFor("the last frame", () -> !viewer.session().display().renderer().isStale());
     viewer.run(() -> viewer.window.context().display().marksProperty().set(false));
     WritableImage without = viewer.onFx(viewer::picture);
     viewer.run(() -> viewer.window.context().display().marksProperty().set(true));

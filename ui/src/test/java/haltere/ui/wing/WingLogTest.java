@@ -43,7 +43,7 @@ class WingLogTest {
       log.finish();
     }
     List<String> lines = Files.readAllLines(file);
-    int told = lines.indexOf("# setting from here on: noise.amplitude=0.5 rad^2/s");
+    int told = lines.indexOf("# setting changed: noise.amplitude=0.5 rad^2/s");
     assertTrue(lines.contains("# setting: noise.amplitude=0.02 rad^2/s (default)"));
     assertTrue(!lines.get(told - 1).startsWith("#"), "rows before it");
     assertTrue(!lines.get(told + 1).startsWith("#"), "one setting, and rows after it");
@@ -73,15 +73,15 @@ class WingLogTest {
       log.finish();
     }
     List<String> lines = Files.readAllLines(file);
-    int told = lines.indexOf("# by hand from here on: left x of amplitude=1.25");
+    int told = lines.indexOf("# manual change: left x of amplitude=1.25");
     assertTrue(told > 0 && !lines.get(told - 1).startsWith("#"), "rows before it");
     assertEquals(
         List.of(
-            "# by hand from here on: right P of centre, centre=0.01",
-            "# by hand from here on: left R=0.02",
-            "# by hand from here on: left Q of half width=0.003",
-            "# by hand from here on: left Q of half width given back",
-            "# by hand from here on: right begun anew"),
+            "# manual change: right P of centre, centre=0.01",
+            "# manual change: left R=0.02",
+            "# manual change: left Q of half width=0.003",
+            "# manual change: left Q of half width automatic again",
+            "# manual change: right restarted"),
         lines.subList(told + 1, told + 6));
     assertTrue(!lines.get(told + 6).startsWith("#"), "rows after it");
   }

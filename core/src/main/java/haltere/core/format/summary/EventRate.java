@@ -98,7 +98,7 @@ public final class EventRate implements StreamHandler {
     StringBuilder line = new StringBuilder();
     for (int bin = 0; bin < bins.size(); bin++) {
       double rate = bins.rateHz(bin);
-      int height = (int) Math.ceil(BLOCKS.length() * rate / highestHz());
+      int height = (int) Math.ceil(BLOCKS.length() * rate / maxHz());
       line.append(rate == 0 ? ' ' : BLOCKS.charAt(height - 1));
     }
     return line.toString();
@@ -109,7 +109,7 @@ public final class EventRate implements StreamHandler {
    *
    * @return events per second
    */
-  public double highestHz() {
+  public double maxHz() {
     return IntStream.range(0, bins.size()).mapToDouble(bins::rateHz).max().orElse(0);
   }
 }

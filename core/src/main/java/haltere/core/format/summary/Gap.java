@@ -8,7 +8,7 @@ package haltere.core.format.summary;
  *     haltere.core.stream.StreamNotification#NO_TIME_US}
  * @param toUs time of the first event after it, or {@link
  *     haltere.core.stream.StreamNotification#NO_TIME_US}
- * @param told whether the source itself reports the loss
+ * @param reported whether the source itself reports the loss
  * @since 0.1
  */
-public record Gap(long fromUs, long toUs, boolean told) {}
+public record Gap(long fromUs, long toUs, boolean reported) {}

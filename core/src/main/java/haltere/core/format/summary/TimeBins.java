@@ -12,8 +12,8 @@ import java.util.Arrays;
  */
 public final class TimeBins {
   private final long[] counts;
-  private final double[] lowest;
-  private final double[] highest;
+  private final double[] min;
+  private final double[] max;
   private long binUs;
   private long endUs;
 
@@ -25,8 +25,8 @@ public final class TimeBins {
    */
   public TimeBins(int bins, long firstBinUs) {
     counts = new long[bins];
-    lowest = new double[bins];
-    highest = new double[bins];
+    min = new double[bins];
+    max = new double[bins];
     binUs = firstBinUs;
   }
 
@@ -41,8 +41,8 @@ public final class TimeBins {
       merge();
     }
     int bin = (int) (elapsedUs / binUs);
-    lowest[bin] = counts[bin] == 0 ? value : Math.min(lowest[bin], value);
-    highest[bin] = counts[bin] == 0 ? value : Math.max(highest[bin], value);
+    min[bin] = counts[bin] == 0 ? value : Math.min(min[bin], value);
+    max[bin] = counts[bin] == 0 ? value : Math.max(max[bin], value);
     counts[bin]++;
     endUs = Math.max(endUs, elapsedUs + 1);
   }
@@ -52,8 +52,8 @@ public final class TimeBins {
       int a = 2 * to;
       int b = a + 1;
       int known = counts[a] > 0 ? a : b;
-      lowest[to] = counts[b] == 0 ? lowest[known] : Math.min(lowest[known], lowest[b]);
-      highest[to] = counts[b] == 0 ? highest[known] : Math.max(highest[known], highest[b]);
+      min[to] = counts[b] == 0 ? min[known] : Math.min(min[known], min[b]);
+      max[to] = counts[b] == 0 ? max[known] : Math.max(max[known], max[b]);
       counts[to] = counts[a] + counts[b];
     }
     Arrays.fill(counts, counts.length / 2, counts.length, 0);
@@ -105,8 +105,8 @@ public final class TimeBins {
    * @param bin 0 to {@link #size()} - 1
    * @return NaN without samples
    */
-  public double lowest(int bin) {
-    return counts[bin] == 0 ? Double.NaN : lowest[bin];
+  public double min(int bin) {
+    return counts[bin] == 0 ? Double.NaN : min[bin];
   }
 
   /**
@@ -115,7 +115,7 @@ public final class TimeBins {
    * @param bin 0 to {@link #size()} - 1
    * @return NaN without samples
    */
-  public double highest(int bin) {
-    return counts[bin] == 0 ? Double.NaN : highest[bin];
+  public double max(int bin) {
+    return counts[bin] == 0 ? Double.NaN : max[bin];
   }
 }

@@ -271,7 +271,7 @@ public final class CameraModel {
    * @param direction receives a unit vector of the world, to the front or to the back
    * @return false for a camera with a problem or a point that is not finite
    */
-  public boolean sight(double xPx, double yPx, double[] direction) {
+  public boolean lineOfSight(double xPx, double yPx, double[] direction) {
     if (problem != null) {
       return false;
     }
@@ -286,8 +286,8 @@ public final class CameraModel {
    * @param line column, row, angle (NaN for none); replaced
    * @return false outside the image of the lens, or with a problem
    */
-  public boolean straighten(double[] line) {
-    return problem == null && lens.straighten(line);
+  public boolean undistort(double[] line) {
+    return problem == null && lens.undistort(line);
   }
 
   /**
@@ -297,7 +297,7 @@ public final class CameraModel {
    * @param pixel its undistorted projection
    * @param jacobian receives two rows of three
    */
-  public void pixelByPoint(double[] point, double[] pixel, double[] jacobian) {
+  public void projectionJacobian(double[] point, double[] pixel, double[] jacobian) {
     double h2 = row(2, point);
     for (int k = 0; k < 3; k++) {
       jacobian[k] = (matrix[k] - pixel[0] * matrix[8 + k]) / h2;

@@ -98,9 +98,9 @@ final class FlydraDetections {
     for (Detection each : detections) {
       long timeUs = timeUs(times.get(each.frame()));
       if (timeUs == UNKNOWN_US) {
-        listener.bad("frame " + each.frame(), "no camera has a time for it");
+        listener.skipped("frame " + each.frame(), "no camera has a time for it");
       } else {
-        listener.seen(timeUs, each.object(), each.line());
+        listener.observed(timeUs, each.object(), each.line());
       }
     }
   }
@@ -135,7 +135,6 @@ final class FlydraDetections {
     return name.replace('-', '_');
   }
 
-  /** Assigns detections to bodies. */
   private void readAssociation() throws IOException {
     if (tables.has("data_association")) {
       isAssociated = true;
@@ -205,9 +204,9 @@ final class FlydraDetections {
     int camera = numbers.getOrDefault((long) number, -1);
     if (camera < 0) {
       String name = names.containsKey((long) number) ? " \"" + names.get((long) number) + '"' : "";
-      listener.bad(where, "there is no camera number " + (long) number + name);
+      listener.skipped(where, "there is no camera number " + (long) number + name);
     } else if (Double.isNaN(frame)) {
-      listener.bad(where, "it has no frame");
+      listener.skipped(where, "it has no frame");
     } else {
       double[] time =
           times.computeIfAbsent((long) frame, f -> new double[] {Double.NaN, Double.NaN});

@@ -65,7 +65,7 @@ record Lens(
    * Undistorts a line (column, row, angle or NaN); false without a change outside the image of the
    * lens.
    */
-  boolean straighten(double[] line) {
+  boolean undistort(double[] line) {
     if (isStraight()) {
       return true;
     }

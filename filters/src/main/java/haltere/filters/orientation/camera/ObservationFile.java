@@ -26,7 +26,7 @@ public final class ObservationFile {
      * @param object name of the body
      * @param line the observation
      */
-    void seen(long timeUs, String object, LineObservation line);
+    void observed(long timeUs, String object, LineObservation line);
 
     /**
      * A skipped row.
@@ -34,7 +34,7 @@ public final class ObservationFile {
      * @param where line or row of the file, for users
      * @param why the reason
      */
-    void bad(String where, String why);
+    void skipped(String where, String why);
 
     /**
      * A statement about the whole file.

@@ -56,7 +56,7 @@ final class ObservationTable {
       while (table.next()) {
         String problem = observations.row(table);
         if (!problem.isEmpty()) {
-          listener.bad("line " + table.line(), problem);
+          listener.skipped("line " + table.line(), problem);
         }
       }
     }
@@ -89,7 +89,7 @@ final class ObservationTable {
       return "its time " + timeUs + " us is before " + lastUs + " us of a row above";
     }
     lastUs = timeUs;
-    listener.seen(
+    listener.observed(
         timeUs,
         row.text(2),
         new LineObservation(camera, values[0], values[1], values[2], values[3], values[4]));

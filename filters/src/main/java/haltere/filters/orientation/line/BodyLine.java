@@ -37,12 +37,10 @@ public record BodyLine(
     return new LineObservation(camera, xPx, yPx, angleRad, areaPx, eccentricity);
   }
 
-  /** Half the long axis, pixels. */
   double halfLengthPx() {
     return Math.sqrt(areaPx / Math.PI * eccentricity);
   }
 
-  /** Half the short axis, pixels. */
   double halfWidthPx() {
     return Math.sqrt(areaPx / Math.PI / eccentricity);
   }

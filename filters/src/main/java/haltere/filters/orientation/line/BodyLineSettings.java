@@ -5,6 +5,7 @@ import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
+import java.util.Map;
 
 /** Settings of {@link BodyLineFilter}. */
 public record BodyLineSettings(
@@ -22,7 +23,7 @@ public record BodyLineSettings(
             label = "Events per outline pixel")
         @Range(min = 0.1, max = 100, logarithmic = true)
         @Unit("1")
-        double turns,
+        double eventsPerOutlinePx,
     @Help(
             value = "Events within this many half axes of the body's centre are assigned to it.",
             label = "Gate")
@@ -32,32 +33,41 @@ public record BodyLineSettings(
     @Help(value = "A report needs this many new events.", label = "Minimum events")
         @Range(min = 1, max = 100000)
         @Unit("events")
-        int leastEvents,
+        int minEvents,
     @Help(value = "Half axes of a body are at least this long.", label = "Minimum half axis")
         @Range(min = 0.5, max = 1000)
         @Unit("px")
-        double leastRadiusPx,
+        double minRadiusPx,
     @Help(value = "A body with a longer half axis is searched again.", label = "Maximum half axis")
         @Range(min = 2, max = 2000)
         @Unit("px")
-        double greatestRadiusPx,
+        double maxRadiusPx,
     @Help(
             value = "A body without events for longer than this is searched again.",
             label = "Timeout")
         @Range(min = 1000, max = 1000000000, logarithmic = true)
         @Unit("us")
-        long forgetUs)
+        long timeoutUs)
     implements AdjustableSettings<BodyLineSettings> {
   public BodyLineSettings {
     SettingsSchema.validate(
         BodyLineSettings.class,
         rateHz,
-        turns,
+        eventsPerOutlinePx,
         gateRadii,
-        leastEvents,
-        leastRadiusPx,
-        greatestRadiusPx,
-        forgetUs);
+        minEvents,
+        minRadiusPx,
+        maxRadiusPx,
+        timeoutUs);
+  }
+
+  static Map<String, String> formerNames() {
+    return Map.of(
+        "turns", "eventsPerOutlinePx",
+        "leastEvents", "minEvents",
+        "leastRadiusPx", "minRadiusPx",
+        "greatestRadiusPx", "maxRadiusPx",
+        "forgetUs", "timeoutUs");
   }
 
   /** {@return the default settings: an insect of 4 to 120 pixels} */

@@ -143,7 +143,7 @@ public final class BodyLineTracker {
 
   private void tick(long timeUs) {
     if (hasTime) {
-      if (following && timeUs - lastUs > settings.forgetUs()) {
+      if (following && timeUs - lastUs > settings.timeoutUs()) {
         lose();
       } else if (following) {
         follow(nextUs);
@@ -181,7 +181,7 @@ public final class BodyLineTracker {
 
   /** Moves the frame to the middle of both polarities, computes the ellipse, and reports. */
   private void follow(long atUs) {
-    if (sinceReport < settings.leastEvents() || seen[0] < 4 || seen[1] < 4) {
+    if (sinceReport < settings.minEvents() || seen[0] < 4 || seen[1] < 4) {
       return;
     }
     double middleX = 0.5 * (meanX[0] + meanX[1]);
@@ -226,7 +226,7 @@ public final class BodyLineTracker {
   private void shape() {
     double deltaX = meanX[0] - meanX[1];
     double deltaY = meanY[0] - meanY[1];
-    double min = settings.leastRadiusPx() * settings.leastRadiusPx();
+    double min = settings.minRadiusPx() * settings.minRadiusPx();
     sxx = 1.5 * (covXx[0] + covXx[1]) + BETWEEN * deltaX * deltaX;
     sxy = 1.5 * (covXy[0] + covXy[1]) + BETWEEN * deltaX * deltaY;
     syy = 1.5 * (covYy[0] + covYy[1]) + BETWEEN * deltaY * deltaY;
@@ -235,7 +235,7 @@ public final class BodyLineTracker {
     double bound = Math.sqrt(sxx * syy) * 0.999;
     sxy = Math.max(-bound, Math.min(bound, sxy));
     double largest = 0.5 * (sxx + syy) + Math.sqrt(0.25 * (sxx - syy) * (sxx - syy) + sxy * sxy);
-    if (!(largest < settings.greatestRadiusPx() * settings.greatestRadiusPx())) {
+    if (!(largest < settings.maxRadiusPx() * settings.maxRadiusPx())) {
       lose();
       return;
     }
@@ -255,7 +255,7 @@ public final class BodyLineTracker {
     // Ramanujan's first term is sufficient for the number of pixels along the outline
     double mean = 0.5 * (sxx + syy);
     double outline = 2 * Math.PI * Math.sqrt(mean);
-    gain = 1 / Math.max(8, 0.5 * settings.turns() * outline);
+    gain = 1 / Math.max(8, 0.5 * settings.eventsPerOutlinePx() * outline);
   }
 
   /** Starts a body where the most events are, if there are enough; older ones count less. */
@@ -306,7 +306,7 @@ public final class BodyLineTracker {
     Arrays.fill(seen, 0);
     total = 0;
     sinceReport = 0;
-    double radius = Math.min(START_RADIUS_PX, settings.greatestRadiusPx() / 2);
+    double radius = Math.min(START_RADIUS_PX, settings.maxRadiusPx() / 2);
     sxx = radius * radius;
     sxy = 0;
     syy = sxx;

@@ -12,7 +12,7 @@ import haltere.filters.wing.WingTrackerSettings;
 final class BodyFollower {
   private static final int BOTH = 3;
 
-  private final FlyPlace place;
+  private final FlyPosition position;
   private WingTrackerSettings settings;
   private boolean follows;
   private final double[] sumX = new double[2];
@@ -24,8 +24,8 @@ final class BodyFollower {
   /** Wings whose beat has ended since the last move, as bits. */
   private int ended;
 
-  BodyFollower(FlyPlace place, WingTrackerSettings settings) {
-    this.place = place;
+  BodyFollower(FlyPosition position, WingTrackerSettings settings) {
+    this.position = position;
     apply(settings);
   }
 
@@ -34,7 +34,6 @@ final class BodyFollower {
     follows = changed.average().bodyUpdate() || changed.average().headingUpdate();
   }
 
-  /** Restarts. */
   void launch() {
     ended = 0;
     for (int side = 0; side < 2; side++) {
@@ -71,25 +70,25 @@ final class BodyFollower {
 
   private boolean follow() {
     RunningAverageSettings average = settings.average();
-    WingPositionSettings position = settings.position();
+    WingPositionSettings offsets = settings.position();
     ended = 0;
     double share = average.mixingFactor();
     double acrossX = meanX[0] - meanX[1];
     double acrossY = meanY[0] - meanY[1];
     if (average.bodyUpdate()) {
-      double middleX = (meanX[0] + meanX[1]) / 2 + position.bodyOffsetXPx();
-      double middleY = (meanY[0] + meanY[1]) / 2 + position.bodyOffsetYPx();
-      place.shift(share * (middleX - place.axisX), share * (middleY - place.axisY));
+      double middleX = (meanX[0] + meanX[1]) / 2 + offsets.bodyOffsetXPx();
+      double middleY = (meanY[0] + meanY[1]) / 2 + offsets.bodyOffsetYPx();
+      position.shift(share * (middleX - position.axisX), share * (middleY - position.axisY));
       if (TrackerParts.isOriginal(settings)) {
         double distancePx = Math.hypot(acrossX, acrossY);
-        place.resize(place.sizePx + share * (distancePx - place.sizePx), position);
+        position.resize(position.sizePx + share * (distancePx - position.sizePx), offsets);
       }
     }
     if (average.headingUpdate()) {
-      double heading = Math.atan2(acrossY, acrossX) - Math.PI / 2 + position.headingOffsetRad();
-      place.turn(share * Angles.wrapPi(heading - place.frames[0].headingRad()));
+      double heading = Math.atan2(acrossY, acrossX) - Math.PI / 2 + offsets.headingOffsetRad();
+      position.turn(share * Angles.wrapPi(heading - position.frames[0].headingRad()));
     }
-    place.settle();
+    position.settle();
     return true;
   }
 }

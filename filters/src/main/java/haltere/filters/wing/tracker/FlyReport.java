@@ -29,7 +29,6 @@ final class FlyReport {
   private final WingEstimators wings;
   private final long[] beatCount = new long[2];
 
-  /** Reports to a listener. */
   FlyReport(WingListener listener, WingEstimators wings) {
     this.listener = listener;
     this.wings = wings;
@@ -46,21 +45,21 @@ final class FlyReport {
     WingEstimate[] now = new WingEstimate[2];
     for (int side = 0; side < 2; side++) {
       SideEstimator wing = wings.main[side];
-      if (wings.tracked[side] && listener.wants(WingEstimate.class)) {
+      if (wings.tracked[side] && listener.isRequested(WingEstimate.class)) {
         for (int edge = 0; edge < 2; edge++) {
           if (wings.takesNow[2 * side + edge]) {
-            listener.take(wing.estimate(edge));
+            listener.accept(wing.estimate(edge));
           }
         }
         now[side] = wing.estimate(SideEstimator.WING);
-        listener.take(now[side]);
+        listener.accept(now[side]);
         if (both) {
           beside(now[side], wings.beside[side].estimate(SideEstimator.WING));
         }
       }
-      if (wings.tracked[side] && listener.wants(WingVariances.class)) {
+      if (wings.tracked[side] && listener.isRequested(WingVariances.class)) {
         for (WingFilterState filter : wing.filters()) {
-          listener.take(WingVariances.of(timeUs, filter));
+          listener.accept(WingVariances.of(timeUs, filter));
         }
       }
     }
@@ -75,7 +74,7 @@ final class FlyReport {
       return;
     }
     WingEstimate e = wings.main[side].estimate(on ? SideEstimator.TRAILING : SideEstimator.LEADING);
-    listener.take(
+    listener.accept(
         new WingMeasurement(
             timeUs,
             e.edge(),
@@ -88,8 +87,8 @@ final class FlyReport {
   }
 
   private void beside(WingEstimate filter, WingEstimate average) {
-    listener.take(new WingAverage(average));
-    listener.take(
+    listener.accept(new WingAverage(average));
+    listener.accept(
         new WingDifference(
             filter.timeUs(),
             filter.edge(),
@@ -101,7 +100,7 @@ final class FlyReport {
   }
 
   private void pair(WingEstimate left, WingEstimate right) {
-    listener.take(
+    listener.accept(
         new WingPair(
             left.timeUs(),
             left.angleRad() - right.angleRad(),
@@ -132,7 +131,7 @@ final class FlyReport {
         }
       }
     }
-    listener.take(
+    listener.accept(
         new WingSnapshot(
             timeUs,
             phase,
@@ -153,7 +152,7 @@ final class FlyReport {
         wings.tracked[1 - own]
             ? Angles.wrapPi(phaseAt(1 - own, timeUs) - phaseAt(own, timeUs))
             : Double.NaN;
-    listener.take(
+    listener.accept(
         new WingBeat(
             side,
             ++beatCount[own],

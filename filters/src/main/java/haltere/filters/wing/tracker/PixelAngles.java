@@ -8,14 +8,14 @@ final class PixelAngles {
   private static final float UNKNOWN = 0;
 
   private final int width;
-  private final FlyPlace place;
+  private final FlyPosition position;
 
   // 1 + angle in [0, 2 pi) on the left, -1 - angle on the right, NaN outside the region of interest
   private final float[] codes;
 
-  PixelAngles(int width, int height, FlyPlace place) {
+  PixelAngles(int width, int height, FlyPosition position) {
     this.width = width;
-    this.place = place;
+    this.position = position;
     codes = new float[width * height];
   }
 
@@ -31,8 +31,8 @@ final class PixelAngles {
   }
 
   private float workOut(int x, int y) {
-    int side = place.side(x, y);
-    StrokeFrame frame = place.frames[side];
+    int side = position.side(x, y);
+    StrokeFrame frame = position.frames[side];
     float code = Float.NaN;
     if (frame.look(x, y)) {
       double angle = frame.angle();

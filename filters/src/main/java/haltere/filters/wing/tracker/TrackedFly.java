@@ -3,7 +3,7 @@ package haltere.filters.wing.tracker;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.stream.SortedEvents;
+import haltere.core.stream.EventQueues;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingMeasurement;
@@ -31,11 +31,10 @@ final class TrackedFly {
 
   private final WingListener listener;
   private WingTrackerSettings settings;
-  final FlyPlace place = new FlyPlace();
-  private final StrokeFrame[] frames = place.frames;
+  final FlyPosition position = new FlyPosition();
+  private final StrokeFrame[] frames = position.frames;
   private final SensorGeometry sensor;
 
-  /** Estimators of the strokes. */
   final WingEstimators wings;
 
   /** Whether a Kalman filter and whether a running average are used. */
@@ -47,13 +46,13 @@ final class TrackedFly {
   private boolean measures;
 
   /** Whether events wait until both wings meet. */
-  private boolean sorts;
+  private boolean isQueueing;
 
   /** Waiting events of each wing. */
-  final SortedEvents sorted = new SortedEvents(2, this::take);
+  final EventQueues queues = new EventQueues(2, this::take);
 
   /** Position of the running average. */
-  private FlyPlace averagePlace = place;
+  private FlyPosition averagePosition = position;
 
   /** The last result of the search. */
   private FoundFly fly;
@@ -74,33 +73,33 @@ final class TrackedFly {
   private void build() {
     filters = settings.filter().method() != WingMethod.WRA;
     averages = TrackerParts.averages(settings);
-    averagePlace = TrackerParts.sharesFrames(settings) ? place : new FlyPlace();
-    if (averagePlace != place && fly != null) {
-      averagePlace.begin(fly, settings.position(), foundAtUs);
+    averagePosition = TrackerParts.sharesFrames(settings) ? position : new FlyPosition();
+    if (averagePosition != position && fly != null) {
+      averagePosition.begin(fly, settings.position(), foundAtUs);
     }
-    angles = averages ? new PixelAngles(sensor.width(), sensor.height(), averagePlace) : null;
-    follower = new BodyFollower(averagePlace, settings);
+    angles = averages ? new PixelAngles(sensor.width(), sensor.height(), averagePosition) : null;
+    follower = new BodyFollower(averagePosition, settings);
     wings.build(settings, follower);
   }
 
   void begin(FoundFly found, long timeUs) {
     fly = found;
     foundAtUs = timeUs;
-    WingPositionSettings position = settings.position();
-    place.begin(found, position, timeUs);
-    if (averagePlace != place) {
-      averagePlace.begin(found, position, timeUs);
+    WingPositionSettings offsets = settings.position();
+    position.begin(found, offsets, timeUs);
+    if (averagePosition != position) {
+      averagePosition.begin(found, offsets, timeUs);
     }
     wings.report.begin();
     for (int side = 0; side < 2; side++) {
-      StrokeSeed seed = found.seeds()[position.flipHeading() ? 1 - side : side];
+      StrokeSeed seed = found.seeds()[offsets.flipHeading() ? 1 - side : side];
       wings.tracked[side] = seed != null;
       if (seed != null) {
-        StrokeSeed turned = position.flipHeading() ? seed.mirrored() : seed;
+        StrokeSeed turned = offsets.flipHeading() ? seed.mirrored() : seed;
         wings.launch(
             side,
             timeUs,
-            turned.withCentre(turned.centre() - frames[side].turn() * position.headingOffsetRad()));
+            turned.withCentre(turned.centre() - frames[side].turn() * offsets.headingOffsetRad()));
       }
     }
     launched();
@@ -127,9 +126,9 @@ final class TrackedFly {
 
   /** Starts a packet. */
   void beginPacket() {
-    measures = listener.wants(WingMeasurement.class);
+    measures = listener.isRequested(WingMeasurement.class);
     // a wing with a filter for each edge reports beats at its events
-    sorts = !measures && !averages && wings.main[0] instanceof WingEstimator;
+    isQueueing = !measures && !averages && wings.main[0] instanceof WingEstimator;
   }
 
   private void take(int side, EventPacket events) {
@@ -145,10 +144,10 @@ final class TrackedFly {
     int y = EventAddress.y(address);
     boolean on = EventAddress.isOn(address);
     if (filters) {
-      int side = place.side(x, y);
+      int side = position.side(x, y);
       boolean takes = wings.takesNow[2 * side + (on ? 1 : 0)];
-      if (takes && sorts) {
-        sorted.add(side, timeUs, address);
+      if (takes && isQueueing) {
+        queues.add(side, timeUs, address);
       } else if (takes && frames[side].look(x, y)) {
         double expected = wings.main[side].event(timeUs, on);
         if (measures) {
@@ -163,7 +162,7 @@ final class TrackedFly {
 
   /** A passage of a pixel has ended; takes its resolved time, microseconds. */
   void passed(int address, long resolvedUs) {
-    int side = place.side(EventAddress.x(address), EventAddress.y(address));
+    int side = position.side(EventAddress.x(address), EventAddress.y(address));
     if (wings.main[side] instanceof WingEstimator wing) {
       wing.passed(address, resolvedUs);
     }
@@ -210,12 +209,12 @@ final class TrackedFly {
         right.turnHeading(by);
       }
     }
-    place.settle();
+    position.settle();
   }
 
   Optional<FlyGeometry> averageGeometry() {
-    return averages && averagePlace != place
-        ? Optional.of(averagePlace.geometry())
+    return averages && averagePosition != position
+        ? Optional.of(averagePosition.geometry())
         : Optional.empty();
   }
 
@@ -226,8 +225,8 @@ final class TrackedFly {
 
   /** Publishes a snapshot, also an empty one. */
   void publishSnapshot(long timeUs, Phase phase) {
-    if (listener.wants(WingSnapshot.class)) {
-      wings.report.snapshot(timeUs, phase, place.geometry(), place.regionPx);
+    if (listener.isRequested(WingSnapshot.class)) {
+      wings.report.snapshot(timeUs, phase, position.geometry(), position.regionPx);
     }
   }
 
@@ -248,7 +247,8 @@ final class TrackedFly {
     StrokeSeed[] seeds = wings.seeds();
     boolean flipped = changed.position().flipHeading() != before.position().flipHeading();
     double turn = 0;
-    for (FlyPlace each : averagePlace == place ? List.of(place) : List.of(averagePlace, place)) {
+    for (FlyPosition each :
+        averagePosition == position ? List.of(position) : List.of(averagePosition, position)) {
       if (flipped) {
         each.exchange(changed.position().innerRadiusPx());
       }

@@ -44,7 +44,6 @@ final class WingEstimators {
     report = new FlyReport(listener, this);
   }
 
-  /** Creates the estimators. */
   void build(WingTrackerSettings wanted, BodyFollower body) {
     settings = wanted;
     follower = body;
@@ -69,7 +68,7 @@ final class WingEstimators {
   private void takeEdges() {
     for (int edge = 0; edge < 4; edge++) {
       takesNow[edge] =
-          tracked[edge / 2] && settings.output().takes(WingPart.edge(edge / 2, edge % 2));
+          tracked[edge / 2] && settings.output().uses(WingPart.edge(edge / 2, edge % 2));
     }
   }
 

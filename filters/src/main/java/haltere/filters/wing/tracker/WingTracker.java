@@ -7,7 +7,7 @@ import haltere.core.stream.SharedWork;
 import haltere.filters.estimation.Angles;
 import haltere.filters.noise.internal.PolarityRuns;
 import haltere.filters.wing.FlyGeometry;
-import haltere.filters.wing.WingByHand;
+import haltere.filters.wing.ManualWingChange;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingListener;
@@ -83,7 +83,7 @@ public final class WingTracker {
   }
 
   void share(SharedWork work) {
-    fly.sorted.share(work);
+    fly.queues.share(work);
   }
 
   /** Returns to the initial state; settings, with manual positions, stay. */
@@ -161,7 +161,7 @@ public final class WingTracker {
    */
   public void edit(WingFilterEdit edit) {
     fly.wings.edit(edit);
-    listener.take(new WingByHand(edit.part(), Optional.of(edit)));
+    listener.accept(new ManualWingChange(edit.part(), Optional.of(edit)));
   }
 
   /**
@@ -173,12 +173,12 @@ public final class WingTracker {
    */
   public void restart(WingPart part) {
     fly.wings.restart(part);
-    listener.take(new WingByHand(part, Optional.empty()));
+    listener.accept(new ManualWingChange(part, Optional.empty()));
   }
 
   /** {@return the geometry of the fly; empty while none is tracked} */
   public Optional<FlyGeometry> geometry() {
-    return fly.wings.isTracked() ? Optional.of(fly.place.geometry()) : Optional.empty();
+    return fly.wings.isTracked() ? Optional.of(fly.position.geometry()) : Optional.empty();
   }
 
   /**
@@ -191,7 +191,7 @@ public final class WingTracker {
 
   /** {@return the radius of the region of interest about each hinge, pixels, of a tracked fly} */
   public double regionPx() {
-    return fly.place.regionPx;
+    return fly.position.regionPx;
   }
 
   /**
@@ -205,7 +205,7 @@ public final class WingTracker {
     if (!fly.wings.isTracked()) {
       return settings;
     }
-    FlyGeometry now = fly.place.geometry();
+    FlyGeometry now = fly.position.geometry();
     return settings.with(
         "position.bodyOffsetXPx=" + (settings.position().bodyOffsetXPx() + x - now.centreX()),
         "position.bodyOffsetYPx=" + (settings.position().bodyOffsetYPx() + y - now.centreY()));
@@ -225,7 +225,7 @@ public final class WingTracker {
         Angles.wrapPi(
             settings.position().headingOffsetRad()
                 + headingRad
-                - fly.place.geometry().headingRad());
+                - fly.position.geometry().headingRad());
     return settings.with("position.headingOffsetRad=" + offset);
   }
 
@@ -246,7 +246,7 @@ public final class WingTracker {
     }
     return settings.with(
         "position.regionOffsetPx="
-            + (settings.position().regionOffsetPx() + radiusPx - fly.place.regionPx));
+            + (settings.position().regionOffsetPx() + radiusPx - fly.position.regionPx));
   }
 
   /**
@@ -274,7 +274,7 @@ public final class WingTracker {
         }
       }
     }
-    fly.sorted.take();
+    fly.queues.process();
   }
 
   /** Does the work due at a time; false if its event is not tracked. */
@@ -314,7 +314,7 @@ public final class WingTracker {
     dueUs = dueAfter(timeUs);
     watch.launch();
     setPhase(timeUs);
-    listener.take(fly.place.geometry());
+    listener.accept(fly.position.geometry());
   }
 
   private void setPhase(long timeUs) {
@@ -335,7 +335,7 @@ public final class WingTracker {
   }
 
   private void publish(long timeUs, Phase now, int events) {
-    FlyGeometry g = fly.wings.isTracked() ? fly.place.geometry() : null;
+    FlyGeometry g = fly.wings.isTracked() ? fly.position.geometry() : null;
     double confidence = g == null ? Double.NaN : g.headTailConfidence();
     publish(WingTrackerState.of(timeUs, now, events, fly.wings.frequencyHz(), g, confidence));
   }
@@ -347,14 +347,14 @@ public final class WingTracker {
       steps.keySet().removeAll(CONDITIONS);
     }
     steps.put(state.phase(), state);
-    listener.take(state);
+    listener.accept(state);
   }
 
   /** Makes due checks and estimates; checks do not wait for estimates, whose rate may be low. */
   private void passTicks(long timeUs) {
     while (dueUs <= timeUs) {
       long now = dueUs;
-      fly.sorted.take();
+      fly.queues.process();
       fly.wings.advance(now);
       if (now >= nextCheckUs) {
         check(now);
@@ -384,7 +384,7 @@ public final class WingTracker {
       watch.look(
           recent,
           timeUs,
-          fly.place.geometry(),
+          fly.position.geometry(),
           settings.search(),
           wings.frequencyHz(0),
           wings.frequencyHz(1));

@@ -7,9 +7,9 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.SharedWork;
 import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.ManualWingChange;
 import haltere.filters.wing.WingAverage;
 import haltere.filters.wing.WingBeat;
-import haltere.filters.wing.WingByHand;
 import haltere.filters.wing.WingDifference;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingListener;
@@ -48,7 +48,8 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
       drawnOutlet("snapshot", WingSnapshot.class, "wings", new WingOverlay());
 
   /** not part of a chain: publishes only manual changes */
-  private final Outlet<WingByHand> byHand = new Outlet<>("by-hand", WingByHand.class);
+  private final Outlet<ManualWingChange> manualChanges =
+      new Outlet<>("by-hand", ManualWingChange.class);
 
   private final Map<Class<? extends WingResult>, Outlet<? extends WingResult>> byKind =
       Map.of(
@@ -61,7 +62,7 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
           FlyGeometry.class, geometries,
           WingTrackerState.class, states,
           WingSnapshot.class, snapshots,
-          WingByHand.class, byHand);
+          ManualWingChange.class, manualChanges);
 
   private final WingTracker tracker;
 
@@ -84,8 +85,8 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
    * {@return the outlet of manual changes of running Kalman filters; not among {@link #outlets()},
    * since it is not a result}
    */
-  public Outlet<WingByHand> byHand() {
-    return byHand;
+  public Outlet<ManualWingChange> manualChanges() {
+    return manualChanges;
   }
 
   @Override
@@ -130,10 +131,9 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
     tracker.apply(settings);
   }
 
-  /** Passes results of the tracker to the outlets. */
   private final class OutletsOfFilter implements WingListener {
     @Override
-    public boolean wants(Class<? extends WingResult> kind) {
+    public boolean isRequested(Class<? extends WingResult> kind) {
       return kind == WingEstimate.class
           ? Stream.of(estimates, wings, averages, differences, pairs)
               .anyMatch(Outlet::hasSubscribers)
@@ -142,7 +142,7 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
 
     @Override
     @SuppressWarnings("unchecked")
-    public void take(WingResult result) {
+    public void accept(WingResult result) {
       if (result instanceof WingAverage average) {
         averages.publish(average.estimate());
         return;

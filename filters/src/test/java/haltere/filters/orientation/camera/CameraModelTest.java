@@ -57,7 +57,7 @@ class CameraModelTest {
       double[] n = new double[6];
       camera.lineNormals(at, n);
       double[] line = {seen[0], seen[1], camera.heading(at, axis)};
-      assertTrue(camera.straighten(line));
+      assertTrue(camera.undistort(line));
       assertEquals(ideal[0], line[0], 1e-8);
       assertEquals(ideal[1], line[1], 1e-8);
       double vx = n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2];
@@ -70,7 +70,7 @@ class CameraModelTest {
   void foldedRegionOfAStrongLensHasNoPoint() {
     CameraModel camera = RandomCameras.random(new SplittableRandom(3), -0.5, 0, 0, 0, 0);
     double[] line = {310 + 3000, 250, 0.3};
-    assertFalse(camera.straighten(line));
+    assertFalse(camera.undistort(line));
     assertEquals(3310, line[0]);
   }
 
@@ -89,7 +89,7 @@ class CameraModelTest {
     CameraModel camera = CameraModel.of("flat", rankTwo, new double[0], 0, 0);
     assertTrue(camera.problem().orElseThrow().contains("rank"), camera.problem().toString());
     assertFalse(camera.project(new double[] {0, 0, 5}, new double[2]));
-    assertFalse(camera.straighten(new double[] {1, 1, 1}));
+    assertFalse(camera.undistort(new double[] {1, 1, 1}));
     double[] holes = new double[12];
     holes[3] = Double.NaN;
     assertTrue(CameraModel.of("none", holes, new double[0], 0, 0).problem().isPresent());

@@ -96,7 +96,8 @@ class BodyLineFilterTest extends EventFilterContract {
     for (int degrees = 0; degrees < 180; degrees += 30) {
       List<BodyLine> lines = new ArrayList<>();
       BodyLineTracker tracker =
-          new BodyLineTracker(sensor, BodyLineSettings.defaults().with("turns=3"), lines::add);
+          new BodyLineTracker(
+              sensor, BodyLineSettings.defaults().with("eventsPerOutlinePx=3"), lines::add);
       tracker.track(ellipse(18, 7, Math.toRadians(40), Math.toRadians(degrees)));
       BodyLine last = lines.get(lines.size() - 1);
       double off = Angles.wrapHalfPi(last.angleRad() - Math.toRadians(40));

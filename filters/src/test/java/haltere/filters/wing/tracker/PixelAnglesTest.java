@@ -15,8 +15,8 @@ class PixelAnglesTest {
   private static final FlyGeometry FOUND =
       new FlyGeometry(60.3, 66.8, 2.1, 40, 57.9, 65.2, 62.7, 68.4, 1, 0);
 
-  private static FlyPlace place() {
-    FlyPlace place = new FlyPlace();
+  private static FlyPosition place() {
+    FlyPosition place = new FlyPosition();
     place.begin(
         new FoundFly(FOUND, 42, new StrokeSeed[2]), WingTrackerSettings.defaults().position(), 0);
     return place;
@@ -24,7 +24,7 @@ class PixelAnglesTest {
 
   @Test
   void pixelsHaveSideAndAngleOfTheirWingFrame() {
-    FlyPlace place = place();
+    FlyPosition place = place();
     PixelAngles angles = new PixelAngles(128, 128, place);
     int inside = 0;
     for (int round = 0; round < 2; round++) {
@@ -48,7 +48,7 @@ class PixelAnglesTest {
 
   @Test
   void anglesAreRecomputedAfterAMoveOfTheFly() {
-    FlyPlace place = place();
+    FlyPosition place = place();
     PixelAngles angles = new PixelAngles(128, 128, place);
     double before = PixelAngles.angle(angles.code(80, 80));
     place.turn(0.25);

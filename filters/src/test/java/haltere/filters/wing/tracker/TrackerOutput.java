@@ -46,7 +46,7 @@ final class TrackerOutput implements WingListener {
   }
 
   @Override
-  public void take(WingResult result) {
+  public void accept(WingResult result) {
     if (result instanceof WingTrackerState state) {
       states.add(state);
     } else if (result instanceof WingEstimate estimate) {

@@ -185,12 +185,12 @@ class WingEdgesTest {
     WingListener listener =
         new WingListener() {
           @Override
-          public boolean wants(Class<? extends WingResult> kind) {
+          public boolean isRequested(Class<? extends WingResult> kind) {
             return kind == WingMeasurement.class;
           }
 
           @Override
-          public void take(WingResult result) {
+          public void accept(WingResult result) {
             if (result instanceof WingMeasurement row) {
               rows.add(row);
             }

@@ -252,7 +252,7 @@ class WingMethodsTest {
   void originalPresetKeepsAFlyNearItsStart() {
     WingTrackerSettings original = WingTrackerSettings.original();
     assertEquals(WingModel.ORIGINAL, original.filter().model());
-    assertEquals(2000, original.search().leastEvents());
+    assertEquals(2000, original.search().minEvents());
     assertEquals(240, original.search().startFrequencyHz());
     EventPacket fly = Flies.events(0.5, STEADY, EVEN, "stroke.beat.frequencyHz=235");
     TrackerOutput output = TrackerOutput.of(fly, original);

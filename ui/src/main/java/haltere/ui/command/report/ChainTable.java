@@ -8,14 +8,14 @@ import haltere.ui.command.terminal.Quantities;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A chain as rows of a table: its stages with the settings that differ from their defaults. */
+/** Rows of a table of a chain: its stages with the settings that differ from their defaults. */
 final class ChainTable {
   static final List<String> HEADER =
       List.of("stage", "", "settings that differ", "events in", "events out", "ns/event");
 
   private ChainTable() {}
 
-  /** A row for each stage, those of a chain inside of it after it. */
+  /** A row for each stage, those of a nested chain after it. */
   static List<List<String>> rows(FilterChain chain) {
     List<List<String>> rows = new ArrayList<>();
     add(chain, "", rows);

@@ -32,21 +32,20 @@ import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
- * What a page tells of a folder of results: each recording's counts and the means of its main
- * results. It reads what {@code done.json} and the tables say, so it is the same after a resumed or
- * a shared run.
+ * Report of a folder of results: counts of each recording and means of its main results, from
+ * {@code done.json} and the tables. It is the same after a resumed or a shared run.
  *
  * @param folder where the results are
  * @param chains makes the chain of the results
  * @param reading how the recordings were read
  */
-public record FolderReport(Path folder, RecordingJob.ChainMaker chains, ReadOptions reading) {
+public record FolderReport(Path folder, RecordingJob.ChainFactory chains, ReadOptions reading) {
   private static final int MAX_PICTURES = 8;
   private static final long PICTURED_US = 1_000_000;
 
   /**
-   * Adds all to a page: the recordings in the order of their names, those that failed, and lines
-   * for a person.
+   * Adds all to a page: the recordings in the order of their names, the failed ones, and lines of
+   * text.
    */
   public void addTo(
       ReportPage page, List<BatchItem> items, List<BatchFailure> failures, List<String> summary)
@@ -100,7 +99,7 @@ public record FolderReport(Path folder, RecordingJob.ChainMaker chains, ReadOpti
 
   private void addChain(ReportPage page, List<BatchItem> done) throws IOException {
     try (RecordingReader first = Recordings.open(done.get(0).recording(), reading);
-        FilterChain chain = chains.make(first.geometry())) {
+        FilterChain chain = chains.create(first.geometry())) {
       page.section("Chain");
       page.table(
           ChainTable.HEADER.subList(0, 3),
@@ -129,14 +128,14 @@ public record FolderReport(Path folder, RecordingJob.ChainMaker chains, ReadOpti
     page.plot(
         SvgPlot.around(new double[] {0.5, done.size() + 0.5}, values)
             .dots("", ReportPage.colour("", 0), numbers, values)
-            .draw(field.outlet() + ": " + field.words(), "recording", field.words() + unit),
+            .draw(field.outlet() + ": " + field.label(), "recording", field.label() + unit),
         Map.of(),
         "");
   }
 
   private BufferedImage pictures(BatchItem item) throws IOException {
     try (RecordingReader reader = Recordings.open(item.recording(), reading);
-        FilterChain chain = chains.make(reader.geometry())) {
+        FilterChain chain = chains.create(reader.geometry())) {
       ContactSheet sheet = new ContactSheet(chain);
       EventRate seen = new EventRate(2);
       EventSource source = RunReport.inShortPackets(reader);
@@ -152,7 +151,7 @@ public record FolderReport(Path folder, RecordingJob.ChainMaker chains, ReadOpti
     }
   }
 
-  /** Mean of a column of a table, NaN if there is none. */
+  /** Mean of a column of a table, NaN without values. */
   private static double mean(Path table, String column) throws IOException {
     double sum = 0;
     long rows = 0;

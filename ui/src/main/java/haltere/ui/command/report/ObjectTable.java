@@ -46,7 +46,7 @@ final class ObjectTable {
     outlet.subscribe(row -> take((TrailPoint) row));
   }
 
-  /** A table for each outlet of objects that a chain has; it listens from now on. */
+  /** A table for each outlet of objects of a chain, which it subscribes to. */
   static List<ObjectTable> of(FilterChain chain) {
     List<ObjectTable> tables = new ArrayList<>();
     for (Outlet<?> outlet : chain.outlets()) {

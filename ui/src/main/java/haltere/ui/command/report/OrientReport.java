@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.stream.Stream;
 
-/** What a page tells of orientations: position, axis and deviation of each body over time. */
+/** Report of orientations: position, axis and deviation of each body over time. */
 public final class OrientReport implements BiConsumer<String, OrientationEstimate> {
   private static final PlotRow ROW = PlotRow.of(OrientationRow.class).orElseThrow();
 
@@ -29,10 +29,7 @@ public final class OrientReport implements BiConsumer<String, OrientationEstimat
     }
   }
 
-  /**
-   * Adds to a page what was read, by name, the estimator's settings, lines for a person and the
-   * plots.
-   */
+  /** Adds to a page the inputs by name, the estimator's settings, lines of text and the plots. */
   public void addTo(
       ReportPage page,
       Map<String, String> read,

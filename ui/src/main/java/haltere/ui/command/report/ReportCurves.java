@@ -12,8 +12,8 @@ import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
- * The curves of a lane over a whole stream, in bounded memory: lowest and highest values in
- * stretches of time, and the newest samples as they are.
+ * Curves of a lane over a whole stream in bounded memory: minima and maxima in time bins, and the
+ * newest samples.
  */
 final class ReportCurves {
   private static final int BINS = 400;
@@ -37,7 +37,7 @@ final class ReportCurves {
 
     void add(long timeUs, double value) {
       if (samples == 0 || timeUs < baseUs) {
-        // a clock that went back begins anew
+        // a backward jump of the clock restarts the bins
         bins = new TimeBins(BINS, 1_000);
         newest.clear();
         samples = 0;
@@ -61,7 +61,7 @@ final class ReportCurves {
     double[] edge(boolean low) {
       return IntStream.range(0, bins.size())
           .filter(bin -> bins.count(bin) > 0)
-          .mapToDouble(bin -> low ? bins.lowest(bin) : bins.highest(bin))
+          .mapToDouble(bin -> low ? bins.min(bin) : bins.max(bin))
           .toArray();
     }
 
@@ -87,20 +87,20 @@ final class ReportCurves {
     String name =
         fields.size() == 1
             ? key
-            : field.outlet() + " " + field.words() + (key.isEmpty() ? "" : ", " + key);
+            : field.outlet() + " " + field.label() + (key.isEmpty() ? "" : ", " + key);
     if (Double.isFinite(value) && (traces.size() < MAX_CURVES || traces.containsKey(name))) {
       traces.computeIfAbsent(name, absent -> new Trace()).add(timeUs, value);
     }
   }
 
-  /** Adds the plots to a page: all of the time, and a close-up where that hides the samples. */
+  /** Adds the plots to a page: the whole time, and a close-up if that hides the samples. */
   void addTo(ReportPage page) {
     if (traces.isEmpty()) {
       return;
     }
     PlotField first = fields.get(0);
-    String label = first.words() + (first.unit().isEmpty() ? "" : " (" + first.unit() + ")");
-    String title = first.outlet() + ": " + first.words();
+    String label = first.label() + (first.unit().isEmpty() ? "" : " (" + first.unit() + ")");
+    String title = first.outlet() + ": " + first.label();
     List<Trace> all = List.copyOf(traces.values());
     double[] times = join(all.stream().map(Trace::timesS).toList());
     SvgPlot whole =
@@ -124,8 +124,8 @@ final class ReportCurves {
     boolean dense = all.stream().anyMatch(Trace::isDense);
     page.plot(whole.draw(title, "time (s)", label), legend, dense ? BANDS : "");
     if (dense) {
-      String words = title + ", last " + NEWEST + " samples";
-      page.plot(closeUp(colours).draw(words, "time (s)", label), legend, "");
+      String text = title + ", last " + NEWEST + " samples";
+      page.plot(closeUp(colours).draw(text, "time (s)", label), legend, "");
     }
   }
 

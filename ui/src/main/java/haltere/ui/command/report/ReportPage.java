@@ -14,8 +14,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * An HTML page of tables, plots and pictures, all inside of it. Its colours follow the reader's
- * light or dark setting.
+ * An HTML page with embedded tables, plots and pictures. Its colours follow the reader's light or
+ * dark setting.
  */
 public final class ReportPage {
   /** Colours of curves beside those of left and right wings. */
@@ -33,8 +33,8 @@ public final class ReportPage {
   }
 
   /**
-   * The SVG colour of a curve: that of its side or identity in pictures, or by how many curves
-   * there were before it.
+   * The SVG colour of a curve: that of its side or identity in pictures, or by the number of
+   * earlier curves.
    */
   public static String colour(String key, int number) {
     MarkStyle style = MarkColours.ofCurve(key).orElse(MarkStyle.of(MarkStyle.Role.OBJECT, number));
@@ -93,7 +93,7 @@ public final class ReportPage {
     return row.append("</tr>\n").toString();
   }
 
-  /** Adds lines as they are. */
+  /** Adds preformatted lines. */
   void text(List<String> lines) {
     body.append("<pre>").append(SvgPlot.escaped(String.join("\n", lines))).append("</pre>\n");
   }
@@ -119,13 +119,13 @@ public final class ReportPage {
   }
 
   /** Adds a sentence. */
-  void sentence(String words) {
-    body.append("<p>").append(SvgPlot.escaped(words)).append("</p>\n");
+  void sentence(String text) {
+    body.append("<p>").append(SvgPlot.escaped(text)).append("</p>\n");
   }
 
-  /** Adds a picture with the words for those who do not see it. */
-  void picture(BufferedImage picture, String words) {
-    body.append("<img alt=\"").append(SvgPlot.escaped(words)).append("\" width=\"");
+  /** Adds a picture with its alternative text. */
+  void picture(BufferedImage picture, String text) {
+    body.append("<img alt=\"").append(SvgPlot.escaped(text)).append("\" width=\"");
     body.append(picture.getWidth()).append("\" src=\"data:image/png;base64,");
     body.append(Base64.getEncoder().encodeToString(Pictures.png(picture))).append("\">\n");
   }

@@ -26,8 +26,7 @@ import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
- * What a page tells of a recording that goes through a chain: gathered while the job runs, in
- * bounded memory.
+ * Report of a recording and its chain, collected during the job in bounded memory.
  *
  * <p>Thread rule: the thread of the job.
  */
@@ -44,7 +43,8 @@ public final class RunReport implements JobResults {
 
   /** Another job that does the same and is watched for the report. */
   public RecordingJob watching(RecordingJob job) {
-    return job.with((reader, filters) -> open(filters)).paced(RunReport::inShortPackets);
+    return job.withResults((reader, filters) -> open(filters))
+        .withPacing(RunReport::inShortPackets);
   }
 
   /** In packets of milliseconds, so that pictures show events and results of the same moment. */
@@ -86,8 +86,8 @@ public final class RunReport implements JobResults {
   }
 
   /**
-   * Adds what was gathered to a page, with the recording's SHA-256 (hexadecimal) and lines for a
-   * person.
+   * Adds the collected data to a page, with the recording's SHA-256 (hexadecimal) and lines of
+   * text.
    */
   public void addTo(ReportPage page, JobReport job, String sha256, List<String> summary)
       throws IOException {

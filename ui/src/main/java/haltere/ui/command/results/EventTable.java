@@ -15,8 +15,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The events of a recording as a table, with the columns of text. Where its format holds metadata,
- * {@code haltere.sensor} is the size of the sensor and {@code haltere.rows} where rows count from.
+ * A table of the events of a recording, with the columns of text. In the metadata, {@code
+ * haltere.sensor} is the sensor's size and {@code haltere.rows} the origin of the rows.
  *
  * <p>Thread rule: one thread at a time.
  */

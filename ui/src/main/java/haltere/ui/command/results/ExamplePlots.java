@@ -18,7 +18,7 @@ public final class ExamplePlots {
   private static final String TIME = "time (s)";
   private static final String FILTERED = "filtered, ± 1 SD";
 
-  /** More points than this are not told apart at the width of a plot. */
+  /** Maximum number of points, by the width of a plot. */
   private static final int MAX_POINTS = 300;
 
   /** Measurements that show single pixels: 0.1 s of video. */
@@ -90,7 +90,7 @@ public final class ExamplePlots {
     put("quantisation", close, "Quantisation", "s (m)");
   }
 
-  /** A plot whose legend is on the side on which the displacement begins, if it only grows. */
+  /** A plot with its legend at the side where the displacement begins, if it only grows. */
   private SvgPlot around(double[] x, double[]... ys) {
     double[] s = column("fit_s_m");
     double last = s[s.length - 1];

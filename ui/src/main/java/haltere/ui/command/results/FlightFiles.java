@@ -17,18 +17,17 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What all cameras of a simulated flight saw, and the cameras, as {@code haltere orient} reads
- * them.
+ * Observations and cameras of a simulated flight, as inputs of {@code haltere orient}.
  *
  * @param scene the flight
- * @param observations where what was seen goes, or null
+ * @param observations output of the observations, or null
  * @param cameras where the cameras go, or null
  */
 public record FlightFiles(FlightScene scene, Path observations, Path cameras) {
-  /** Writes what was seen before a time; returns what to tell the user. */
+  /** Writes the observations before a time; returns messages for the user. */
   public List<String> write(long endUs, boolean overwrite, TableMetadata metadata)
       throws IOException {
-    List<String> told = new ArrayList<>();
+    List<String> lines = new ArrayList<>();
     if (observations != null) {
       try (TableSink<FlightDetection> table =
           Tables.create(observations, FlightDetection.class, overwrite, metadata)) {
@@ -36,7 +35,7 @@ public record FlightFiles(FlightScene scene, Path observations, Path cameras) {
           scene.detections(k).forEach(table);
         }
         table.finish();
-        told.add("wrote " + observations + " (" + Quantities.count(table.rows()) + " rows)");
+        lines.add("wrote " + observations + " (" + Quantities.count(table.rows()) + " rows)");
       }
     }
     if (cameras != null) {
@@ -50,8 +49,8 @@ public record FlightFiles(FlightScene scene, Path observations, Path cameras) {
         list.add(object);
       }
       AtomicFile.write(cameras, Json.write(Map.of("cameras", list)) + "\n", overwrite);
-      told.add("wrote " + cameras + " (" + scene.cameras().size() + " cameras)");
+      lines.add("wrote " + cameras + " (" + scene.cameras().size() + " cameras)");
     }
-    return told;
+    return lines;
   }
 }

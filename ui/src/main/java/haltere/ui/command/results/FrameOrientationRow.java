@@ -4,8 +4,8 @@ import haltere.core.sink.Column;
 import haltere.filters.orientation.OrientationEstimate;
 
 /**
- * A row of what {@code haltere orient} writes of observations that have frames: the columns of
- * {@link OrientationRow}, then the frame and the line in space as Flydra stores it.
+ * A row of {@code haltere orient} for observations with frames: the columns of {@link
+ * OrientationRow}, the frame, and the line in space as stored by Flydra.
  *
  * @param row position and axis
  * @param frame number of the pictures

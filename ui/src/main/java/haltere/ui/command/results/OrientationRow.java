@@ -3,8 +3,8 @@ package haltere.ui.command.results;
 import haltere.filters.orientation.OrientationEstimate;
 
 /**
- * A row of what {@code haltere orient} writes; units are in the names of the columns. The axis (ux,
- * uy, uz) points from tail to head, p, q and r are the rates of roll, pitch and yaw.
+ * A row of {@code haltere orient}; column names have the units. The axis (ux, uy, uz) points from
+ * tail to head; p, q and r are the rates of roll, pitch and yaw.
  *
  * @param sdAxisRad root of the mean squared angle to the true axis
  * @param used observations used

@@ -18,9 +18,9 @@ import java.util.List;
 import java.util.function.BiConsumer;
 
 /**
- * The file that {@code haltere orient} writes: CSV, Parquet, or HDF5 with the table {@code
- * ML_estimates} of Flydra. Where the observations have frames, both have the frame and {@code
- * hz_line0} to {@code hz_line5}.
+ * The output of {@code haltere orient}: CSV, Parquet, or HDF5 with Flydra's table {@code
+ * ML_estimates}. For observations with frames, it has the frame and {@code hz_line0} to {@code
+ * hz_line5}.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -29,8 +29,8 @@ public final class OrientationTable implements BiConsumer<String, OrientationEst
   private BiConsumer<String, OrientationEstimate> rows;
 
   /**
-   * Starts a file beside its place, where it appears when it is {@link #finish finished}: HDF5 by
-   * the end of its name, with frames where the observations have them.
+   * Starts a temporary file, which is moved to its path when it is {@link #finish finished}: HDF5
+   * by its extension, with frames if the observations have them.
    */
   public OrientationTable(
       Path out, ObservationFile observations, boolean overwrite, TableMetadata metadata)
@@ -64,7 +64,7 @@ public final class OrientationTable implements BiConsumer<String, OrientationEst
     return out.toString().toLowerCase(java.util.Locale.ROOT).matches(".*\\.(h5|hdf5?)");
   }
 
-  /** Names and types as in Flydra's table, then what it has not. */
+  /** Names and types as in Flydra's table, then additional columns. */
   private static List<Column> columns() {
     List<Column> columns = new ArrayList<>();
     columns.add(new Column("obj_id", Kind.U32));
@@ -120,7 +120,7 @@ public final class OrientationTable implements BiConsumer<String, OrientationEst
     return Integer.parseInt(object);
   }
 
-  /** Completes the file and puts it in its place. */
+  /** Completes the file and moves it to its path. */
   public void finish() throws IOException {
     files.finish();
   }

@@ -17,8 +17,8 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 
 /**
- * All bodies of a table: gathers the observations of one time, hands them to each body's estimator
- * and writes its estimates in order of time; with smoothing, at the end.
+ * All bodies of a table: passes the observations of each time to each body's estimator and writes
+ * the estimates in order of time; with smoothing, at the end.
  */
 public final class OrientedBodies {
   private final List<CameraModel> cameras;
@@ -33,8 +33,8 @@ public final class OrientedBodies {
   private long estimates;
 
   /**
-   * No bodies yet. The output gets each body's name and its estimates in order of time; with
-   * smoothing, rows wait for what is seen later.
+   * Without bodies yet. The output gets each body's name and its estimates in order of time; with
+   * smoothing, rows wait for later observations.
    */
   public OrientedBodies(
       List<CameraModel> cameras,
@@ -48,7 +48,7 @@ public final class OrientedBodies {
   }
 
   /** Takes an observation; times ascend. */
-  public void seen(long timeUs, String object, LineObservation line) {
+  public void observed(long timeUs, String object, LineObservation line) {
     if (timeUs != nowUs) {
       goOn();
       nowUs = timeUs;
@@ -80,7 +80,7 @@ public final class OrientedBodies {
     together.clear();
   }
 
-  /** Takes in what is left and writes what was held back. */
+  /** Processes remaining observations and writes deferred rows. */
   public void finish() {
     goOn();
     List<Map.Entry<String, OrientationEstimate>> rows = new ArrayList<>();
@@ -102,7 +102,7 @@ public final class OrientedBodies {
     return estimates;
   }
 
-  /** What became of everything, a line for each kind. */
+  /** Counts of observations by result, a line for each. */
   public List<String> summary() {
     List<String> lines = new ArrayList<>();
     lines.add(
@@ -115,7 +115,7 @@ public final class OrientedBodies {
     for (OrientationCount count : OrientationCount.values()) {
       long sum = bodies.values().stream().mapToLong(body -> body.count(count)).sum();
       if (sum > 0 || count == OrientationCount.USED || count == OrientationCount.REJECTED) {
-        lines.add(Quantities.text("%12s %s", Quantities.count(sum), count.words()));
+        lines.add(Quantities.text("%12s %s", Quantities.count(sum), count.description()));
       }
     }
     bodies.forEach((object, body) -> lines.add("body " + object + ": " + noise(body)));
@@ -125,7 +125,7 @@ public final class OrientedBodies {
     return lines;
   }
 
-  /** How noisy a body's lines are, and whether that is what was expected. */
+  /** Noise of a body's lines, and its ratio to the expected one. */
   private String noise(BodyOrientationEstimator body) {
     if (Double.isNaN(body.meanNis())) {
       return "no line was compared with an axis";

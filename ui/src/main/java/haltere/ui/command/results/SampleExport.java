@@ -30,15 +30,15 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 
 /**
- * Writes one of the streams beside the events: samples or triggers as a table, frames as pictures
- * in a new folder with a table of their times. Each appears whole or not at all.
+ * Exports samples of one kind: triggers or inertial samples as a table, frames as pictures in a new
+ * folder with a table of their times. Outputs are atomic.
  *
  * @param stream which
  * @param out the table, or the folder of the pictures
  * @param overwrite whether a table that is there may be replaced
  * @param fromUs first time, microseconds
  * @param toUs first time that is not written any more, microseconds
- * @param metadata what a table says of itself
+ * @param metadata metadata of a table
  */
 public record SampleExport(
     SampleStream stream,
@@ -48,8 +48,8 @@ public record SampleExport(
     long toUs,
     TableMetadata metadata) {
   /**
-   * Reads a recording from its start to its end, with samples, and returns how many were written;
-   * the check is asked before anything is put in its place.
+   * Reads a recording from start to end, with samples, and returns the number written; the check
+   * runs before outputs are moved to their paths.
    */
   public long run(RecordingReader reader, ProgressBar progress, ResultFiles.Finish check)
       throws IOException {

@@ -1,6 +1,6 @@
 package haltere.ui.command.results;
 
-/** Streams beside the events that can be written alone. */
+/** Kinds of samples that can be exported alone. */
 public enum SampleStream {
   /** Inertial samples, as a table. */
   IMU,

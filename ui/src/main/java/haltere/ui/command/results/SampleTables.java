@@ -6,7 +6,7 @@ import haltere.core.event.Trigger;
 import haltere.core.settings.Parameter;
 import haltere.core.sink.Column;
 
-/** Rows of the tables in which samples are written. */
+/** Rows of the tables of samples. */
 final class SampleTables {
   private SampleTables() {}
 
@@ -17,7 +17,7 @@ final class SampleTables {
     }
   }
 
-  /** A row of triggers: what was marked by a rising or falling edge or a pulse of an input. */
+  /** A row of triggers: a rising or falling edge or a pulse of an input. */
   record TriggerRow(@Column("t_us") long timeUs, String source, String edge, int channel) {
     static TriggerRow of(Trigger trigger) {
       return new TriggerRow(

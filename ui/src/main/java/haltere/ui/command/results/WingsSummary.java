@@ -16,9 +16,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What is said about a recording when its wings have been tracked: beats, frequency and amplitude
- * of each side, how much of the time they were tracked at the frequency of the beat, where the fly
- * was on average.
+ * Summary of a recording with tracked wings: beats, frequency and amplitude of each side, time in
+ * lock, mean position of the fly.
  */
 public final class WingsSummary implements StreamHandler {
   private static final double DEGREES = 180 / Math.PI;
@@ -44,13 +43,13 @@ public final class WingsSummary implements StreamHandler {
   private final double[] sums = new double[8];
   private String condition = "waiting for wings";
 
-  /** Nothing seen yet, of a filter that gives so many estimates a second of recording time. */
+  /** Without results yet, of a filter with a rate of estimates per second of recording time. */
   public WingsSummary(WingTrackerFilter filter, double rateHz) {
     this.filter = filter;
     this.rateHz = rateHz;
   }
 
-  /** Listens to what the wing tracker of a chain publishes from now on. */
+  /** Subscribes to the results of the chain's wing tracker. */
   public void listenTo(FilterChain chain) {
     chain.outlet("beats", WingBeat.class).subscribe(this::beat);
     chain.outlet("wings", WingEstimate.class).subscribe(this::estimate);
@@ -110,7 +109,7 @@ public final class WingsSummary implements StreamHandler {
         losses++;
       }
       default -> {
-        // a step on the way
+        // an intermediate step
       }
     }
   }
@@ -118,7 +117,7 @@ public final class WingsSummary implements StreamHandler {
   @Override
   public void packet(EventPacket packet) {
     if (!packet.isEmpty()) {
-      // a clock that restarts begins a stretch of its own
+      // a clock restart begins a new interval
       long fromUs = Math.min(lastUs, packet.firstTimeUs());
       lastUs = packet.lastTimeUs();
       spannedUs += lastUs - fromUs;
@@ -126,8 +125,8 @@ public final class WingsSummary implements StreamHandler {
   }
 
   /**
-   * Where the fly was, on average since it was last found, by the keys of {@code --geometry}; all
-   * values are null if no fly was found.
+   * Mean position of the fly since it was last found, by the keys of {@code --geometry}; all values
+   * are null without a fly.
    */
   public Map<String, Object> geometry() {
     Map<String, Object> map = new LinkedHashMap<>();
@@ -146,7 +145,7 @@ public final class WingsSummary implements StreamHandler {
     return map;
   }
 
-  /** The summary, as lines for a person. */
+  /** The summary, as lines of text. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
     lines.add(

@@ -1,5 +1,5 @@
 /**
- * What commands write and sum up: tables of what filters publish, readings beside the events, files
- * of simulated flights. Each file appears whole or not at all.
+ * Outputs and summaries of commands: tables of results, samples, files of simulated flights. Files
+ * are atomic.
  */
 package haltere.ui.command.results;

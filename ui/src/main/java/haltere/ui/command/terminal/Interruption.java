@@ -4,8 +4,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Lets the work end in order when the process is told to stop: the working thread is interrupted,
- * closes its files (which removes what is unfinished) and only then does the process go.
+ * Ends the work in order at termination of the process: interrupts the working thread, which closes
+ * its files and removes unfinished ones, before the process exits.
  */
 public final class Interruption extends Thread {
   private static final long PATIENCE_S = 10;
@@ -28,15 +28,15 @@ public final class Interruption extends Thread {
   }
 
   /**
-   * The work is done, with its status, however it ended. This does not return where the process has
-   * been told to stop. It ends with status 0 then if that was a proper end of the work, as of a
-   * recording; else with the status of what stopped it (130 for Ctrl+C).
+   * The work has ended with a status. Does not return if the process is to stop: it exits with 0 if
+   * that was a proper end of the work, as of a recording; else with the status of the signal (130
+   * for Ctrl+C).
    */
   public void finished(int workStatus) {
     status = workStatus;
     done.countDown();
     if (stopping) {
-      // Waits for the exit that is under way; one with the status of a failure would overtake it.
+      // Waits for the pending exit; an exit with a failure status would precede it.
       System.exit(0);
     }
   }

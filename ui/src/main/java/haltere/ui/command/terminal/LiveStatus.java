@@ -7,13 +7,12 @@ import java.util.List;
 import java.util.function.LongSupplier;
 
 /**
- * What comes from cameras while they run, on one line of a terminal: rate, what was lost, what
- * waits, and how long it takes.
+ * Status of cameras on one line of a terminal: rate, losses, waiting transfers and latency.
  *
  * <p>Thread rule: one thread shows; the rest may be called from any.
  */
 public final class LiveStatus extends TerminalLine {
-  /** What does not fit onto one line of a terminal would stay there. */
+  /** Longer text than a terminal's line could not be erased. */
   private static final int MAX_LETTERS = 79;
 
   private final List<Camera> cameras;
@@ -27,7 +26,7 @@ public final class LiveStatus extends TerminalLine {
     eventsBefore = new long[cameras.size()];
   }
 
-  /** Shows what is now, if it was not shown just before. */
+  /** Shows the present status, unless it was shown recently. */
   public void show() {
     if (!isDue()) {
       return;
@@ -41,18 +40,18 @@ public final class LiveStatus extends TerminalLine {
     for (int i = 0; i < cameras.size(); i++) {
       CameraStatistics statistics = cameras.get(i).statistics();
       text.append(i == 0 ? "  " : " | ").append(cameras.get(i).info().id()).append(' ');
-      text.append(words(statistics, (statistics.events() - eventsBefore[i]) / sinceS));
+      text.append(label(statistics, (statistics.events() - eventsBefore[i]) / sinceS));
       eventsBefore[i] = statistics.events();
     }
     draw(text.substring(0, Math.min(text.length(), MAX_LETTERS)));
   }
 
-  private String words(CameraStatistics statistics, double rate) {
-    String most =
+  private String label(CameraStatistics statistics, double rate) {
+    String longest =
         Quantities.rate(rate) + ", " + Quantities.count(statistics.lostEvents()) + " lost";
     return cameras.size() > 1
-        ? most
-        : most
+        ? longest
+        : longest
             + Quantities.text(
                 ", %d waiting, median latency %d us",
                 statistics.waiting(), statistics.medianLatencyUs());

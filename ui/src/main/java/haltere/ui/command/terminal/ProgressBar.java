@@ -5,8 +5,8 @@ import java.io.PrintStream;
 import java.util.function.LongSupplier;
 
 /**
- * One line on a terminal: what is done, how fast it goes and how long it will take. Without a
- * terminal it is silent. Drawn at most ten times a second and erased at the end.
+ * A progress line on a terminal: progress, speed and remaining time. Silent without a terminal;
+ * drawn at maxLength ten times a second, erased at the end.
  *
  * <p>Thread rule: one thread.
  */
@@ -21,23 +21,25 @@ public final class ProgressBar extends TerminalLine implements ProgressListener 
   private final int barWidth;
   private long events = -1;
 
-  /** A bar that has not been drawn yet; one that is not shown stays silent. */
+  /** A bar that has not been drawn; a hidden one is silent. */
   public ProgressBar(PrintStream err, boolean shown, String label, LongSupplier nanoTime) {
     super(err, shown, nanoTime);
     this.label = shortened(label);
     barWidth = Math.min(BAR_WIDTH, WIDTH - this.label.length());
   }
 
-  /** A long name loses its middle, because its end tells it from others. */
+  /** Shortens a long name in its middle, because its end identifies it. */
   private static String shortened(String label) {
-    int most = WIDTH - MIN_BAR_WIDTH;
-    int tail = most / 2;
-    return label.length() <= most
+    int maxLength = WIDTH - MIN_BAR_WIDTH;
+    int tail = maxLength / 2;
+    return label.length() <= maxLength
         ? label
-        : label.substring(0, most - tail - 1) + "\u2026" + label.substring(label.length() - tail);
+        : label.substring(0, maxLength - tail - 1)
+            + "\u2026"
+            + label.substring(label.length() - tail);
   }
 
-  /** States how many events have gone through, so that the rate is in events rather than bytes. */
+  /** Sets the number of processed events, so that the rate is in events rather than bytes. */
   public void events(long count) {
     events = count;
   }

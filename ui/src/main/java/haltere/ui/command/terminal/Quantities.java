@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** Numbers for a person: the same in every locale. */
+/** Formats numbers for users, independently of the locale. */
 public final class Quantities {
   private Quantities() {}
 

@@ -8,15 +8,15 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * The process's standard output. It remembers why it could not be written to, which a print stream
- * forgets: a reader that has seen enough (such as {@code head}) is no failure, a full disk is one.
+ * The process's standard output with the cause of a write failure, which a print stream does not
+ * keep: a reader that has ended (such as {@code head}) is no failure, a full disk is one.
  */
 public final class StandardOutput extends OutputStream {
-  /** The standard output takes no more; {@link #failure()} says whether that is a failure. */
+  /** Standard output accepts no more; {@link #failure()} has the reason, if it is a failure. */
   public static final class Gone extends IOException {
     private static final long serialVersionUID = 1;
 
-    /** Nothing is said here: the process says it once, at its end. */
+    /** Without a message: the process prints it once, at its end. */
     public Gone() {
       super("the standard output is closed");
     }
@@ -55,8 +55,7 @@ public final class StandardOutput extends OutputStream {
   }
 
   /**
-   * Why not everything could be written: one line; empty if all went well or nobody wanted to read
-   * on.
+   * The reason of incomplete output in one line; empty after success or if the reader has ended.
    */
   public Optional<String> failure() {
     if (problem == null || isClosedPipe(problem)) {

@@ -4,8 +4,7 @@ import java.io.PrintStream;
 import java.util.function.LongSupplier;
 
 /**
- * The last line of a terminal, drawn again and again, at most ten times a second. Without a
- * terminal it is silent.
+ * The last line of a terminal, redrawn at most ten times a second. Silent without a terminal.
  *
  * <p>Thread rule: all methods may be called from any thread.
  */
@@ -19,7 +18,7 @@ class TerminalLine implements AutoCloseable {
   private long lastDrawNanos;
   private int drawnLength;
 
-  /** A line that has not been drawn yet; one that is not shown stays silent. */
+  /** A line that has not been drawn; a hidden one is silent. */
   TerminalLine(PrintStream err, boolean shown, LongSupplier nanoTime) {
     this.err = err;
     this.shown = shown;
@@ -43,7 +42,7 @@ class TerminalLine implements AutoCloseable {
     return true;
   }
 
-  /** Draws a text in place of what is drawn. */
+  /** Draws a text in place of the previous one. */
   synchronized void draw(String text) {
     err.print("\r" + text + " ".repeat(Math.max(0, drawnLength - text.length())));
     err.flush();

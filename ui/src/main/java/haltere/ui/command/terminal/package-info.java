@@ -1,6 +1,5 @@
 /**
- * What commands say on a terminal while they work, and how they end when they are told to: lines
- * that are drawn again and again, numbers as a person reads them, the standard output. Nothing here
- * knows what a command does.
+ * Terminal output of commands during their work, and their orderly end: redrawn lines, formatted
+ * numbers, standard output. Depends on no command.
  */
 package haltere.ui.command.terminal;

@@ -4,21 +4,19 @@ import haltere.core.sink.internal.Unchecked;
 import java.util.HashMap;
 import java.util.Map;
 
-/** The commands of the window, by id: what {@code actions.txt} says of each. */
+/** The commands of the window by id, from {@code actions.txt}. */
 final class ActionTable {
   /**
    * A line of the table; the components are those of {@link ViewerAction}, and the number of the
    * paragraph.
    */
-  record Line(String id, String key, String menu, String words, String help, int group) {}
+  record Line(String id, String key, String menu, String label, String help, int group) {}
 
   private static final Map<String, Line> LINES = read();
 
   private ActionTable() {}
 
-  /**
-   * A number that the commands of a paragraph have in common; another one for what is not there.
-   */
+  /** Number of the group of a command; another one for unknown commands. */
   static int group(String id, int other) {
     return LINES.containsKey(id) ? LINES.get(id).group() : other;
   }

@@ -19,8 +19,7 @@ import javafx.stage.Stage;
 import javafx.stage.Window;
 
 /**
- * All commands in one list that a few letters make short. Enter or a click does the chosen one,
- * Escape does nothing.
+ * All commands in a list with a search. Enter or a click runs the selected one, Escape closes it.
  */
 public final class CommandPalette {
   private static final double WIDTH = 520;
@@ -96,8 +95,8 @@ public final class CommandPalette {
   }
 
   /**
-   * The actions whose words hold all the words typed, in any order; those that begin with what was
-   * typed come first.
+   * The actions whose text contains all typed words, in any order; those that start with the typed
+   * text come first.
    */
   static List<ViewerAction> matches(List<ViewerAction> all, String typed) {
     String wanted = typed.strip().toLowerCase(Locale.ROOT);
@@ -107,12 +106,12 @@ public final class CommandPalette {
         .filter(action -> parts.stream().allMatch(searched(action)::contains))
         .sorted(
             Comparator.comparing(
-                action -> !action.words().toLowerCase(Locale.ROOT).startsWith(wanted)))
+                action -> !action.label().toLowerCase(Locale.ROOT).startsWith(wanted)))
         .toList();
   }
 
   private static String searched(ViewerAction action) {
-    return (action.menu() + " " + action.words() + " " + action.help()).toLowerCase(Locale.ROOT);
+    return (action.menu() + " " + action.label() + " " + action.help()).toLowerCase(Locale.ROOT);
   }
 
   private void choose() {
@@ -123,10 +122,10 @@ public final class CommandPalette {
     }
   }
 
-  /** A line of the list: where the command stands, what it is called, its key. */
+  /** A line of the list: menu, name and key of the command. */
   private static final class Cell extends ListCell<ViewerAction> {
     private final Label menu = new Label();
-    private final Label words = new Label();
+    private final Label text = new Label();
     private final Label key = new Label();
     private final HBox line;
 
@@ -134,7 +133,7 @@ public final class CommandPalette {
       menu.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
       key.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
       Region space = Controls.growing(new Region());
-      line = Controls.row(10, words, menu, space, key);
+      line = Controls.row(10, text, menu, space, key);
     }
 
     @Override
@@ -144,11 +143,11 @@ public final class CommandPalette {
       setGraphic(empty ? null : line);
       if (!empty) {
         boolean on = action.on().isPresent() && action.on().get().get();
-        words.setText((on ? "\u2713 " : "") + action.words());
+        text.setText((on ? "\u2713 " : "") + action.label());
         String obstacle = action.obstacle().get();
         line.setDisable(!obstacle.isEmpty());
         menu.setText(obstacle.isEmpty() ? action.menu().replace("/", " > ") : obstacle);
-        key.setText(ViewerKeys.words(action.key()));
+        key.setText(ViewerKeys.label(action.key()));
       }
     }
   }

@@ -20,14 +20,14 @@ public final class KeysDialog {
   private static final List<Map.Entry<String, String>> OTHERS =
       List.of(
           Map.entry("Tab, Enter", "To the next control; press it, or open its list"),
-          Map.entry("Arrows, Enter", "With a tool in the hand: move it, hold it and let it go"),
-          Map.entry("Arrows, +, \u2212, End", "In plots and in space: move, more or less, newest"),
+          Map.entry("Arrows, Enter", "With a tool: move it, press and release it"),
+          Map.entry("Arrows, +, \u2212, End", "In plots and in space: move, zoom, show the newest"),
           Map.entry("Ctrl+Shift+\u2191, \u2193", "Move the filter that has the focus up or down"),
           Map.entry("Wheel, drag", "Zoom, move; a double click shows all"));
 
   private KeysDialog() {}
 
-  /** Opens the list of the keys of actions over a window and returns at once. */
+  /** Opens the list of keys over a window and returns at once. */
   public static void show(Window owner, ViewerActions actions) {
     GridPane grid = new GridPane(18, 4);
     grid.setPadding(new Insets(12));
@@ -40,7 +40,7 @@ public final class KeysDialog {
       String name = menu.getKey().isEmpty() ? "Other" : menu.getKey().replace("/", " > ");
       grid.add(Controls.label(name, Styles.TEXT_MUTED), 0, row++, 2, 1);
       for (ViewerAction action : menu.getValue()) {
-        row = add(grid, row, ViewerKeys.words(action.key()), action.words());
+        row = add(grid, row, ViewerKeys.label(action.key()), action.label());
       }
     }
     for (Map.Entry<String, String> other : OTHERS) {
@@ -50,14 +50,14 @@ public final class KeysDialog {
     scroll.setPrefViewportHeight(520);
     scroll.setFitToWidth(true);
     scroll.setFocusTraversable(true);
-    scroll.setAccessibleText("Keys and what they do");
-    Windows.tell(owner, "Keys", scroll);
+    scroll.setAccessibleText("Keys and their commands");
+    Windows.showContent(owner, "Keys", scroll);
   }
 
-  private static int add(GridPane grid, int row, String key, String words) {
+  private static int add(GridPane grid, int row, String key, String text) {
     Label name = Controls.label(key, Styles.TEXT_BOLD);
     name.setMinWidth(110);
-    grid.addRow(row, name, new Label(words));
+    grid.addRow(row, name, new Label(text));
     return row + 1;
   }
 }

@@ -6,21 +6,21 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.value.ObservableBooleanValue;
 
 /**
- * Something that a person can do, as menus, the command palette and the list of keys show it.
+ * A command, as in menus, command palette and list of keys.
  *
  * @param id unique, lower case with hyphens
- * @param words what a menu says; with a dot at its end it asks for more before anything happens
- * @param menu where it stands, such as {@code View/Theme}; empty for one that only the palette has
+ * @param label label in menus; with an ellipsis, a dialog follows
+ * @param menu path of its menu, such as {@code View/Theme}; empty for one that only the palette has
  * @param key such as {@code Shortcut+O}, {@code F11}, {@code Space} or {@code Shift+Comma}, or
  *     empty. Keys without Ctrl or Alt do nothing while text is entered.
- * @param help one sentence, or empty if the words say all
- * @param work what is done
- * @param on whether what it switches is on; empty for what is no switch
- * @param obstacle why it cannot be done now, in a few words; empty if it can
+ * @param help one sentence, or empty
+ * @param work runs the command
+ * @param on state of a toggle; empty for other commands
+ * @param obstacle the reason why it is unavailable; empty if it is available
  */
 public record ViewerAction(
     String id,
-    String words,
+    String label,
     String menu,
     String key,
     String help,
@@ -35,24 +35,24 @@ public record ViewerAction(
   }
 
   /** Something to do that the table does not list, without a key. */
-  public static ViewerAction of(String id, String words, String menu, Runnable work) {
-    return new ViewerAction(id, words, menu, "", "", work, Optional.empty(), NONE);
+  public static ViewerAction of(String id, String label, String menu, Runnable work) {
+    return new ViewerAction(id, label, menu, "", "", work, Optional.empty(), NONE);
   }
 
-  /** What the table lists under an id. */
+  /** The action of an id in the table. */
   static ViewerAction listed(
       String id, Runnable work, Optional<ObservableBooleanValue> on, Supplier<String> obstacle) {
     ActionTable.Line line = ActionTable.line(id);
     return new ViewerAction(
-        id, line.words(), line.menu(), line.key(), line.help(), work, on, obstacle);
+        id, line.label(), line.menu(), line.key(), line.help(), work, on, obstacle);
   }
 
   /** One of several choices: on while a property has its value. */
   public static <T> ViewerAction choice(
-      String id, String words, String menu, ObjectProperty<T> property, T value) {
+      String id, String label, String menu, ObjectProperty<T> property, T value) {
     return new ViewerAction(
         id,
-        words,
+        label,
         menu,
         "",
         "",
@@ -63,7 +63,7 @@ public record ViewerAction(
 
   /** The same, explained by a sentence. */
   public ViewerAction withHelp(String sentence) {
-    return new ViewerAction(id, words, menu, key, sentence, work, on, obstacle);
+    return new ViewerAction(id, label, menu, key, sentence, work, on, obstacle);
   }
 
   /** Whether its key means nothing while text is entered. */

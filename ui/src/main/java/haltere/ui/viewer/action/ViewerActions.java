@@ -16,8 +16,8 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.value.ObservableBooleanValue;
 
 /**
- * All that a person can do in the window. Whoever brings something adds it here once; menus, keys,
- * the command palette and the list of keys are made from it.
+ * All commands of the window. Each is added once; menus, keys, command palette and list of keys are
+ * built from them.
  */
 public final class ViewerActions {
   private final Map<String, ViewerAction> actions = new LinkedHashMap<>();
@@ -25,15 +25,15 @@ public final class ViewerActions {
   private final List<Runnable> listeners = new ArrayList<>();
   private Consumer<String> refusals = words -> {};
 
-  /** Adds actions in the order of their menus; refuses an id or a key that is taken. */
+  /** Adds actions in the order of their menus; rejects a used id or key. */
   public void add(ViewerAction... added) {
     put(List.of(added));
     listeners.forEach(Runnable::run);
   }
 
-  /** What the table calls a command. */
-  public static String words(String id) {
-    return ActionTable.line(id).words();
+  /** The table's label of a command. */
+  public static String label(String id) {
+    return ActionTable.line(id).label();
   }
 
   /** Adds a command of the table. */
@@ -56,25 +56,25 @@ public final class ViewerActions {
     add(id, on, () -> on.set(!on.get()), obstacle);
   }
 
-  /** Adds a switch of the table whose state somebody else keeps, with why it cannot be used now. */
+  /** Adds a toggle of the table whose state is external, with the reason why it is unavailable. */
   public void add(String id, ObservableBooleanValue on, Runnable work, Supplier<String> obstacle) {
     add(ViewerAction.listed(id, work, Optional.of(on), obstacle));
   }
 
-  /** Adds an action for each value that a property may be given, whose ids begin alike. */
+  /** Adds an action for each value of a property, with a common prefix of ids. */
   public <T> void addChoices(
       String id,
       String menu,
       ObjectProperty<T> property,
       Collection<T> values,
-      Function<T, String> words) {
+      Function<T, String> label) {
     for (T value : values) {
-      String ending = words.apply(value).toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
-      add(ViewerAction.choice(id + ending, words.apply(value), menu, property, value));
+      String ending = label.apply(value).toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
+      add(ViewerAction.choice(id + ending, label.apply(value), menu, property, value));
     }
   }
 
-  /** Puts actions in place of those that were offered under the same name before. */
+  /** Replaces the actions that were offered under the same name. */
   public void offer(String name, List<ViewerAction> offered) {
     offers.getOrDefault(name, List.of()).forEach(old -> actions.remove(old.id()));
     offers.put(name, offered);
@@ -97,7 +97,7 @@ public final class ViewerActions {
     }
   }
 
-  /** All of them, in the order in which they came. */
+  /** All actions, in the order of their addition. */
   List<ViewerAction> all() {
     return List.copyOf(actions.values());
   }
@@ -107,7 +107,7 @@ public final class ViewerActions {
     return Optional.ofNullable(actions.get(id));
   }
 
-  /** Does what an id stands for. */
+  /** Runs the action of an id. */
   public void run(String id) {
     run(find(id).orElseThrow(() -> new IllegalArgumentException("no action " + id)));
   }
@@ -118,7 +118,7 @@ public final class ViewerActions {
     if (obstacle.isEmpty()) {
       action.work().run();
     } else {
-      refusals.accept(action.words() + ": " + obstacle);
+      refusals.accept(action.label() + ": " + obstacle);
     }
   }
 
@@ -127,12 +127,12 @@ public final class ViewerActions {
     refusals = listener;
   }
 
-  /** What stands in a menu, in order. */
+  /** The items of a menu, in order. */
   public List<ViewerAction> inMenu(String menu) {
     return actions.values().stream().filter(action -> action.menu().equals(menu)).toList();
   }
 
-  /** Calls something after every change of what there is. */
+  /** Adds a listener to changes of the actions. */
   public void onChange(Runnable listener) {
     listeners.add(listener);
   }

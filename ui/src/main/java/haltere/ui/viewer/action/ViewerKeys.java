@@ -21,13 +21,13 @@ import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 
 /**
- * The actions' keys without Ctrl or Alt. They work wherever the focus is, but for entries of text;
- * arrow keys also belong to sliders, lists and what else moves. Since Space is pause, Enter presses
- * the button that has the focus, turns the switch over or opens the list.
+ * Keys of commands without Ctrl or Alt. They work with any focus except in text fields; arrow keys
+ * also belong to sliders, lists and the like. As Space is pause, Enter presses the focused button,
+ * toggles the switch or opens the list.
  */
 public final class ViewerKeys {
-  /** What keyboards of some countries send in place of a key's usual code. */
-  private static final Map<KeyCode, KeyCode> SAME =
+  /** Key codes that some national keyboards send in place of another one. */
+  private static final Map<KeyCode, KeyCode> EQUIVALENTS =
       Map.of(KeyCode.GREATER, KeyCode.PERIOD, KeyCode.LESS, KeyCode.COMMA);
 
   private ViewerKeys() {}
@@ -52,8 +52,8 @@ public final class ViewerKeys {
         });
   }
 
-  /** A key as a person reads it. */
-  static String words(String key) {
+  /** A key as text. */
+  static String label(String key) {
     return key.isEmpty() ? "" : KeyCombination.keyCombination(key).getDisplayText();
   }
 
@@ -75,10 +75,10 @@ public final class ViewerKeys {
     return wanted.isPresent();
   }
 
-  /** Does what a click on the node in the focus would do, if that is one to be pressed. */
+  /** Presses the focused node, if it is a button or the like. */
   private static boolean press(Node focus) {
     if (focus instanceof Control control && control.getSkin() == null) {
-      // it has just come; without a skin it would take itself for open and show nothing, for good
+      // new: without a skin it would consider itself open and never show
       Parent all = control.getScene().getRoot();
       all.applyCss();
       all.layout();
@@ -98,7 +98,7 @@ public final class ViewerKeys {
   }
 
   private static Optional<ViewerAction> action(KeyEvent event, ViewerActions actions) {
-    KeyCode code = SAME.getOrDefault(event.getCode(), event.getCode());
+    KeyCode code = EQUIVALENTS.getOrDefault(event.getCode(), event.getCode());
     String key = (event.isShiftDown() ? "Shift+" : "") + code.getName();
     return actions.all().stream()
         .filter(action -> action.hasPlainKey() && action.key().equals(key))
@@ -111,6 +111,6 @@ public final class ViewerKeys {
         || focus instanceof ComboBoxBase<?>
         || focus instanceof ListView<?>
         || focus instanceof TabPane
-        || focus instanceof ArrowKeys own && own.keepsArrows();
+        || focus instanceof ArrowKeys own && own.consumesArrows();
   }
 }

@@ -18,7 +18,7 @@ import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 
-/** The menus, made from the actions that there are. */
+/** The menus, built from the commands. */
 public final class ViewerMenu extends MenuBar {
   private static final List<String> ORDER =
       List.of("File", "Edit", "View", "Playback", "Chain", "Tools", "Camera");
@@ -27,7 +27,7 @@ public final class ViewerMenu extends MenuBar {
   private final ViewerActions actions;
   private final Map<String, Menu> menus = new HashMap<>();
 
-  /** For each path what its menu shows, in order: actions, and paths of menus below it. */
+  /** Items of each menu by path, in order: actions, and paths of submenus. */
   private Map<String, List<Object>> shown = Map.of();
 
   /** A menu that is empty until it {@link #follow follows} the actions. */
@@ -36,13 +36,13 @@ public final class ViewerMenu extends MenuBar {
     setId("menu");
   }
 
-  /** Shows the actions that there are, and from now on every change of them. */
+  /** Shows the actions, and later changes of them. */
   public void follow() {
     actions.onChange(this::fill);
     fill();
   }
 
-  /** Makes anew those menus only whose actions have changed: making a menu takes milliseconds. */
+  /** Rebuilds only menus whose actions have changed: building a menu takes milliseconds. */
   private void fill() {
     Map<String, List<Object>> contents = new LinkedHashMap<>();
     ORDER.forEach(path -> contents.put(path, new ArrayList<>()));
@@ -83,7 +83,7 @@ public final class ViewerMenu extends MenuBar {
       if (item.getProperties().get(ViewerAction.class) instanceof ViewerAction action) {
         String obstacle = action.obstacle().get();
         item.setDisable(!obstacle.isEmpty());
-        item.setText(action.words() + (obstacle.isEmpty() ? "" : "  (" + obstacle + ")"));
+        item.setText(action.label() + (obstacle.isEmpty() ? "" : "  (" + obstacle + ")"));
       }
     }
   }
@@ -101,7 +101,7 @@ public final class ViewerMenu extends MenuBar {
     }
   }
 
-  /** What a menu holds: actions, and the paths of menus below it, which are made on the way. */
+  /** Items of a menu: actions, and paths of submenus, which are created on the way. */
   private static List<Object> contents(Map<String, List<Object>> contents, String path) {
     List<Object> there = contents.get(path);
     if (there != null) {
@@ -135,10 +135,10 @@ public final class ViewerMenu extends MenuBar {
         action
             .on()
             .<MenuItem>map(on -> check(action, on))
-            .orElseGet(() -> Controls.item(action.id(), action.words(), () -> actions.run(action)));
+            .orElseGet(() -> Controls.item(action.id(), action.label(), () -> actions.run(action)));
     item.getProperties().put(ViewerAction.class, action);
     if (action.hasPlainKey()) {
-      item.setAccelerator(new ShownKey(ViewerKeys.words(action.key())));
+      item.setAccelerator(new ShownKey(ViewerKeys.label(action.key())));
     } else if (!action.key().isEmpty()) {
       item.setAccelerator(KeyCombination.keyCombination(action.key()));
     }
@@ -150,10 +150,10 @@ public final class ViewerMenu extends MenuBar {
    * entered: {@link ViewerKeys} knows it.
    */
   private static final class ShownKey extends KeyCombination {
-    private final String words;
+    private final String text;
 
-    ShownKey(String words) {
-      this.words = words;
+    ShownKey(String text) {
+      this.text = text;
     }
 
     @Override
@@ -163,7 +163,7 @@ public final class ViewerMenu extends MenuBar {
 
     @Override
     public String getDisplayText() {
-      return words;
+      return text;
     }
 
     @Override
@@ -178,12 +178,12 @@ public final class ViewerMenu extends MenuBar {
   }
 
   private MenuItem check(ViewerAction action, ObservableBooleanValue on) {
-    CheckMenuItem item = new CheckMenuItem(action.words());
+    CheckMenuItem item = new CheckMenuItem(action.label());
     item.setId(action.id());
     item.setMnemonicParsing(false);
     item.setSelected(on.get());
     ChangeListener<Boolean> shower = (property, was, is) -> item.setSelected(is);
-    // the listener lives as long as the item, which later ones replace
+    // the listener lives as long as the item, which later items replace
     item.getProperties().put(ViewerMenu.class, shower);
     on.addListener(new WeakChangeListener<>(shower));
     item.setOnAction(

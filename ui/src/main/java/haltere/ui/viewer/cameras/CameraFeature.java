@@ -32,10 +32,7 @@ import javafx.beans.property.SimpleBooleanProperty;
 import javafx.stage.WindowEvent;
 import javafx.util.Duration;
 
-/**
- * Cameras: lists and opens them, shows a panel with their biases, their region and what came and
- * was lost.
- */
+/** Cameras: lists and opens them; shows a panel of biases, region, counts and losses. */
 public final class CameraFeature implements ViewerFeature {
   private static final String MENU = "Camera";
   private static final String OPEN = MENU + "/Open";
@@ -50,11 +47,14 @@ public final class CameraFeature implements ViewerFeature {
   private CameraPanel panel;
   private Optional<CameraPlayable> open = Optional.empty();
   private boolean everListed;
-  private boolean saidUnplugged;
+  private boolean isUnpluggedShown;
   private Optional<CameraProvider.Watch> watch = Optional.empty();
   private boolean ended;
 
-  /** One that has just come may not be ours to open yet, and several may come at once. */
+  /**
+   * Delay after a connection: permissions may be set a moment later, and several cameras may be
+   * connected at once.
+   */
   private final PauseTransition comingSoon = new PauseTransition(Duration.seconds(1));
 
   @Override
@@ -78,7 +78,7 @@ public final class CameraFeature implements ViewerFeature {
 
   private void follow(Optional<ViewerSession> session, BooleanProperty shown) {
     open = session.flatMap(ViewerSession::camera);
-    saidUnplugged = false;
+    isUnpluggedShown = false;
     panel.setCamera(open.map(CameraPlayable::camera));
     window.status().setLive("");
     if (open.isPresent()) {
@@ -91,41 +91,41 @@ public final class CameraFeature implements ViewerFeature {
     }
   }
 
-  // ---- Which cameras there are
+  // ---- List of cameras
 
-  /** Lists the cameras; asking USB takes its time. */
+  /** Lists the cameras in the background: USB takes some time. */
   void list() {
     boolean first = !everListed;
     everListed = true;
-    aside(
+    runUsbTask(
         () -> {
           if (first) {
-            CameraProvider.Watch begun =
+            CameraProvider.Watch started =
                 cameras.watch(() -> Platform.runLater(comingSoon::playFromStart));
-            Platform.runLater(() -> keep(begun));
+            Platform.runLater(() -> keep(started));
           }
           List<CameraInfo> seen = cameras.list();
           Platform.runLater(() -> show(seen));
         });
   }
 
-  /** What listens to USB may take a moment, for which files do not wait. */
-  private static void aside(Runnable work) {
+  /** Runs a USB task, which may take a moment, beside the file tasks. */
+  private static void runUsbTask(Runnable work) {
     Daemon.thread(work, "haltere-cameras").start();
   }
 
   /** Watches until the window is closed. */
-  private void keep(CameraProvider.Watch begun) {
+  private void keep(CameraProvider.Watch started) {
     if (ended) {
-      aside(begun::close);
+      runUsbTask(started::close);
     } else {
-      watch = Optional.of(begun);
+      watch = Optional.of(started);
     }
   }
 
   private void end() {
     ended = true;
-    watch.ifPresent(begun -> aside(begun::close));
+    watch.ifPresent(started -> runUsbTask(started::close));
     watch = Optional.empty();
   }
 
@@ -135,7 +135,7 @@ public final class CameraFeature implements ViewerFeature {
       String id = ID + info.id().replace(':', '-');
       Runnable choose = () -> choose(info);
       actions.putIfAbsent(
-          id, ViewerAction.of(id, words(info), menu(info), choose).withHelp(info.note()));
+          id, ViewerAction.of(id, label(info), menu(info), choose).withHelp(info.note()));
     }
     window.actions().offer(MENU, List.copyOf(actions.values()));
   }
@@ -144,7 +144,7 @@ public final class CameraFeature implements ViewerFeature {
     return info.id().startsWith(SIMULATED) ? OPEN_SIMULATED : OPEN;
   }
 
-  private static String words(CameraInfo info) {
+  private static String label(CameraInfo info) {
     return Texts.source(info.id())
         + "   "
         + info.geometry()
@@ -159,14 +159,14 @@ public final class CameraFeature implements ViewerFeature {
     }
   }
 
-  /** Opens a camera in place of what is open. */
+  /** Opens a camera in place of the present source. */
   public void open(String id) {
     window.sessions().open(SessionRequest.made(() -> CameraPlayable.open(cameras, id), id));
   }
 
-  // ---- What a camera can be told
+  // ---- Commands to a camera
 
-  private <F> void tellFacet(Class<F> facet, String ability, Telling<F> telling) {
+  private <F> void applyToFacet(Class<F> facet, String ability, FacetAction<F> command) {
     Optional<F> there = open.map(CameraPlayable::camera).flatMap(camera -> camera.facet(facet));
     if (there.isEmpty()) {
       window.status().showError("There is no camera open that " + ability);
@@ -174,19 +174,19 @@ public final class CameraFeature implements ViewerFeature {
     }
     window
         .background()
-        .file(() -> telling.tell(there.get()), panel::refresh, window.status()::showProblem);
+        .file(() -> command.apply(there.get()), panel::refresh, window.status()::showProblem);
   }
 
-  private interface Telling<F> {
-    void tell(F facet) throws Exception;
+  private interface FacetAction<F> {
+    void apply(F facet) throws Exception;
   }
 
   void resetTime() {
-    tellFacet(TimestampReset.class, "has a clock to be reset", TimestampReset::resetTimestamps);
+    applyToFacet(TimestampReset.class, "has a clock to be reset", TimestampReset::resetTimestamps);
   }
 
   void togglePlug() {
-    tellFacet(
+    applyToFacet(
         Plug.class,
         "is simulated",
         plug -> {
@@ -201,11 +201,11 @@ public final class CameraFeature implements ViewerFeature {
   void setRegion(Optional<PixelRegion> region) {
     Optional<Region> wanted =
         region.map(part -> new Region(part.left(), part.bottom(), part.width(), part.height()));
-    tellFacet(
+    applyToFacet(
         RegionOfInterest.class, "can send a part of its sensor", roi -> roi.setRegion(wanted));
   }
 
-  // ---- What it says
+  // ---- State of the camera
 
   private void pulse() {
     if (open.isEmpty()) {
@@ -215,14 +215,15 @@ public final class CameraFeature implements ViewerFeature {
     panel.update(camera.statistics());
     window.status().setLive(CameraPanel.line(camera.statistics()));
     boolean gone = open.get().isUnplugged();
-    if (gone && !saidUnplugged) {
+    if (gone && !isUnpluggedShown) {
       window
           .status()
-          .showError(camera.info().id() + " was unplugged; it goes on when it is plugged in again");
-    } else if (!gone && saidUnplugged) {
+          .showError(
+              camera.info().id() + " was unplugged; it continues when it is plugged in again");
+    } else if (!gone && isUnpluggedShown) {
       window.status().clearError();
     }
-    saidUnplugged = gone;
+    isUnpluggedShown = gone;
   }
 
   /** The camera that is open. */

@@ -24,10 +24,7 @@ import javafx.scene.control.Slider;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.VBox;
 
-/**
- * What a camera has to be set, and what came from it: four sliders for everybody, sets of biases,
- * and each bias by itself.
- */
+/** Settings and counts of a camera: four sliders, sets of biases, and each bias. */
 final class CameraPanel extends ScrollPane {
   /** Latency from which on a camera's events count as shown late. */
   private static final long BEHIND_US = 100_000;
@@ -66,8 +63,8 @@ final class CameraPanel extends ScrollPane {
     if (shown.isEmpty()) {
       Label none =
           Controls.paragraph(
-              "No camera is open. Camera > Open lists those that are plugged in; then their biases"
-                  + " and losses stand here.");
+              "No camera is open. Camera > Open lists those that are plugged in; their biases"
+                  + " and losses are then shown here.");
       content.getChildren().add(Controls.named(none, "camera-none"));
       return;
     }
@@ -86,11 +83,11 @@ final class CameraPanel extends ScrollPane {
   private void addSliders(BiasSliders facet) {
     for (BiasSliders.Slider which : BiasSliders.Slider.values()) {
       String name = Parameter.text(which);
-      String words =
+      String text =
           which == BiasSliders.Slider.BALANCE ? "Balance of ON and OFF" : Texts.title(name);
       Slider slider = Controls.slider("camera-slider-" + name, help(which), -1, 1);
       slider.setValue(0);
-      slider.setAccessibleText(words);
+      slider.setAccessibleText(text);
       slider.setBlockIncrement(0.05);
       slider
           .valueProperty()
@@ -98,11 +95,11 @@ final class CameraPanel extends ScrollPane {
               (was, is) -> {
                 if (!showing) {
                   double value = is.doubleValue();
-                  tell(() -> facet.set(which, value));
+                  send(() -> facet.set(which, value));
                 }
               });
       sliders.put(which, slider);
-      content.getChildren().add(new VBox(2, new Label(words), slider));
+      content.getChildren().add(new VBox(2, new Label(text), slider));
     }
   }
 
@@ -110,7 +107,7 @@ final class CameraPanel extends ScrollPane {
     return switch (slider) {
       case BANDWIDTH -> "Right: pixels follow faster light, with more noise";
       case THRESHOLD -> "Right: the light must change more for an event";
-      case REFRACTORY_PERIOD -> "Right: a pixel rests longer after an event";
+      case REFRACTORY_PERIOD -> "Right: longer refractory period after an event";
       case BALANCE -> "Right: ON events come more easily, left: OFF events";
     };
   }
@@ -122,7 +119,7 @@ final class CameraPanel extends ScrollPane {
         event -> {
           String chosen = sets.getValue();
           if (chosen != null) {
-            tell(() -> facet.apply(chosen));
+            send(() -> facet.apply(chosen));
           }
         });
     HBox line = Controls.row(6, new Label("Set"), Controls.growing(sets));
@@ -135,7 +132,7 @@ final class CameraPanel extends ScrollPane {
               "camera",
               parameter,
               (value, refused) ->
-                  tell(
+                  send(
                       () ->
                           facet.set(
                               parameter.name(), ((Number) parameter.convert(value)).doubleValue()),
@@ -145,14 +142,16 @@ final class CameraPanel extends ScrollPane {
     }
   }
 
-  private void tell(BackgroundWork.Action telling) {
-    tell(telling, problem::setText);
+  private void send(BackgroundWork.Action command) {
+    send(command, problem::setText);
   }
 
-  /** Tells the camera something in the background; in one line why it cannot be. */
-  private void tell(BackgroundWork.Action telling, Consumer<String> refused) {
+  /**
+   * Sends a command to the camera in the background; reports the reason of a refusal in one line.
+   */
+  private void send(BackgroundWork.Action command, Consumer<String> refused) {
     background.file(
-        telling,
+        command,
         () -> {
           problem.setText("");
           refresh();
@@ -198,7 +197,7 @@ final class CameraPanel extends ScrollPane {
     showing = false;
   }
 
-  /** Shows what came and what was lost. */
+  /** Shows received and lost events. */
   void update(CameraStatistics now) {
     statistics.setText(
         """
@@ -213,13 +212,13 @@ final class CameraPanel extends ScrollPane {
                 Texts.count(now.lostTransfers()),
                 Texts.count(now.brokenTransfers()),
                 now.waiting(),
-                now.mostWaiting(),
+                now.maxWaiting(),
                 Texts.duration(now.medianLatencyUs()),
                 Texts.duration(now.latency999Us()),
-                Texts.duration(now.longestLatencyUs())));
+                Texts.duration(now.maxLatencyUs())));
   }
 
-  /** The same in a few words, for the bottom line. */
+  /** The same as a short text, for the bottom line. */
   static String line(CameraStatistics now) {
     return now.waiting()
         + " waiting, "

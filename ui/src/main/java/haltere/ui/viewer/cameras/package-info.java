@@ -1,2 +1,2 @@
-/** Cameras: which there are, how they are set, what came of them. */
+/** Cameras: their list, settings and counts. */
 package haltere.ui.viewer.cameras;

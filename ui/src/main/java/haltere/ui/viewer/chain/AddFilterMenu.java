@@ -16,11 +16,11 @@ import javafx.scene.control.TextField;
 import javafx.scene.layout.VBox;
 
 /**
- * All filters that can be added to a chain, and a chain inside the chain, with a sentence each and
+ * A menu of all filters that can be added to a chain, and of a nested chain, with descriptions and
  * a search.
  */
 final class AddFilterMenu extends MenuButton {
-  /** A menu with an id and words on what it adds to; the id of its search adds "-search". */
+  /** A menu with an id and a help text; the id of its search adds "-search". */
   AddFilterMenu(String id, String help, ChainEditor editor) {
     super("Add", Icons.ADD.node());
     setId(id);
@@ -44,7 +44,7 @@ final class AddFilterMenu extends MenuButton {
     wanted.textProperty().subscribe((was, is) -> items.forEach(item -> item.narrow(is)));
     wanted.setOnAction(
         event -> {
-          // Enter adds the first that is left
+          // Enter adds the first match
           items.stream().filter(MenuItem::isVisible).findFirst().ifPresent(MenuItem::fire);
           hide();
         });
@@ -57,12 +57,12 @@ final class AddFilterMenu extends MenuButton {
     getItems().addAll(items);
   }
 
-  /** A filter to add, with what it does in a sentence. */
+  /** A filter with its description. */
   private static final class Item extends CustomMenuItem {
-    private final String words;
+    private final String text;
 
     Item(String name, String description, Runnable add) {
-      words = (Texts.title(name) + " " + description).toLowerCase(Locale.ROOT);
+      text = (Texts.title(name) + " " + description).toLowerCase(Locale.ROOT);
       Label title = Controls.label(Texts.title(name), Styles.TEXT_BOLD);
       Label help = Controls.paragraph(description, Styles.TEXT_SMALL, Styles.TEXT_MUTED);
       help.setMaxWidth(300);
@@ -72,7 +72,7 @@ final class AddFilterMenu extends MenuButton {
     }
 
     void narrow(String wanted) {
-      setVisible(words.contains(wanted.strip().toLowerCase(Locale.ROOT)));
+      setVisible(text.contains(wanted.strip().toLowerCase(Locale.ROOT)));
     }
   }
 }

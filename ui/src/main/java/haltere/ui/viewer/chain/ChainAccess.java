@@ -6,17 +6,17 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 
 /**
- * Runs work on a chain between two packets, on the thread that the chain belongs to.
+ * Runs tasks on a chain between two packets, on the chain's thread.
  *
- * @param edit runs a change; in a pause the moment is shown anew
- * @param adjust runs a change by hand, with which what filters know at this moment stays
- * @param read looks at the chain
+ * @param edit runs a change; a paused player shows the moment again
+ * @param adjust runs a manual change, which preserves the filters' other state
+ * @param read reads from the chain
  */
 public record ChainAccess(Work edit, Work adjust, Work read) {
   /** A way to reach the chain. */
   @FunctionalInterface
   public interface Work {
-    /** Runs something. Completed when that is done; fails with what it throws. */
+    /** Runs a task. The future completes afterwards; it fails with the task's exception. */
     CompletableFuture<Void> run(Consumer<FilterChain> work);
   }
 

@@ -20,8 +20,8 @@ import javafx.application.Platform;
 import javafx.scene.control.MenuItem;
 
 /**
- * Changes of the chain as the panels ask for them. Each runs between two packets on the processing
- * thread; what the chain is then comes back to the JavaFX thread.
+ * Edits the chain. Each change runs between two packets on the processing thread; the new state of
+ * the chain returns to the JavaFX thread.
  */
 public final class ChainEditor {
   private final Consumer<String> problems;
@@ -35,7 +35,7 @@ public final class ChainEditor {
   private BiFunction<String, ChainEditor, List<MenuItem>> presets = (id, chain) -> List.of();
   private Map<String, String> presetChains = Map.of();
 
-  /** An editor without a chain; tells what went wrong in one line. */
+  /** An editor without a chain; the consumer gets problems as one line. */
   public ChainEditor(Consumer<String> problems) {
     this(problems, new ArrayList<>(), new EditHistory(), "", null);
   }
@@ -54,8 +54,8 @@ public final class ChainEditor {
   }
 
   /**
-   * An editor of a chain inside this one, which is found by its stage's name at each change. What
-   * it changes is shown and taken back with all else.
+   * An editor of a nested chain, found by its stage's name at each change. Its changes are part of
+   * this editor's history.
    */
   public ChainEditor inside(ChainStage nested) {
     String name = nested.name();
@@ -76,46 +76,44 @@ public final class ChainEditor {
     return prefix + stage.name();
   }
 
-  /** Goes over to another chain; what was changed in the one before can no longer be undone. */
+  /** Switches to another chain; changes of the previous one can no longer be undone. */
   public void setAccess(ChainAccess access) {
     player = Optional.of(access);
     history.clear();
     listeners.forEach(Runnable::run);
   }
 
-  /** Calls something whenever there is another chain, or other filters in it. */
+  /** Adds a listener to another chain, or other filters in it. */
   public void onChange(Runnable listener) {
     listeners.add(listener);
   }
 
-  /** Calls something with the stages after every change of their order or number. */
+  /** Adds a listener to the order and number of the stages. */
   public void onStages(Consumer<List<StageState>> follower) {
     followers.add(follower);
   }
 
-  /** What can be taken back. */
+  /** The history for undo and redo. */
   public EditHistory history() {
     return history;
   }
 
-  /**
-   * Says what a menu of presets offers, by the menu's id, for this chain and those inside of it.
-   */
+  /** Sets the items of a menu of presets, by the menu's id, for this chain and nested ones. */
   public void setPresets(BiFunction<String, ChainEditor, List<MenuItem>> items) {
     presets = items;
   }
 
-  /** What a menu of presets offers. */
+  /** The items of a menu of presets. */
   public BiFunction<String, ChainEditor, List<MenuItem>> presets() {
     return outermost.presets;
   }
 
-  /** Says which presets there are, as JSON by their names. */
+  /** Sets the saved presets, as JSON by their names. */
   public void setPresetChains(Map<String, String> chains) {
     presetChains = chains;
   }
 
-  /** What a saved chain is called, by its JSON; empty for one that is no preset. */
+  /** The name of a saved chain, by its JSON; empty if it is no preset. */
   public Optional<String> presetName(String json) {
     return presetChains.keySet().stream()
         .filter(name -> presetChains.get(name).equals(json))
@@ -127,9 +125,9 @@ public final class ChainEditor {
     restructure("adding " + Texts.title(provider.name()), chain -> chain.add(provider));
   }
 
-  /** Switches the filters of a button, by its words, on or off; may be taken back. */
-  public void setUsual(UsualFilter filter, String words, boolean on) {
-    restructure((on ? "switching on " : "switching off ") + words, chain -> filter.set(chain, on));
+  /** Switches the filters of a button on or off; can be undone. */
+  public void setCommonFilter(CommonFilter filter, String text, boolean on) {
+    restructure((on ? "switching on " : "switching off ") + text, chain -> filter.set(chain, on));
   }
 
   /** Adds a chain without filters at the end. */
@@ -137,12 +135,12 @@ public final class ChainEditor {
     restructure("adding a chain", chain -> chain.add("chain", new FilterChain(chain.geometry())));
   }
 
-  /** Removes a stage; may be taken back. */
+  /** Removes a stage; can be undone. */
   public void remove(ChainStage stage) {
     restructure("removing " + Texts.title(stage.name()), chain -> chain.remove(stage));
   }
 
-  /** Moves a stage by places; beyond an end it stays at the end. */
+  /** Moves a stage by a number of positions, at most to an end. */
   void move(ChainStage stage, int places) {
     restructure(
         "moving " + Texts.title(stage.name()),
@@ -155,8 +153,8 @@ public final class ChainEditor {
   }
 
   /**
-   * Moves a stage, by its {@link #path}, to the place of another one in this chain, or to its end,
-   * from wherever it is.
+   * Moves a stage, by its {@link #path}, from any chain to before another one in this chain, or to
+   * its end.
    */
   public void moveHere(String stagePath, Optional<ChainStage> target) {
     String name = StageMoves.name(stagePath);
@@ -176,12 +174,12 @@ public final class ChainEditor {
     }
   }
 
-  /** Whether this chain is inside another one. */
+  /** Whether this chain is nested. */
   boolean isInside() {
     return this != outermost;
   }
 
-  /** Moves a stage out of this chain, to the place before it. */
+  /** Moves a stage out of this chain, to before it. */
   void moveOut(ChainStage stage) {
     String chain = prefix.substring(0, prefix.length() - 1);
     outermost.restructure(
@@ -194,7 +192,7 @@ public final class ChainEditor {
     chain.move(stage, Math.max(0, Math.min(last, position)));
   }
 
-  /** Puts the stages of another chain in place of all there are. */
+  /** Replaces all stages by those of another chain. */
   public void replaceAll(FilterChain other) {
     restructure("another chain", chain -> replaceAll(chain, other));
   }
@@ -208,7 +206,7 @@ public final class ChainEditor {
     }
   }
 
-  /** Makes the chain what it was when it was written down. */
+  /** Restores the chain from its saved state. */
   private void restore(AtomicReference<String> json) {
     change(
         chain ->
@@ -228,15 +226,15 @@ public final class ChainEditor {
         () -> edit(chain -> chain.setEnabled(chain.stage(name), enabled)));
   }
 
-  private void made(String words, Object subject, Runnable undo, Runnable redo) {
-    history.made(words, subject, undo, redo, System.nanoTime());
+  private void made(String text, Object subject, Runnable undo, Runnable redo) {
+    history.made(text, subject, undo, redo, System.nanoTime());
   }
 
   /**
-   * Gives a filter new settings; who shows them is told.
+   * Applies new settings to a filter and notifies the listeners.
    *
    * @param before the settings that it has
-   * @param subject what is changed, so that changes of the same can be taken back as one
+   * @param subject the changed object; successive changes of an equal one can be undone together
    * @param refused called with one line if the filter does not take them
    */
   public void apply(
@@ -258,48 +256,44 @@ public final class ChainEditor {
     edit(chain -> applyNow(chain, chain.stage(stage), settings));
   }
 
-  /** Tells somebody of settings that a filter was given. */
+  /** Adds a listener to settings of filters. */
   public void onSettings(BiConsumer<ChainStage, Record> adopter) {
     adopters.add(adopter);
   }
 
-  /**
-   * Changes something inside the filters between two packets; tells in one line if that cannot be.
-   */
+  /** Changes the state of filters between two packets; reports a refusal in one line. */
   public void change(Consumer<FilterChain> work, Consumer<String> refused) {
     run(access -> access.edit().run(work), refused);
   }
 
   /**
-   * Changes something inside the filters by hand: what they know at this moment stays. Tells in one
-   * line if that cannot be.
+   * Changes the state of filters manually: their other state remains. Reports a refusal in one
+   * line.
    */
   public void adjust(Consumer<FilterChain> work, Consumer<String> refused) {
     run(access -> access.adjust().run(work), refused);
   }
 
   /**
-   * Gives a filter settings from within a {@link #change}, on the processing thread; who shows them
-   * is told.
+   * Applies settings within a {@link #change}, on the processing thread, and notifies the
+   * listeners.
    */
   public void applyNow(FilterChain chain, ChainStage stage, Record settings) {
     chain.apply(stage, settings);
     Platform.runLater(() -> adopters.forEach(adopter -> adopter.accept(stage, settings)));
   }
 
-  /** Does something between two packets on the processing thread. */
+  /** Runs a task between two packets on the processing thread. */
   public void onProcessing(Runnable work) {
     run(access -> access.read().run(chain -> work.run()));
   }
 
-  /** Reads something off the chain between two packets and brings it to the JavaFX thread. */
+  /** Reads from the chain between two packets and returns the result on the JavaFX thread. */
   public <T> void read(Function<FilterChain, T> reading, Consumer<T> consumer) {
     read(reading, consumer, whileOpen());
   }
 
-  /**
-   * The same, where it matters that nothing could be read, because what was open has been closed.
-   */
+  /** The same, with a report if the source has been closed. */
   public <T> void read(
       Function<FilterChain, T> reading, Consumer<T> consumer, Consumer<String> refused) {
     AtomicReference<T> result = new AtomicReference<>();
@@ -308,14 +302,14 @@ public final class ChainEditor {
   }
 
   /**
-   * Changes the order or the number of the filters. It can be taken back at once: what is undone
-   * meanwhile waits behind the change.
+   * Changes the order or the number of the filters. It can be undone at once: the undo waits for
+   * the change.
    */
-  private void restructure(String words, Consumer<FilterChain> change) {
+  private void restructure(String text, Consumer<FilterChain> change) {
     AtomicReference<String> before = new AtomicReference<>();
     AtomicReference<String> after = new AtomicReference<>();
     if (player.isPresent()) {
-      made(words, before, () -> restore(before), () -> restore(after));
+      made(text, before, () -> restore(before), () -> restore(after));
     }
     change(
             chain -> {
@@ -325,7 +319,7 @@ public final class ChainEditor {
             })
         .exceptionally(
             refused -> {
-              Platform.runLater(() -> history.forget(before));
+              Platform.runLater(() -> history.remove(before));
               return null;
             });
   }
@@ -370,7 +364,7 @@ public final class ChainEditor {
     return done;
   }
 
-  /** What could not be done with a chain that is no longer open is nobody's loss. */
+  /** Ignores failures of a chain that is no longer open. */
   private Consumer<String> whileOpen() {
     Optional<ChainAccess> asked = player;
     return problem -> {

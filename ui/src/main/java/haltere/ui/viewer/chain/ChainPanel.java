@@ -15,19 +15,18 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
 /**
- * The chain: a card for each stage, in order, a search through their settings, and a menu to add
- * one.
+ * The chain: a card for each stage in order, a search in the settings, and a menu to add a stage.
  */
 public final class ChainPanel extends VBox {
   private final StageList cards;
-  private final TextField words = Controls.named(new TextField(), "settings-search", Styles.SMALL);
+  private final TextField text = Controls.named(new TextField(), "settings-search", Styles.SMALL);
   private final ToggleButton changedOnly =
       Controls.named(new ToggleButton("Changed"), "changed-only", Styles.SMALL);
   private final Label nothing =
       Controls.named(
           new Label("No setting matches."), "settings-none", Styles.TEXT_MUTED, "settings-none");
 
-  /** A panel without stages, whose changes an editor makes. */
+  /** A panel without stages; changes go to an editor. */
   public ChainPanel(ChainEditor editor) {
     Controls.named(this, "chain-panel", "chain-panel");
     Label title = Controls.label("Chain", Styles.TITLE_4);
@@ -42,11 +41,11 @@ public final class ChainPanel extends VBox {
             Styles.TEXT_MUTED,
             "chain-empty");
     cards = new StageList(editor, empty);
-    HBox search = Controls.named(Controls.row(6, words, changedOnly), null, "settings-search");
-    words.setPromptText("Search settings");
-    words.setAccessibleText("Search settings");
-    Controls.growing(words);
-    words.textProperty().subscribe(this::narrow);
+    HBox search = Controls.named(Controls.row(6, text, changedOnly), null, "settings-search");
+    text.setPromptText("Search settings");
+    text.setAccessibleText("Search settings");
+    Controls.growing(text);
+    text.textProperty().subscribe(this::narrow);
     changedOnly.setMinWidth(Region.USE_PREF_SIZE);
     changedOnly.setAccessibleText("Only the settings that I changed");
     Controls.help(changedOnly, "Only the settings that are not at their defaults");
@@ -62,16 +61,16 @@ public final class ChainPanel extends VBox {
   private void narrow() {
     SettingsSearch search =
         new SettingsSearch(
-            words.getText().strip().toLowerCase(Locale.ROOT), changedOnly.isSelected());
+            text.getText().strip().toLowerCase(Locale.ROOT), changedOnly.isSelected());
     Controls.show(!cards.narrow(search) && search.isActive(), nothing);
   }
 
-  /** Shows another chain in place of the one before; stages that come together take a step each. */
-  public void startAnew(List<StageState> stages, Executor steps) {
-    cards.startAnew(stages, steps);
+  /** Shows another chain; many new stages take a step each. */
+  public void reset(List<StageState> stages, Executor steps) {
+    cards.reset(stages, steps);
   }
 
-  /** Shows what the stages do now; called a few times a second. */
+  /** Shows the stages' present numbers; called a few times a second. */
   public void update() {
     cards.update();
   }

@@ -5,67 +5,67 @@ import java.util.Deque;
 import java.util.function.Function;
 
 /**
- * What a person has changed, to be taken back and done again. Changes of the same value that follow
- * each other closely, as when a slider is dragged, are one.
+ * The history of changes for undo and redo. Successive changes of the same value, such as those of
+ * a drag, are one step.
  */
 public final class EditHistory {
   /** A change. */
-  private record Step(String words, Object subject, Runnable undo, Runnable redo, long nanos) {}
+  private record Step(String label, Object subject, Runnable undo, Runnable redo, long nanos) {}
 
-  private static final long TOGETHER_NANOS = 1_000_000_000;
+  private static final long MERGE_NANOS = 1_000_000_000;
   private static final int MAX_CHANGES = 200;
 
   private final Deque<Step> done = new ArrayDeque<>();
   private final Deque<Step> undone = new ArrayDeque<>();
   private Runnable listener = () -> {};
 
-  /** Calls something after each change, be it made or taken back. */
+  /** Adds a listener to changes, undone or redone ones too. */
   public void onChange(Runnable newListener) {
     listener = newListener;
   }
 
   /**
-   * Remembers a change that has been made at a time; what had been taken back before is forgotten.
-   * Changes of an equal subject may be taken as one.
+   * Adds a change at a time; undone changes are discarded. Successive changes of an equal subject
+   * may become one.
    */
-  void made(String words, Object subject, Runnable undo, Runnable redo, long nanos) {
+  void made(String label, Object subject, Runnable undo, Runnable redo, long nanos) {
     undone.clear();
     Step last = done.peek();
     boolean together =
-        last != null && last.subject().equals(subject) && nanos - last.nanos() < TOGETHER_NANOS;
+        last != null && last.subject().equals(subject) && nanos - last.nanos() < MERGE_NANOS;
     if (together) {
       done.pop();
     }
-    done.push(new Step(words, subject, together ? last.undo() : undo, redo, nanos));
+    done.push(new Step(label, subject, together ? last.undo() : undo, redo, nanos));
     if (done.size() > MAX_CHANGES) {
       done.removeLast();
     }
     listener.run();
   }
 
-  /** Forgets a change that could not be made. */
-  void forget(Object subject) {
+  /** Removes a failed change. */
+  void remove(Object subject) {
     done.removeIf(step -> step.subject() == subject);
     undone.removeIf(step -> step.subject() == subject);
     listener.run();
   }
 
-  /** Whether there is a change to take back. */
+  /** Whether there is a change to undo. */
   public boolean canUndo() {
     return !done.isEmpty();
   }
 
-  /** Whether there is a change to make once more. */
+  /** Whether there is a change to redo. */
   public boolean canRedo() {
     return !undone.isEmpty();
   }
 
-  /** Takes the last change back; what it was, or empty if there is none. */
+  /** Undoes the last change; returns its label, or empty text. */
   public String undo() {
     return go(done, undone, Step::undo);
   }
 
-  /** Makes the change that was taken back last once more; what it was, or empty. */
+  /** Redoes the last undone change; returns its label, or empty text. */
   public String redo() {
     return go(undone, done, Step::redo);
   }
@@ -78,10 +78,10 @@ public final class EditHistory {
     to.push(step);
     way.apply(step).run();
     listener.run();
-    return step.words();
+    return step.label();
   }
 
-  /** Forgets everything. */
+  /** Removes all changes. */
   void clear() {
     done.clear();
     undone.clear();

@@ -23,8 +23,8 @@ import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.VBox;
 
 /**
- * The settings of one filter, made from their schema: a field for each, under a heading for each
- * group. A change makes a whole new record and sends it to the filter.
+ * The settings of one filter by their schema: a field for each, a heading for each group. A change
+ * sends a new record to the filter.
  *
  * @param <S> the settings record
  */
@@ -36,7 +36,7 @@ final class SettingsPanel<S extends Record> extends VBox {
   private final Map<String, Label> headings = new LinkedHashMap<>();
   private final Button resetAll = new Button("Reset all to defaults");
 
-  /** The record in force, as far as this panel knows. */
+  /** The present record, as known to this panel. */
   private S settings;
 
   private SettingsPanel(
@@ -53,7 +53,7 @@ final class SettingsPanel<S extends Record> extends VBox {
         group = parameter.group();
         Label heading =
             Controls.label(
-                Texts.words(group, ""), Styles.TEXT_SMALL, Styles.TEXT_BOLD, "settings-group");
+                Texts.label(group, ""), Styles.TEXT_SMALL, Styles.TEXT_BOLD, "settings-group");
         headings.put(group, heading);
         getChildren().add(heading);
       }
@@ -71,8 +71,8 @@ final class SettingsPanel<S extends Record> extends VBox {
   }
 
   /**
-   * A panel for a record of any type: the settings in force of a stage's filter, of which the
-   * editor sends new ones.
+   * A panel for a record of any type: the present settings of a stage's filter; the editor gets new
+   * ones.
    */
   @SuppressWarnings("unchecked")
   static <S extends Record> SettingsPanel<S> of(ChainStage stage, S settings, ChainEditor editor) {
@@ -92,7 +92,7 @@ final class SettingsPanel<S extends Record> extends VBox {
     return Controls.button(
         "preset-" + name + "-" + id,
         "Preset: " + name,
-        "Takes all settings of the preset " + name,
+        "Applies all settings of the preset " + name,
         () -> send(preset, "all settings", problem -> {}),
         Styles.SMALL,
         Styles.FLAT);
@@ -124,7 +124,7 @@ final class SettingsPanel<S extends Record> extends VBox {
     }
   }
 
-  /** Shows those settings only that match; how many there are. */
+  /** Shows only matching settings; returns their number. */
   int narrow(SettingsSearch search) {
     List<String> changed = schema.changed(settings);
     Set<String> shownGroups = new HashSet<>();

@@ -5,24 +5,24 @@ import haltere.ui.viewer.controls.Texts;
 import java.util.Locale;
 
 /**
- * Which settings are to be seen.
+ * Search criteria for settings.
  *
- * @param words in a setting's name or help, lower case; empty for all
- * @param changedOnly whether only those are wanted that are not at their default
+ * @param text in a setting's name or help, lower case; empty for all
+ * @param changedOnly whether only settings that differ from their defaults match
  */
-record SettingsSearch(String words, boolean changedOnly) {
+record SettingsSearch(String text, boolean changedOnly) {
   /** Nothing is searched for. */
   static final SettingsSearch ALL = new SettingsSearch("", false);
 
   /** Whether it leaves anything out. */
   boolean isActive() {
-    return changedOnly || !words.isEmpty();
+    return changedOnly || !text.isEmpty();
   }
 
   boolean matches(Parameter parameter, boolean changed) {
     String searched =
         (Texts.label(parameter) + " " + parameter.group() + " " + parameter.help())
             .toLowerCase(Locale.ROOT);
-    return (!changedOnly || changed) && searched.contains(words);
+    return (!changedOnly || changed) && searched.contains(text);
   }
 }

@@ -28,7 +28,7 @@ import javafx.scene.input.TransferMode;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.VBox;
 
-/** One stage of the chain: its switch, what it does to the stream, its place, its settings. */
+/** One stage of the chain: its switch, its effect on the stream, its position, its settings. */
 final class StageCard extends VBox {
   private static final PseudoClass TARGET = PseudoClass.getPseudoClass("target");
   private static final PseudoClass OFF = PseudoClass.getPseudoClass("off");
@@ -45,7 +45,7 @@ final class StageCard extends VBox {
   private final ChainEditor editor;
   private Optional<SettingsPanel<?>> settings = Optional.empty();
 
-  /** The settings in force; empty for a filter without. */
+  /** The present settings; empty for a filter without settings. */
   private Optional<Record> inForce;
 
   private SettingsSearch search = SettingsSearch.ALL;
@@ -133,7 +133,7 @@ final class StageCard extends VBox {
     return more;
   }
 
-  /** Keeps the chain inside as a preset, or puts a preset in its place. */
+  /** Saves the nested chain as a preset, or replaces it by a preset. */
   private Menu presets(ChainEditor inner) {
     Menu menu = new Menu("Presets");
     menu.setId("presets-" + id);
@@ -148,8 +148,8 @@ final class StageCard extends VBox {
     Controls.named(counts, "counts-" + id, Styles.TEXT_SMALL, "stage-counts");
     Controls.help(
         counts,
-        "Events into and out of the filter per second of real time, the share that it lets"
-            + " through, and what a thousand events cost");
+        "Events into and out of the filter per second of real time, the share that it"
+            + " passes, and its time for a thousand events");
     counts.setText("\u2013");
   }
 
@@ -168,13 +168,13 @@ final class StageCard extends VBox {
     return list;
   }
 
-  /** Shows what a chain inside the chain consists of now. */
+  /** Shows the present stages of a nested chain. */
   void followInside(StageState state) {
     inside.ifPresent(list -> list.show(state.inside()));
   }
 
   /** Says which cards are before and behind this one, if any. */
-  void setPlace(Optional<StageCard> before, boolean lastOne) {
+  void setPosition(Optional<StageCard> before, boolean lastOne) {
     up.setDisable(before.isEmpty());
     down.setDisable(lastOne);
     chainAbove = before.flatMap(card -> card.inside);
@@ -191,11 +191,11 @@ final class StageCard extends VBox {
     }
   }
 
-  /** Shows what the stage did since the last call. */
+  /** Shows the stage's numbers since the last call. */
   void update() {
     inside.ifPresent(StageList::update);
     if (power.isSelected() != stage.isEnabled()) {
-      // the player has switched a filter off that failed, or a switch is still under way
+      // the player has disabled a failed filter, or a change is pending
       followingStage = true;
       power.setSelected(stage.isEnabled());
       followingStage = false;
@@ -236,7 +236,7 @@ final class StageCard extends VBox {
 
   private void showSettings(boolean show) {
     if (settings.isEmpty() && show && inForce.isPresent()) {
-      // not before they are asked for: styling some dozen controls takes time
+      // only on request: styling dozens of controls takes time
       SettingsPanel<?> made = SettingsPanel.of(stage, inForce.get(), editor);
       made.narrow(search);
       getChildren().add(made);
@@ -276,7 +276,7 @@ final class StageCard extends VBox {
     return any;
   }
 
-  /** Lets the card be dragged to the place of another one. */
+  /** Makes the card draggable to the position of another one. */
   private void takePart(Node handle) {
     handle.setOnDragDetected(
         event -> {
@@ -291,7 +291,7 @@ final class StageCard extends VBox {
     setOnDragExited(event -> pseudoClassStateChanged(TARGET, false));
   }
 
-  /** The path of the card that is dragged, if it may come here. */
+  /** The path of the dragged card, if it may be dropped here. */
   private Optional<String> dragged(Dragboard board) {
     return StageList.dragged(board).filter(this::accepts);
   }
@@ -314,7 +314,7 @@ final class StageCard extends VBox {
     return provider == null ? stage.kind() : provider.description();
   }
 
-  private MenuItem item(String action, String words, Runnable work) {
-    return Controls.item(action + id, words, work);
+  private MenuItem item(String action, String text, Runnable work) {
+    return Controls.item(action + id, text, work);
   }
 }

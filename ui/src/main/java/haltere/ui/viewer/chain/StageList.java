@@ -16,20 +16,20 @@ import javafx.scene.layout.VBox;
 
 /** A card for each stage of a chain, in order. */
 final class StageList extends VBox {
-  /** What is carried while a card is dragged: the path of its stage. */
+  /** Data of a drag: the path of the stage. */
   static final DataFormat STAGE = new DataFormat("application/x-haltere-stage");
 
   private final ChainEditor editor;
   private final Node empty;
   private final Map<ChainStage, StageCard> cards = new LinkedHashMap<>();
 
-  /** The stages that are shown, or are about to come. */
+  /** The shown stages, including those about to be shown. */
   private List<StageState> wanted = List.of();
 
   private SettingsSearch search = SettingsSearch.ALL;
   private Executor steps = Runnable::run;
 
-  /** A list without stages, which shows something else then. */
+  /** A list without stages, which shows another node if empty. */
   StageList(ChainEditor editor, Node empty) {
     this.editor = editor;
     this.empty = empty;
@@ -50,15 +50,15 @@ final class StageList extends VBox {
   }
 
   /**
-   * Shows another chain in place of the one before. Here and in later changes each new card takes a
-   * step, because making and styling one takes milliseconds.
+   * Shows another chain. Here and in later changes each new card takes a step, because creating and
+   * styling one takes milliseconds.
    */
-  void startAnew(List<StageState> stages, Executor newSteps) {
+  void reset(List<StageState> stages, Executor newSteps) {
     steps = newSteps;
     wanted = stages;
     cards.clear();
     getChildren().clear();
-    // all steps are asked for now, so that what is asked for behind them finds all cards
+    // all steps are queued now, so that later tasks find all cards
     for (int i = 0; i < Math.max(1, stages.size()); i++) {
       steps.execute(() -> grow(stages));
     }
@@ -102,14 +102,14 @@ final class StageList extends VBox {
         card.followInside(state);
       }
       cards.put(state.stage(), card);
-      card.setPlace(above, cards.size() == stages.size());
+      card.setPosition(above, cards.size() == stages.size());
       above = Optional.of(card);
     }
     List<? extends Node> shown = cards.isEmpty() ? List.of(empty) : List.copyOf(cards.values());
     if (!getChildren().equals(shown)) {
       Node focus = getScene() == null ? null : getScene().getFocusOwner();
       getChildren().setAll(shown);
-      // a card that is put elsewhere keeps the focus
+      // a moved card keeps the focus
       if (focus != null && focus.getScene() != null) {
         focus.requestFocus();
       }
@@ -121,7 +121,7 @@ final class StageList extends VBox {
     cards.values().forEach(card -> card.adopt(of, settings));
   }
 
-  /** Shows those settings only that are searched for; whether there are any. */
+  /** Shows only matching settings; returns whether there are any. */
   boolean narrow(SettingsSearch newSearch) {
     search = newSearch;
     boolean any = false;
@@ -131,7 +131,7 @@ final class StageList extends VBox {
     return any;
   }
 
-  /** Shows what the stages do now; called a few times a second. */
+  /** Shows the stages' present numbers; called a few times a second. */
   void update() {
     cards.values().forEach(StageCard::update);
   }

@@ -6,15 +6,15 @@ import haltere.core.chain.FilterChain;
 import haltere.core.sink.internal.Unchecked;
 
 /**
- * Moves stages from one chain to another inside of it, or out again. A path is the names of the
- * chains that a stage is in, and its own, with slashes between them.
+ * Moves stages into and out of nested chains. A path consists of the names of the chains and the
+ * stage, separated by slashes.
  *
  * <p>Thread rule: the processing thread only.
  */
 final class StageMoves {
   private StageMoves() {}
 
-  /** Whether a chain is a stage itself, or inside of it. */
+  /** Whether a chain is a stage itself, or nested in it. */
   static boolean isWithin(String chainPrefix, String stagePath) {
     return chainPrefix.startsWith(stagePath + "/");
   }
@@ -29,7 +29,7 @@ final class StageMoves {
     return stagePath.substring(stagePath.lastIndexOf('/') + 1);
   }
 
-  /** The chain inside another one, or that itself. */
+  /** A nested chain, or the outermost one itself. */
   static FilterChain chain(FilterChain outermost, String prefix) {
     FilterChain found = outermost;
     for (String name : prefix.split("/")) {
@@ -41,13 +41,12 @@ final class StageMoves {
   }
 
   /**
-   * Moves a stage to a chain of a prefix, before the stage of a name there, or to the end where it
-   * is empty. It is made anew with the same settings, because filters belong to one chain as long
-   * as they live.
+   * Moves a stage to a chain with a path prefix, before a named stage, or to the end for an empty
+   * name. A new filter with the same settings is created, because a filter belongs to one chain.
    */
   static void move(FilterChain outermost, String stagePath, String prefix, String before) {
     if (isWithin(prefix, stagePath)) {
-      throw new IllegalArgumentException("a chain cannot be put into itself");
+      throw new IllegalArgumentException("a chain cannot be moved into itself");
     }
     FilterChain from = chain(outermost, prefix(stagePath));
     FilterChain to = chain(outermost, prefix);

@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A stage and the settings in force, read off the chain on the processing thread for the window.
+ * A stage and its present settings, read on the processing thread for the window.
  *
- * @param stage its timing and whether it is on may be read from any thread
+ * @param stage its timing and whether it is enabled may be read from any thread
  * @param settings the settings record, empty for a filter without
  * @param inside the stages of a chain inside the chain, empty for a filter
  */

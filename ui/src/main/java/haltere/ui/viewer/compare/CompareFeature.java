@@ -32,17 +32,16 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
 /**
- * Two chains side by side on the same events: the second one begins as a copy of the first, has its
- * own settings in a tab at the side, its own picture, and its published numbers beside those of the
- * first.
+ * Two chains side by side on the same events. The second chain starts as a copy of the first, with
+ * its own settings in a tab, its own picture, and its published numbers beside those of the first.
  */
 public final class CompareFeature implements ViewerFeature {
   private static final long NUMBERS_NANOS = 1_000_000_000;
 
-  /** What is compared. */
+  /** A running comparison. */
   private record Running(Player player, SecondChain second) {}
 
-  /** What a chain consists of, as JSON and in words, and its means of the last while. */
+  /** A chain as JSON and as text, and its recent means. */
   private record Numbers(String json, String filters, Map<PlotField, Double> means) {
     /** Processing thread. */
     static Numbers of(FilterChain chain, PublishedMeans means) {
@@ -80,12 +79,12 @@ public final class CompareFeature implements ViewerFeature {
     editor = new ChainEditor(window.status()::showError);
     chainPanel = new ChainPanel(editor);
     chainPanel.setId("second-chain-panel");
-    view.setAccessibleText("Events behind the second chain");
+    view.setAccessibleText("Events after the second chain");
     SplitPane settings = new SplitPane(chainPanel, table);
     settings.setOrientation(Orientation.VERTICAL);
     Region bar = new Region();
     bar.getStyleClass().addAll("view-bar");
-    // as high as the first picture's bar, so that both pictures have the same height
+    // as tall as the first picture's bar, so that both pictures have the same height
     bar.minHeightProperty().bind(window.panels().viewBar().heightProperty());
     BorderPane named = new BorderPane(view);
     VBox above = new VBox(bar, secondName);
@@ -97,11 +96,11 @@ public final class CompareFeature implements ViewerFeature {
     settingsShown =
         layout.offer("second-chain", "Second chain", PanelLayout.Position.SIDE, () -> settings);
     shown = layout.offer("compare", "Compare", PanelLayout.Position.BESIDE, () -> named);
-    Controls.showWhere(shown, firstName);
-    // both pictures are as wide as the narrower of their places, so that they have one scale
+    Controls.bindVisible(shown, firstName);
+    // both pictures have the width of the narrower panel, so that their scales agree
     EventView first = window.panels().view();
     view.maxWidthProperty().bind(((Region) first.getParent()).widthProperty());
-    // banners stand above the first picture alone
+    // banners are above the first picture only
     above.minHeightProperty().bind(first.getParent().getParent().layoutYProperty());
     first
         .maxWidthProperty()
@@ -164,8 +163,8 @@ public final class CompareFeature implements ViewerFeature {
     player.addRawSink(made);
     editor.setPresets(window.editor().presets());
     editor.setAccess(ChainAccess.beside(player, made.chain()));
-    chainPanel.startAnew(stages, window.steps());
-    // both chains run from as far before this moment as they remember
+    chainPanel.reset(stages, window.steps());
+    // both chains start before this moment by their memory
     window.playback().jump(0);
   }
 
@@ -174,7 +173,7 @@ public final class CompareFeature implements ViewerFeature {
         .background()
         .close(
             () -> {
-              // a player that has been closed hands over nothing more anyway
+              // a closed player delivers nothing any more
               ended.player().removeSink(ended.second()).exceptionally(closed -> null).join();
               ended.second().close();
             });
@@ -185,18 +184,18 @@ public final class CompareFeature implements ViewerFeature {
     Controls.help(label, which + of.filters());
   }
 
-  /** Both chains' numbers are taken from the chains as they are now. */
+  /** Subscribes to the numbers of both present chains. */
   private void listen(Running now) {
     window.read(
         first -> {
-          firstMeans = anew(firstMeans, first);
-          secondMeans = anew(secondMeans, now.second().chain());
+          firstMeans = restarted(firstMeans, first);
+          secondMeans = restarted(secondMeans, now.second().chain());
           return first;
         },
         listening -> {});
   }
 
-  private static PublishedMeans anew(PublishedMeans before, FilterChain chain) {
+  private static PublishedMeans restarted(PublishedMeans before, FilterChain chain) {
     if (before != null) {
       before.close();
     }

@@ -18,11 +18,10 @@ import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Priority;
 
 /**
- * The numbers that two chains publish, side by side: means over the last second and how much the
- * second one differs.
+ * The published numbers of two chains side by side: means over the last second, and the difference.
  */
 final class ComparisonTable extends ScrollPane {
-  /** A line of the table, below the heading of what publishes it. */
+  /** A line of the table, below the heading of its outlet. */
   record Line(String group, String field, String first, String second, String difference) {}
 
   private final GridPane grid = new GridPane(6, 0);
@@ -42,7 +41,7 @@ final class ComparisonTable extends ScrollPane {
     show(List.of());
   }
 
-  /** The lines for two sets of means; what only one publishes has no difference. */
+  /** The lines of two sets of means; a number of only one chain has no difference. */
   static List<Line> lines(Map<PlotField, Double> first, Map<PlotField, Double> second) {
     Set<PlotField> fields = new LinkedHashSet<>(first.keySet());
     fields.addAll(second.keySet());
@@ -52,7 +51,7 @@ final class ComparisonTable extends ScrollPane {
       Double b = second.get(field);
       String group = Texts.title(field.stage()) + ": " + field.outlet().replace('-', ' ');
       String unit = field.unit().isEmpty() ? "" : ", " + field.unit();
-      lines.add(new Line(group, field.words() + unit, number(a), number(b), difference(a, b)));
+      lines.add(new Line(group, field.label() + unit, number(a), number(b), difference(a, b)));
     }
     return lines;
   }
@@ -73,7 +72,7 @@ final class ComparisonTable extends ScrollPane {
         : String.format(Locale.ROOT, "%+.2f %%", 100 * (second - first) / Math.abs(first));
   }
 
-  /** Shows lines in place of those that are shown. */
+  /** Replaces the shown lines. */
   void show(List<Line> lines) {
     grid.getChildren().clear();
     grid.addRow(0, heading("Mean, 1 s"), heading("First"), heading("Second"), heading("Differs"));
@@ -96,11 +95,11 @@ final class ComparisonTable extends ScrollPane {
     }
   }
 
-  private static Label heading(String words) {
-    return Controls.label(words, Styles.TEXT_SMALL, Styles.TEXT_BOLD);
+  private static Label heading(String text) {
+    return Controls.label(text, Styles.TEXT_SMALL, Styles.TEXT_BOLD);
   }
 
-  private static Label small(String words) {
-    return Controls.label(words, Styles.TEXT_SMALL);
+  private static Label small(String text) {
+    return Controls.label(text, Styles.TEXT_SMALL);
   }
 }

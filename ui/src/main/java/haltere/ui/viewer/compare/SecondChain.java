@@ -8,8 +8,8 @@ import haltere.core.stream.StreamNotification;
 import haltere.ui.viewer.picture.DisplaySink;
 
 /**
- * Another chain on the same stream: gets a copy of each packet before the first chain sees it, so
- * both work on the very same events, whether of a recording, a scene or a camera.
+ * A second chain on the same stream. It gets a copy of each packet before the first chain, so both
+ * process the same events.
  *
  * @param chain its filters
  * @param first the chain beside it, which is in a run-up when this one is

@@ -1,9 +1,7 @@
 package haltere.ui.viewer.controls;
 
-/**
- * A node that may want the arrow keys, Home, End and the pages for itself while it has the focus.
- */
+/** A focused node that may consume arrow keys, Home, End and the page keys. */
 public interface ArrowKeys {
-  /** Whether it wants them now; otherwise they belong to playback. */
-  boolean keepsArrows();
+  /** Whether it consumes them now; otherwise they belong to playback. */
+  boolean consumesArrows();
 }

@@ -29,7 +29,7 @@ import javafx.scene.shape.Rectangle;
 import javafx.util.Duration;
 import javafx.util.StringConverter;
 
-/** Makes the controls of the window, all alike, with a tooltip and a name for screen readers. */
+/** Creates the window's controls in one style, with tooltips and names for screen readers. */
 public final class Controls {
   private static final String HELP = "haltere.help";
   private static final String TOOLTIP = "haltere.tooltip";
@@ -41,7 +41,7 @@ public final class Controls {
    *
    * @param id by which style sheet and tests find it
    * @param help its tooltip, and its name for screen readers
-   * @param action what pressing it does
+   * @param action runs when it is pressed
    */
   public static Button button(
       String id, Icons icon, String help, Runnable action, String... styles) {
@@ -58,7 +58,7 @@ public final class Controls {
     return button;
   }
 
-  /** A button with words, as {@link #button(String, Icons, String, Runnable, String...)}. */
+  /** A button with text, as {@link #button(String, Icons, String, Runnable, String...)}. */
   public static Button button(
       String id, String words, String help, Runnable action, String... styles) {
     Button button = named(new Button(words), id, styles);
@@ -67,7 +67,7 @@ public final class Controls {
     return button;
   }
 
-  /** A line of a menu, whose words stand there as they are. */
+  /** A menu item with a literal text. */
   public static MenuItem item(String id, String words, Runnable action) {
     MenuItem item = new MenuItem(words);
     item.setId(id);
@@ -76,9 +76,9 @@ public final class Controls {
     return item;
   }
 
-  /** A slider between two values, with words for the mouse and for screen readers. */
-  public static Slider slider(String id, String help, double least, double most) {
-    Slider slider = named(new Slider(least, most, least), id);
+  /** A slider between two values, with a text for tooltip and screen readers. */
+  public static Slider slider(String id, String help, double min, double max) {
+    Slider slider = named(new Slider(min, max, min), id);
     slider.setAccessibleText(help);
     help(slider, help);
     return slider;
@@ -149,8 +149,8 @@ public final class Controls {
   }
 
   /**
-   * Gives a node words that appear when the mouse rests on it, or other ones, or none. The tooltip
-   * itself, which is a window, is not made before the mouse comes.
+   * Sets or removes the tooltip of a node. The tooltip itself, which is a window, is created when
+   * the mouse comes.
    */
   public static void help(Node node, String text) {
     if (node.getProperties().put(HELP, text) == null) {
@@ -161,7 +161,7 @@ public final class Controls {
     }
   }
 
-  /** The words that appear when the mouse rests on a node; empty where there are none. */
+  /** The tooltip text of a node; empty without one. */
   public static String help(Node node) {
     return (String) node.getProperties().getOrDefault(HELP, "");
   }
@@ -194,8 +194,8 @@ public final class Controls {
   }
 
   /**
-   * A place for a control that cannot always work, where the reason appears when the mouse rests on
-   * it: a control that is off hears of no mouse.
+   * A wrapper for a control that may be disabled, with the reason as a tooltip: a disabled control
+   * gets no mouse events.
    */
   public static Node place(Node control) {
     StackPane place = new StackPane(control);
@@ -204,7 +204,7 @@ public final class Controls {
   }
 
   /**
-   * Switches a control off that has a {@link #place}.
+   * Disables a control in a {@link #place}.
    *
    * @param obstacle why it cannot work; on if that is empty
    */
@@ -216,7 +216,7 @@ public final class Controls {
   }
 
   /** Shows nodes while a condition holds; else they take no room. */
-  public static void showWhere(ObservableBooleanValue condition, Node... nodes) {
+  public static void bindVisible(ObservableBooleanValue condition, Node... nodes) {
     for (Node node : nodes) {
       node.visibleProperty().bind(condition);
       node.managedProperty().bind(node.visibleProperty());
@@ -231,7 +231,7 @@ public final class Controls {
     }
   }
 
-  /** Calls something when an entry is finished: by Enter, or because another control is used. */
+  /** Adds a listener to finished entries: by Enter, or by leaving the field. */
   public static void onEntered(TextField entry, Runnable taken) {
     entry.setOnAction(event -> taken.run());
     entry
@@ -245,10 +245,10 @@ public final class Controls {
   }
 
   /**
-   * Lets something be dropped on a node.
+   * Makes a node accept a drop.
    *
-   * @param wanted what there is to drop, if anything that the node takes
-   * @param dropped takes it
+   * @param wanted the content, if the node accepts it
+   * @param dropped receives it
    */
   public static <T> void onDrop(
       Node target,
@@ -279,7 +279,7 @@ public final class Controls {
    *
    * @param help its tooltip, and its name for screen readers
    * @param values in order
-   * @param words what each is called
+   * @param words the label of each
    */
   public static <T> ChoiceBox<T> choice(
       String id, String help, Collection<T> values, Function<T, String> words) {
@@ -303,7 +303,7 @@ public final class Controls {
     return box;
   }
 
-  /** Shows of a region what lies within its bounds and nothing else. */
+  /** Clips a region to its bounds. */
   public static void clip(Region region) {
     Rectangle clip = new Rectangle();
     clip.widthProperty().bind(region.widthProperty());

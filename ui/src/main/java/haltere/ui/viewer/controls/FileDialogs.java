@@ -11,7 +11,7 @@ import javafx.stage.FileChooser;
 import javafx.stage.FileChooser.ExtensionFilter;
 import javafx.stage.Window;
 
-/** Asks for files. */
+/** File dialogs. */
 public final class FileDialogs {
   private static final ExtensionFilter ALL_FILES = new ExtensionFilter("All files", "*");
 
@@ -33,17 +33,17 @@ public final class FileDialogs {
         "Open recording", new ExtensionFilter("Recordings", List.copyOf(endings)), ALL_FILES);
   }
 
-  /** Where a picture is to be written. */
+  /** Asks for the file of a picture. */
   public Optional<Path> picture() {
     return save("Save picture", "haltere.png", "Pictures", "*.png");
   }
 
-  /** A file with several cameras and where they stand, to be read. */
+  /** Asks for a file of several calibrated cameras. */
   public Optional<Path> cameras() {
     return open("Open their cameras", new ExtensionFilter("Cameras", "*.json", "*.xml"), ALL_FILES);
   }
 
-  /** A file to be read, of a kind that is called by words and has certain endings. */
+  /** Asks for a file to read, with the name and the extensions of its kind. */
   public Optional<Path> open(String title, String kind, String... endings) {
     return open(title, new ExtensionFilter(kind, endings));
   }
@@ -51,15 +51,15 @@ public final class FileDialogs {
   private Optional<Path> open(String title, ExtensionFilter... filters) {
     FileChooser chooser = chooser(title);
     chooser.getExtensionFilters().addAll(filters);
-    return remembered(chooser.showOpenDialog(owner));
+    return withFolder(chooser.showOpenDialog(owner));
   }
 
-  /** Where a file is to be written, with the usual name, the words for its kind and its endings. */
+  /** Asks for a file to write, with a default name, and the name and the extensions of its kind. */
   public Optional<Path> save(String title, String name, String kind, String... endings) {
     FileChooser chooser = chooser(title);
     chooser.getExtensionFilters().addAll(new ExtensionFilter(kind, endings));
     chooser.setInitialFileName(name);
-    return remembered(chooser.showSaveDialog(owner));
+    return withFolder(chooser.showSaveDialog(owner));
   }
 
   private FileChooser chooser(String title) {
@@ -71,7 +71,7 @@ public final class FileDialogs {
     return chooser;
   }
 
-  private Optional<Path> remembered(File chosen) {
+  private Optional<Path> withFolder(File chosen) {
     if (chosen == null) {
       return Optional.empty();
     }

@@ -5,7 +5,7 @@ import java.util.List;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 
-/** Which nodes Tab comes to, in order. */
+/** The order of the nodes for Tab. */
 public final class FocusOrder {
   private FocusOrder() {}
 
@@ -28,7 +28,7 @@ public final class FocusOrder {
     }
   }
 
-  /** Whether a node is another one or inside of it. */
+  /** Whether a node is another one or inside it. */
   public static boolean isWithin(Node node, Node top) {
     for (Node above = node; above != null; above = above.getParent()) {
       if (above == top) {

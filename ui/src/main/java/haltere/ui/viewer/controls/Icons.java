@@ -4,7 +4,7 @@ import javafx.scene.Node;
 import javafx.scene.shape.FillRule;
 import javafx.scene.shape.SVGPath;
 
-/** The few icons of the window, as paths on a square of 16 by 16; coloured by the style sheet. */
+/** The icons of the window, as paths on a square of 16 by 16, coloured by the style sheet. */
 public enum Icons {
   PLAY("M4 2.5 L13.5 8 L4 13.5 Z"),
   BACKWARDS("M12 2.5 L2.5 8 L12 13.5 Z"),
@@ -55,7 +55,7 @@ public enum Icons {
   /** A new node for a button. */
   public Node node() {
     SVGPath shape = new SVGPath();
-    // keeps all icons the same size, whatever their outline
+    // all icons have the same size, whatever their shape
     shape.setContent("M0 0 H0 M16 16 H16 " + path);
     shape.setFillRule(FillRule.EVEN_ODD);
     shape.getStyleClass().add("icon");

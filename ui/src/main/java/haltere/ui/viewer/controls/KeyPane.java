@@ -4,7 +4,7 @@ import javafx.scene.AccessibleRole;
 import javafx.scene.Node;
 import javafx.scene.layout.Pane;
 
-/** A picture that Tab reaches and that keys work on as the mouse does. */
+/** A picture that can have the focus and be operated by keys. */
 public class KeyPane extends Pane implements ArrowKeys {
   /** A picture with some nodes in it at first. */
   public KeyPane(Node... children) {
@@ -15,7 +15,7 @@ public class KeyPane extends Pane implements ArrowKeys {
   }
 
   @Override
-  public final boolean keepsArrows() {
+  public final boolean consumesArrows() {
     return true;
   }
 }

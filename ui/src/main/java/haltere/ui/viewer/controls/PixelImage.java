@@ -8,7 +8,7 @@ import javafx.scene.image.PixelFormat;
 import javafx.scene.image.WritableImage;
 import javafx.stage.Window;
 
-/** An image whose pixels a program paints. */
+/** An image with pixels painted by the program. */
 public final class PixelImage extends ImageView {
   private PixelBuffer<IntBuffer> buffer;
 
@@ -17,9 +17,7 @@ public final class PixelImage extends ImageView {
     setManaged(false);
   }
 
-  /**
-   * Has pixels of a number, row by row from the top; those that are there stay if they are as many.
-   */
+  /** Allocates pixels, row by row from the top; present ones are kept if the number is equal. */
   public void allocate(int width, int height) {
     if (buffer == null || buffer.getWidth() != width || buffer.getHeight() != height) {
       IntBuffer pixels = IntBuffer.allocate(width * height);
@@ -28,14 +26,14 @@ public final class PixelImage extends ImageView {
     }
   }
 
-  /** Has so many pixels of the screen and is as large as they are, at pixels per unit. */
+  /** Sets its size in pixels of the screen, at a number of pixels per unit. */
   public void fit(int columns, int rows, double density) {
     allocate(columns, rows);
     setFitWidth(columns / density);
     setFitHeight(rows / density);
   }
 
-  /** Pixels of the screen per unit where a node is shown; 1 while it is not. */
+  /** Pixels of the screen per unit at a node; 1 while it is not shown. */
   public static double density(Node node) {
     Window window = node.getScene() == null ? null : node.getScene().getWindow();
     return window == null ? 1 : window.getRenderScaleX();
@@ -46,7 +44,7 @@ public final class PixelImage extends ImageView {
     return buffer == null ? new int[0] : buffer.getBuffer().array();
   }
 
-  /** Shows the pixels as they are now. */
+  /** Shows the present pixels. */
   public void repaint() {
     buffer.updateBuffer(all -> null);
   }

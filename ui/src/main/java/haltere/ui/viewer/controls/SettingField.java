@@ -18,13 +18,15 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.VBox;
 
 /**
- * One setting: its name, a control for its type, a button back to the default, and a line for what
- * is wrong with an entry.
+ * One setting: its name, a control for its type, a button for the default, and a line for errors of
+ * an entry.
  */
 public final class SettingField extends VBox {
-  /** Takes a value that a person has set. */
+  /** Accepts a value from the user. */
   public interface Change {
-    /** Tries a text or a value of the setting's type; tells in one line why it cannot be. */
+    /**
+     * Tries a text or a value of the setting's type; reports the reason of a refusal in one line.
+     */
     void to(Object value, Consumer<String> refused);
   }
 
@@ -142,7 +144,7 @@ public final class SettingField extends VBox {
     layOutBelow(entry);
   }
 
-  /** A control of the setting, whose id begins with its kind. */
+  /** A control of the setting; the prefix of its id is its kind. */
   private <T extends Control> T control(T made, String kind) {
     made.setId(kind + id);
     made.setAccessibleText(Texts.label(parameter));
@@ -155,7 +157,7 @@ public final class SettingField extends VBox {
     return parameter;
   }
 
-  /** Shows the value in force. */
+  /** Shows the present value. */
   public void show(Object value, boolean changed) {
     reset.setVisible(changed);
     showProblem("");

@@ -11,21 +11,21 @@ import java.util.concurrent.ExecutionException;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Numbers and problems as a person reads them. */
+/** Formats numbers and problems for users. */
 public final class Texts {
   private static final double MAX_SLOWDOWN = 1e6;
   private static final Pattern TIME_WITH_UNIT =
       Pattern.compile("(\\d+(?:\\.\\d*)?)\\s*(us|\u00b5s|ms|s)");
   private static final Pattern CLOCK_TIME = Pattern.compile("(?:\\d+:){0,2}\\d+(?:\\.\\d*)?");
 
-  /** Share of the wanted speed from which on it counts as reached: a measured speed jitters. */
+  /** Share of the requested speed that counts as reached: measured speeds jitter. */
   private static final double REACHED = 0.95;
 
   private Texts() {}
 
   /**
-   * A place in a recording, such as 1:02.345; microseconds, which may be negative, are shown where
-   * they matter, as in slow motion.
+   * A time in a recording, such as 1:02.345; with microseconds, which may be negative, on request,
+   * as for slow motion.
    */
   public static String time(long us, boolean withMicros) {
     long abs = Math.abs(us);
@@ -40,11 +40,10 @@ public final class Texts {
   }
 
   /**
-   * A time as a person writes it, in microseconds: 1:02:03.5, 62.345, 250 ms, 1500 us, 3 s; empty
-   * if it is no time.
+   * Parses a time into microseconds: 1:02:03.5, 62.345, 250 ms, 1500 us, 3 s; empty for other text.
    */
-  public static OptionalLong parseTime(String words) {
-    Matcher unit = TIME_WITH_UNIT.matcher(words.strip());
+  public static OptionalLong parseTime(String label) {
+    Matcher unit = TIME_WITH_UNIT.matcher(label.strip());
     if (unit.matches()) {
       double factor =
           switch (unit.group(2)) {
@@ -54,22 +53,22 @@ public final class Texts {
           };
       return OptionalLong.of(Math.round(Double.parseDouble(unit.group(1)) * factor));
     }
-    if (!CLOCK_TIME.matcher(words.strip()).matches()) {
+    if (!CLOCK_TIME.matcher(label.strip()).matches()) {
       return OptionalLong.empty();
     }
     double seconds = 0;
-    for (String part : words.strip().split(":")) {
+    for (String part : label.strip().split(":")) {
       seconds = 60 * seconds + Double.parseDouble(part);
     }
     return OptionalLong.of(Math.round(seconds * 1e6));
   }
 
-  /** The speed that playback reaches, beside the one that was asked for where that is higher. */
+  /** The achieved speed, with the requested one if that is higher. */
   public static String reached(PlayerStatus status) {
     double now = status.achievedSpeed();
     double rounded = Math.abs(now - 1) < 0.015 ? 1 : now >= 1 ? Math.round(now * 100) / 100.0 : now;
-    String words = now >= 0.1 && rounded < 1 ? digits(rounded) + "\u00d7" : speed(rounded);
-    return words + (isSlowed(status) ? " of " + speed(status.speed()) : "");
+    String label = now >= 0.1 && rounded < 1 ? digits(rounded) + "\u00d7" : speed(rounded);
+    return label + (isSlowed(status) ? " of " + speed(status.speed()) : "");
   }
 
   private static boolean isSlowed(PlayerStatus status) {
@@ -77,7 +76,7 @@ public final class Texts {
     return status.achievedSpeed() > 0 && status.achievedSpeed() < REACHED * wanted;
   }
 
-  /** What the speed is limited by, where the one that was asked for is not reached; or empty. */
+  /** The bottleneck, if the requested speed is not reached; else empty. */
   public static String limit(PlayerStatus status) {
     if (!isSlowed(status)) {
       return "";
@@ -149,7 +148,7 @@ public final class Texts {
     }
     double slowdown = 1 / speed;
     if (slowdown > MAX_SLOWDOWN) {
-      return "0\u00d7"; // as good as standing still
+      return "0\u00d7"; // practically stopped
     }
     return "1/" + (slowdown < 9.5 ? trim(digits(slowdown)) : Math.round(slowdown)) + "\u00d7";
   }
@@ -169,7 +168,7 @@ public final class Texts {
     return digits(us) + " \u00b5s";
   }
 
-  /** What a person calls a source: "Simulated road" for the camera {@code simulated:road}. */
+  /** Display name of a source: "Simulated road" for the camera {@code simulated:road}. */
   public static String source(String name) {
     String simulated = "simulated:";
     return name.startsWith(simulated)
@@ -177,17 +176,17 @@ public final class Texts {
         : name;
   }
 
-  /** What a person calls a setting: its label, or its name in words. */
+  /** Display name of a setting: its label, or its name in words. */
   public static String label(Parameter setting) {
-    return setting.label().isEmpty() ? words(setting.name(), setting.unit()) : setting.label();
+    return setting.label().isEmpty() ? label(setting.name(), setting.unit()) : setting.label();
   }
 
-  /** A name in a settings record as words, without the unit at its end. */
-  public static String words(String name, String unit) {
+  /** A name in a settings record as words, without its unit. */
+  public static String label(String name, String unit) {
     String own = name.substring(name.lastIndexOf('.') + 1);
     String suffix = unit.replaceAll("[^A-Za-z0-9/]", "").replace("/", "(?:Per)?");
     if (!suffix.isEmpty()) {
-      // of a number of clusters at most, the unit is the name
+      // a maximum count of clusters: the unit is the name
       own = own.replaceFirst("(?<=[A-Za-z0-9])(?<!^m(?:ax|in))(?=[A-Z])(?i:" + suffix + ")$", "");
     }
     String spaced = own.replaceAll("([a-z0-9])([A-Z])", "$1 $2").toLowerCase(Locale.ROOT);
@@ -205,7 +204,7 @@ public final class Texts {
     return line.isEmpty() ? line : Character.toUpperCase(line.charAt(0)) + line.substring(1);
   }
 
-  /** A unit as it is shown: no sign for a ratio, the Greek letter for micro, raised powers. */
+  /** A unit for display: no sign for a ratio, the Greek letter for micro, raised powers. */
   static String unit(String unit) {
     return switch (unit) {
       case "1" -> "";
@@ -215,7 +214,7 @@ public final class Texts {
     };
   }
 
-  /** What went wrong in one line, without the wrapping of futures and options of commands. */
+  /** A problem in one line, without the wrapping of futures and options of commands. */
   public static String oneLine(Throwable problem) {
     Throwable cause = problem;
     while ((cause instanceof CompletionException || cause instanceof ExecutionException)
@@ -232,7 +231,7 @@ public final class Texts {
     return message.replaceAll(" \\(--[^)]*\\)", "");
   }
 
-  /** All that is known of what went wrong, for who reports it. */
+  /** All details of a problem, for a report. */
   public static String details(Throwable problem) {
     StringWriter text = new StringWriter();
     problem.printStackTrace(new PrintWriter(text));

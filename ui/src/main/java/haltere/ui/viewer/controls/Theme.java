@@ -6,22 +6,22 @@ import haltere.ui.rendering.ColourMap;
 import javafx.application.Application;
 import javafx.scene.paint.Color;
 
-/** How the window looks. */
+/** The colour theme of the window. */
 public enum Theme {
   DARK("Dark", ColourMap.DARK),
   LIGHT("Light", ColourMap.LIGHT);
 
-  private final String words;
+  private final String label;
   private final ColourMap colours;
 
-  Theme(String words, ColourMap colours) {
-    this.words = words;
+  Theme(String label, ColourMap colours) {
+    this.label = label;
     this.colours = colours;
   }
 
-  /** What a menu calls it. */
-  public String words() {
-    return words;
+  /** Label in menus. */
+  public String label() {
+    return label;
   }
 
   /** The colours of events that go with it. */

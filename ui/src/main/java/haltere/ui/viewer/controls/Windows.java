@@ -18,9 +18,9 @@ import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 import javafx.util.Duration;
 
-/** Opens windows and questions beside the viewer's own window, in its style. */
+/** Opens further windows and dialogs in the style of the viewer. */
 public final class Windows {
-  /** A window may be smaller than wanted by this. */
+  /** Tolerance of a window's size. */
   private static final double TOLERANCE_PX = 20;
 
   private Windows() {}
@@ -40,8 +40,8 @@ public final class Windows {
     return stage;
   }
 
-  /** Shows something to read, with a button that closes it. */
-  public static void tell(Window owner, String title, Node content) {
+  /** Shows content to read, with a button that closes it. */
+  public static void showContent(Window owner, String title, Node content) {
     Alert alert = new Alert(Alert.AlertType.NONE, "", ButtonType.CLOSE);
     alert.setTitle(title);
     alert.getDialogPane().setContent(content);
@@ -58,9 +58,7 @@ public final class Windows {
     dialog.show();
   }
 
-  /**
-   * Asks once more for the size of what a window shows where a window manager has made it small.
-   */
+  /** Requests the size of a window's content again if a window manager has made it small. */
   private static void keepSize(Window window, Supplier<Dimension2D> size) {
     PauseTransition managed = new PauseTransition(Duration.millis(300));
     managed.setOnFinished(
@@ -76,20 +74,17 @@ public final class Windows {
     window.addEventHandler(WindowEvent.WINDOW_SHOWN, event -> managed.play());
   }
 
-  /**
-   * Asks for a line of text, and hands over what was entered unless the question was closed or left
-   * empty.
-   */
+  /** Asks for a line of text, and passes it on unless the dialog was cancelled or left empty. */
   public static void ask(
-      Window owner, String title, String words, String usual, Consumer<String> answer) {
+      Window owner, String title, String text, String usual, Consumer<String> answer) {
     TextInputDialog dialog = new TextInputDialog(usual);
     dialog.initOwner(owner);
     dialog.setTitle(title);
     dialog.setHeaderText(null);
     dialog.setGraphic(null);
-    dialog.setContentText(words);
+    dialog.setContentText(text);
     dialog.getEditor().setId("answer");
-    dialog.getEditor().setAccessibleText(words);
+    dialog.getEditor().setAccessibleText(text);
     dialog
         .resultProperty()
         .subscribe(

@@ -1,5 +1,2 @@
-/**
- * Buttons, icons, entries, questions and words, all alike in the whole window. They know settings
- * and units, but nothing of what the window shows.
- */
+/** Buttons, icons, fields, dialogs and texts in one style. Depends on settings and units only. */
 package haltere.ui.viewer.controls;

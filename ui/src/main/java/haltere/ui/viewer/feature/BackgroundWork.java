@@ -11,8 +11,8 @@ import java.util.function.Consumer;
 import javafx.application.Platform;
 
 /**
- * Threads for what would make the window wait: one opens, saves and closes, one scans, one exports.
- * Results come back on the JavaFX thread.
+ * Threads for long tasks: one for files, one for scans, one for exports. Results return on the
+ * JavaFX thread.
  */
 public final class BackgroundWork implements AutoCloseable {
   private final ExecutorService files = thread("haltere-files");
@@ -25,7 +25,7 @@ public final class BackgroundWork implements AutoCloseable {
     return Executors.newSingleThreadExecutor(work -> Daemon.thread(work, name));
   }
 
-  /** Opens or saves something. */
+  /** Opens or saves a file. */
   public <T> void file(Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
     files.submit(() -> run(work, done, failed));
   }
@@ -37,7 +37,7 @@ public final class BackgroundWork implements AutoCloseable {
     void run() throws Exception;
   }
 
-  /** Does something with files that has no result. */
+  /** Runs a file task without a result. */
   public void file(Action work, Runnable done, Consumer<Exception> failed) {
     file(
         () -> {
@@ -48,20 +48,17 @@ public final class BackgroundWork implements AutoCloseable {
         failed);
   }
 
-  /** Closes something; what that throws has no one to tell. */
-  public void close(AutoCloseable something) {
-    file(something::close, () -> {}, failed -> {});
+  /** Closes a resource; its exceptions are ignored. */
+  public void close(AutoCloseable resource) {
+    file(resource::close, () -> {}, failed -> {});
   }
 
-  /**
-   * Exports something, which may take long; what was asked for before is done first. Cancelling
-   * ends it.
-   */
+  /** Exports, which may take long, after earlier exports. Cancelling stops it. */
   public <T> Future<?> export(Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
     return exports.submit(() -> run(work, done, failed));
   }
 
-  /** Scans something, in place of what is being scanned. */
+  /** Scans, in place of a running scan. */
   public <T> void scan(Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
     scan.cancel(true);
     scan = scans.submit(() -> run(work, done, failed));
@@ -82,7 +79,7 @@ public final class BackgroundWork implements AutoCloseable {
     }
   }
 
-  /** Finishes what was handed over and ends the threads; nothing more comes back. */
+  /** Finishes queued tasks and ends the threads; results are discarded. */
   @Override
   public void close() {
     closed.set(true);

@@ -23,19 +23,19 @@ import javafx.beans.property.SimpleObjectProperty;
 import javafx.beans.value.ObservableValue;
 
 /**
- * How window and events look, as a person has chosen; whoever shows them listens.
+ * The chosen appearance of window and events, observed by the views.
  *
- * @param themeProperty how the window looks; a change brings the colours that go with it
+ * @param themeProperty the theme; a change sets its default colours
  * @param coloursProperty the colours of polarities
  * @param decayUsProperty as {@link DisplayOptions#decayUs()}
- * @param modeProperty what the colour of a pixel says about its events
+ * @param modeProperty meaning of the colour of a pixel
  * @param gradientProperty the colours of ages and counts
  * @param marksProperty whether marks of the filters are drawn over the events
  * @param framesProperty whether the camera's frames are drawn below the events
  * @param frameOpacityProperty how much of a frame is seen: 0 nothing, 1 all of it
- * @param allEventsProperty whether events are shown as they come, before the filters
+ * @param allEventsProperty whether events before the filters are shown
  * @param regionProperty the region of interest
- * @param tapeProperty what was measured
+ * @param tapeProperty the measured line
  */
 public record DisplayControl(
     ObjectProperty<Theme> themeProperty,
@@ -49,7 +49,7 @@ public record DisplayControl(
     BooleanProperty allEventsProperty,
     ObjectProperty<Optional<PixelRegion>> regionProperty,
     ObjectProperty<Optional<MeasuredLine>> tapeProperty) {
-  /** Time constants of the fading that are offered, and what a menu calls them. */
+  /** Offered time constants of fading, and their labels. */
   public static final Map<Long, String> DECAYS = decays();
 
   /** Looks as in a new window. */
@@ -80,12 +80,12 @@ public record DisplayControl(
     return Collections.unmodifiableMap(decays);
   }
 
-  /** What lies over the events. */
+  /** The overlays over the events. */
   public Overlays overlays() {
     return new Overlays(marksProperty.get(), regionProperty.get(), tapeProperty.get());
   }
 
-  /** What the painter of events needs to know. */
+  /** The options of the painter. */
   public DisplayOptions options() {
     return new DisplayOptions(
         modeProperty.get(),
@@ -95,7 +95,7 @@ public record DisplayControl(
         framesProperty.get() ? frameOpacityProperty.get() : 0);
   }
 
-  /** Calls something after each change of {@link #options()}. */
+  /** Adds a listener to changes of {@link #options()}. */
   public void onChange(Runnable listener) {
     for (ObservableValue<?> shown :
         List.of(

@@ -1,15 +1,15 @@
 package haltere.ui.viewer.feature;
 
-/** Counts pictures shown and says how many a second that is. */
+/** Counts shown pictures and computes their rate. */
 final class FrameMeter {
   private static final double SMOOTHING = 0.5;
 
   private long shown;
-  private long readShown;
+  private long lastShown;
   private long readNanos;
   private double perSecond;
 
-  /** A new picture is on the screen. */
+  /** Counts a new picture on the screen. */
   void shown() {
     shown++;
   }
@@ -22,11 +22,11 @@ final class FrameMeter {
   /** Pictures a second since the last call, smoothed. */
   double perSecond(long nowNanos) {
     if (readNanos != 0 && nowNanos > readNanos) {
-      double now = (shown - readShown) * 1e9 / (nowNanos - readNanos);
+      double now = (shown - lastShown) * 1e9 / (nowNanos - readNanos);
       perSecond += SMOOTHING * (now - perSecond);
     }
     readNanos = nowNanos;
-    readShown = shown;
+    lastShown = shown;
     return perSecond;
   }
 }

@@ -7,21 +7,21 @@ import javafx.application.Platform;
 import javafx.scene.Scene;
 
 /**
- * Makes a large change of the window in steps, so that none of them keeps its thread for long: the
- * window is laid out between one and the next, and does meanwhile what else there is to do.
+ * Runs a large change of the window in steps, with a layout and other tasks between them, so that
+ * no step blocks the thread for long.
  */
 public final class LayoutSteps implements Executor {
   private final Scene scene;
   private final Queue<Runnable> steps = new ArrayDeque<>();
 
-  /** Steps of a window with a scene, which it keeps. */
+  /** Steps of a window with a scene. */
   public LayoutSteps(Scene scene) {
     this.scene = scene;
   }
 
   /**
-   * Takes a step once the window has been laid out after those before it; while it is not on the
-   * screen nobody waits for it, and the step is taken at once.
+   * Runs a step after the layout that follows earlier steps; at once while the window is not on the
+   * screen.
    */
   @Override
   public void execute(Runnable step) {
@@ -32,7 +32,7 @@ public final class LayoutSteps implements Executor {
     }
   }
 
-  /** Takes a step once the window has been laid out, be it that it comes to the screen first. */
+  /** Runs a step after the next layout, or first appearance, of the window. */
   public void afterLayout(Runnable step) {
     steps.add(step);
     if (steps.size() == 1) {
@@ -50,7 +50,7 @@ public final class LayoutSteps implements Executor {
           @Override
           public void run() {
             scene.removePostLayoutPulseListener(this);
-            // behind what has been asked for while the window was being laid out
+            // after tasks queued during the layout
             Platform.runLater(LayoutSteps.this::next);
           }
         };

@@ -17,39 +17,39 @@ import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
 
 /**
- * Panels that come and go around the events: tabs at the side, others below or beside. A panel is
- * made when it is shown for the first time.
+ * Panels around the events: tabs at the side, others below or beside. A panel is created when it is
+ * first shown.
  */
 public final class PanelLayout extends SplitPane {
-  /** Where a panel is shown. */
+  /** Position of a panel. */
   public enum Position {
     /** In the column at the right, as a tab beside the chain. */
     SIDE,
-    /** Below the events, as wide as they are. */
+    /** Below the events, of equal width. */
     BELOW,
-    /** At the right of the events, as high as they are. */
+    /** At the right of the events, of equal height. */
     BESIDE
   }
 
-  /** How much a panel grows at a time, as a share of what it is a part of. */
+  /** Step of a panel's size, as a share of its container. */
   private static final double PANEL_STEP = 0.05;
 
-  /** Where the side begins until somebody changes it, a share of the width. */
+  /** Initial divider of the side panel, a share of the width. */
   private static final double SIDE_SHARE = 0.72;
 
   private static final double BELOW_SHARE = 0.6;
   private static final double BESIDE_SHARE = 0.55;
 
-  /** Of the events, where much stands beside them. */
+  /** Minimum share of the events beside other panels. */
   private static final double MIN_SHARE = 0.34;
 
   private final Node events;
   private final Node chain;
 
-  /** The events, and at their right what stands beside them. */
+  /** The events, and panels at their right. */
   private final SplitPane row = new SplitPane();
 
-  /** The row, and below it what stands there. */
+  /** The row, and panels below it. */
   private final SplitPane left = new SplitPane();
 
   private final TabPane tabs = Controls.named(new TabPane(), "side-tabs");
@@ -66,8 +66,8 @@ public final class PanelLayout extends SplitPane {
   }
 
   /**
-   * Gives the panels the sizes that were kept, and keeps those that they get: shares, but pixels of
-   * the side, whose width stays while the window gets its size.
+   * Restores the saved sizes of panels, and saves new ones: shares, but pixels for the side, whose
+   * width is fixed during resizing of the window.
    */
   public void keep(UserSettings settings) {
     keep(settings, "share.side", this);
@@ -78,7 +78,7 @@ public final class PanelLayout extends SplitPane {
   private void keep(UserSettings settings, String name, SplitPane pane) {
     DoubleProperty share = new SimpleDoubleProperty(pane == this ? SIDE_SHARE : -1);
     settings.keep(name, share, value -> value, value -> ((Number) value).doubleValue());
-    InvalidationListener keeper =
+    InvalidationListener dividerListener =
         observed -> {
           if (!pane.getDividers().isEmpty() && pane.getWidth() > 0) {
             double at = pane.getDividerPositions()[0];
@@ -100,13 +100,14 @@ public final class PanelLayout extends SplitPane {
     Runnable follow =
         () -> {
           place.run();
-          pane.getDividers().forEach(divider -> divider.positionProperty().addListener(keeper));
+          pane.getDividers()
+              .forEach(divider -> divider.positionProperty().addListener(dividerListener));
         };
     pane.getDividers().addListener((ListChangeListener<SplitPane.Divider>) change -> follow.run());
     follow.run();
   }
 
-  /** What is shown, from the events on. */
+  /** The shown panels, from the events on. */
   List<Node> shown() {
     List<Node> shown = new ArrayList<>();
     shown.add(events);
@@ -116,7 +117,7 @@ public final class PanelLayout extends SplitPane {
     return shown;
   }
 
-  /** Gives what stands at a place some steps more room than it has, or less. */
+  /** Enlarges or shrinks the panel at a position by steps. */
   public void enlarge(Position position, int steps) {
     SplitPane pane =
         switch (position) {
@@ -130,7 +131,7 @@ public final class PanelLayout extends SplitPane {
     }
   }
 
-  /** Offers a panel; the property that comes back shows and hides it. */
+  /** Adds a panel; the returned property shows and hides it. */
   public BooleanProperty offer(
       String id, String title, Position position, Supplier<? extends Node> content) {
     BooleanProperty shown = new SimpleBooleanProperty();
@@ -201,7 +202,7 @@ public final class PanelLayout extends SplitPane {
     }
   }
 
-  /** Where the dividers go when several panels stand beside the events: all of them get alike. */
+  /** Divider positions of several panels beside the events, of equal widths. */
   private static double[] shares(int panels) {
     double first = Math.max(MIN_SHARE, BESIDE_SHARE - 0.1 * (panels - 1));
     double[] places = new double[panels];

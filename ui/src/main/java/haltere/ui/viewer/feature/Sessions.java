@@ -21,12 +21,11 @@ import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 
 /**
- * What is open, and how something else is opened: in the background, one after the other. The one
- * that was asked for last is shown, those before it are closed unseen. What goes wrong the status
- * line says.
+ * The open session. Others are opened in the background, one after the other; only the last
+ * requested one is shown. The status line shows problems.
  */
 public final class Sessions {
-  private final SourceMemory memory;
+  private final SourceSettings sources;
   private final List<BiConsumer<String, Exception>> problems = new ArrayList<>();
   private final ReadOnlyObjectWrapper<Optional<ViewerSession>> session =
       new ReadOnlyObjectWrapper<>(Optional.empty());
@@ -35,15 +34,15 @@ public final class Sessions {
   private ViewerContext window;
   private int openings;
 
-  /** Nothing is open; chains and sensors are kept in settings. */
+  /** Without a session; chains and sensors are saved in settings. */
   public Sessions(UserSettings settings) {
-    memory = new SourceMemory(settings);
+    sources = new SourceSettings(settings);
   }
 
-  /** Says in which window sessions are shown; called once, before one is opened. */
+  /** Sets the window of the sessions; called once, before one is opened. */
   public void install(ViewerContext installed) {
     window = installed;
-    window.editor().history().onChange(() -> window.ifOpen(open -> keepChain(open, () -> {})));
+    window.editor().history().onChange(() -> window.ifOpen(open -> saveChain(open, () -> {})));
   }
 
   /** The session that is shown; empty until the first one has been opened. */
@@ -56,57 +55,57 @@ public final class Sessions {
     return session.get();
   }
 
-  /** What reading all of the recording has told; empty until then, and for what is no recording. */
+  /** The facts after a scan of the whole recording; empty before, and for other sources. */
   public ReadOnlyObjectProperty<Optional<RecordingFacts>> factsProperty() {
     return facts.getReadOnlyProperty();
   }
 
-  /** Tells somebody of what could not be opened, by its name. */
+  /** Sets the listener to failed openings, by name. */
   public void onProblem(BiConsumer<String, Exception> listener) {
     problems.add(listener);
   }
 
   /** Remembers the sensor of the recording that is open, for the next time that it is opened. */
-  public void keepSensor(SensorGeometry sensor) {
-    window.ifOpen(open -> memory.keepSensor(open.request(), sensor));
+  public void saveSensor(SensorGeometry sensor) {
+    window.ifOpen(open -> sources.saveSensor(open.request(), sensor));
   }
 
-  /** Opens a recording, which tells all that there is to know of it. */
+  /** Opens a recording that states all its properties. */
   public void open(Path file) {
     open(file, ReadOptions.DEFAULT);
   }
 
-  /** Opens a recording of which a person has said something. */
+  /** Opens a recording with properties stated by the user. */
   public void open(Path file, ReadOptions options) {
     open(SessionRequest.recording(file, options));
   }
 
   /**
-   * Opens something with the chain of its own in place of what is open, whose chain is kept.
-   * Returns at once.
+   * Opens a source with its saved chain in place of the present one, whose chain is saved. Returns
+   * at once.
    */
   public void open(SessionRequest asked) {
-    SessionRequest request = memory.withSensor(asked);
+    SessionRequest request = sources.withSensor(asked);
     int number = announce(request.name());
     PlayerOptions playerOptions = window.playback().options();
     DisplayOptions shownAs = window.display().options();
     Runnable load =
         () -> {
-          Optional<String> chainJson = memory.chain(request);
+          Optional<String> chainJson = sources.chain(request);
           load(number, () -> request.session(chainJson, playerOptions, shownAs), request.name());
         };
-    session().ifPresentOrElse(shown -> keepChain(shown, load), load);
+    session().ifPresentOrElse(shown -> saveChain(shown, load), load);
   }
 
-  /** Keeps the chain of what is open, and then goes on. */
-  private void keepChain(ViewerSession open, Runnable next) {
+  /** Saves the chain of the open session, and then continues. */
+  private void saveChain(ViewerSession open, Runnable next) {
     window.read(
         chain ->
             open.request().start().isUnchanged(chain)
                 ? Optional.<String>empty()
                 : Optional.of(ChainFile.write(chain)),
         json -> {
-          memory.keepChain(open.request(), json);
+          sources.saveChain(open.request(), json);
           next.run();
         });
   }
@@ -115,7 +114,7 @@ public final class Sessions {
   public void open(Future<ViewerSession> making, String name) {
     int number = announce(name);
     if (making.isDone()) {
-      // then the window shows events first
+      // the window shows events first
       try {
         handOver(number, making.get());
       } catch (Exception problem) {
@@ -126,7 +125,7 @@ public final class Sessions {
     }
   }
 
-  /** Says what is about to be opened, and that nothing that was asked for before is wanted. */
+  /** Announces an opening and cancels earlier requests. */
   private int announce(String name) {
     window.status().clearError();
     window.status().setActivity("Opening " + name + " \u2026");
@@ -156,18 +155,18 @@ public final class Sessions {
     }
   }
 
-  /** Shows a session in place of the one that is open. */
+  /** Shows a session in place of the open one. */
   private void show(ViewerSession made) {
     Optional<ViewerSession> before = session();
     window.playback().setPlayer(made.player());
     window.editor().setAccess(ChainAccess.of(made.player()));
     window.stage().setTitle(Texts.source(made.player().playable().name()) + " \u2013 Haltere");
-    made.display().maker().setOptions(window.display().options());
-    window.panels().startAnew(made, window.display().options().colours(), window.steps());
+    made.display().renderer().setOptions(window.display().options());
+    window.panels().reset(made, window.display().options().colours(), window.steps());
     facts.set(Optional.empty());
     session.set(Optional.of(made));
     before.ifPresent(window.background()::close);
-    // until then the window has the processors to itself
+    // leaves the processors to the window until then
     window.steps().afterLayout(() -> begin(made));
   }
 
@@ -193,11 +192,11 @@ public final class Sessions {
                 facts.set(Optional.of(found));
               }
             },
-            // what is wrong with the file the player says
+            // the player reports problems of the file
             problem -> {});
   }
 
-  /** Closes what is open; nothing that was asked for is wanted any more. */
+  /** Closes the open session and cancels requests. */
   public void close() {
     openings++;
     Optional<ViewerSession> last = session();

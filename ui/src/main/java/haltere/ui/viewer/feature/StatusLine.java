@@ -17,8 +17,8 @@ import javafx.scene.control.TextArea;
 import javafx.scene.layout.HBox;
 
 /**
- * The bottom line: what is wrong or late, or what is open, at the left; time, rate, speed, frames
- * and losses at the right.
+ * The bottom line: problems, delays or the open source at the left; time, rate, speed, frames and
+ * losses at the right.
  */
 public final class StatusLine extends HBox {
   private static final PseudoClass ERROR = PseudoClass.getPseudoClass("error");
@@ -26,10 +26,10 @@ public final class StatusLine extends HBox {
   /** Below this width, pixels, how often the screen is drawn gives way. */
   private static final double WIDE_PX = 760;
 
-  /** A run-up that takes longer than this is said. */
+  /** Duration of a run-up from which on it is reported. */
   private static final long RUN_UP_NANOS = 300_000_000;
 
-  private static final String SPEED_HELP = "Recording time per real time that playback reaches.";
+  private static final String SPEED_HELP = "Recording time per real time that playback achieves.";
 
   private final Label message = Controls.named(new Label(), "status-message");
   private final Button dismiss;
@@ -60,7 +60,7 @@ public final class StatusLine extends HBox {
   private PlayerStatus status;
   private boolean reverse;
 
-  /** A line that says nothing yet. */
+  /** An empty line. */
   public StatusLine() {
     Controls.named(this, "status-line", "status-line");
     setAlignment(Pos.CENTER_LEFT);
@@ -74,39 +74,39 @@ public final class StatusLine extends HBox {
         Controls.button(
             "details", Icons.MORE, "All that is known of this", this::showDetails, Styles.SMALL);
     getChildren().addAll(message, more, dismiss, live, time, rate, speed, frames, dropped);
-    Controls.showWhere(widthProperty().greaterThan(WIDE_PX), frames);
+    Controls.bindVisible(widthProperty().greaterThan(WIDE_PX), frames);
     setLive("");
     clearError();
   }
 
-  /** Shows what went wrong in a line, and on request all that is known of it. */
+  /** Shows a problem in a line, and its details on request. */
   public void showProblem(Throwable problem) {
     showError(Texts.oneLine(problem));
     details = Texts.details(problem);
     showMessage();
   }
 
-  /** Shows what went wrong until it is dismissed or something else is opened. */
+  /** Shows a problem until it is dismissed or another source is opened. */
   public void showError(String line) {
     error = line;
     details = "";
     showMessage();
   }
 
-  /** Says how a camera's events come, or nothing where none is open. */
+  /** Shows the state of a live camera; empty text for none. */
   public void setLive(String words) {
     live.setText(words);
     live.setManaged(!words.isEmpty());
   }
 
-  /** Takes away what was wrong or was being done. */
+  /** Clears the problem and the activity. */
   public void clearError() {
     error = "";
     activity = "";
     showMessage();
   }
 
-  /** Says what is open. */
+  /** Shows the open source. */
   void setSource(String words) {
     source = words;
     playerMessage = "";
@@ -114,20 +114,20 @@ public final class StatusLine extends HBox {
     clearError();
   }
 
-  /** Says what is being done, until {@link #setSource} or an error. */
+  /** Shows an activity, until {@link #setSource} or an error. */
   public void setActivity(String words) {
     activity = words;
     showMessage();
   }
 
-  /** What was being done has come to an end, if it is that which is said. */
+  /** Clears an activity, if it is the shown one. */
   void endActivity(String words) {
     if (activity.equals(words)) {
       setActivity("");
     }
   }
 
-  /** Shows what the player is doing; called a few times a second. */
+  /** Shows the player's status; called a few times a second. */
   void update(
       PlayerStatus newStatus, boolean isReverse, double framesPerSecond, long conflatedFrames) {
     status = newStatus;
@@ -185,7 +185,7 @@ public final class StatusLine extends HBox {
     text.setAccessibleText("Details of the problem");
     text.setEditable(false);
     text.setPrefSize(640, 300);
-    Windows.tell(getScene().getWindow(), "Details", text);
+    Windows.showContent(getScene().getWindow(), "Details", text);
   }
 
   private static Label number(String id, double width, String help) {

@@ -17,21 +17,21 @@ import java.util.function.Supplier;
 import javafx.beans.property.Property;
 
 /**
- * What a user has chosen, kept from one start to the next in one JSON file that a person can read
- * and change. What cannot be read is left out; what this version does not know is kept.
+ * A user's settings in one readable and editable JSON file. Unreadable values are ignored, unknown
+ * ones are preserved.
  *
  * <p>Thread rule: {@link #load} and {@link #save} on any thread but JavaFX's, the rest on the
  * JavaFX thread. Saving sees a consistent copy.
  */
 public final class UserSettings {
-  /** A property that is kept, by its value for JSON. */
-  private record Kept(Supplier<Object> value, Consumer<Object> consumer) {}
+  /** A saved property, by its value for JSON. */
+  private record StoredValue(Supplier<Object> value, Consumer<Object> consumer) {}
 
   private final Optional<Path> file;
   private final Map<String, Object> values;
-  private final Map<String, Kept> properties = new HashMap<>();
+  private final Map<String, StoredValue> properties = new HashMap<>();
 
-  /** What is to be written; empty if the file has it all. */
+  /** Unsaved values; empty if the file is up to date. */
   private volatile Optional<Map<String, Object>> unsaved = Optional.empty();
 
   private UserSettings(Optional<Path> file, Map<String, Object> values) {
@@ -39,12 +39,12 @@ public final class UserSettings {
     this.values = values;
   }
 
-  /** Settings that nobody keeps. */
+  /** Settings without a file. */
   public static UserSettings inMemory() {
     return new UserSettings(Optional.empty(), new LinkedHashMap<>());
   }
 
-  /** The settings in a folder; the usual ones if there are none or they cannot be read. */
+  /** The settings in a folder; defaults if there are none or they cannot be read. */
   public static UserSettings load(Path folder) {
     Path file = folder.resolve("viewer.json");
     Map<String, Object> values = new LinkedHashMap<>();
@@ -53,13 +53,13 @@ public final class UserSettings {
         found.forEach((name, value) -> values.put(name.toString(), value));
       }
     } catch (IOException unreadable) {
-      // the usual settings do; the file is kept until something is changed
+      // default settings; the file remains until a change
       values.clear();
     }
     return new UserSettings(Optional.of(file), values);
   }
 
-  /** Where they are kept. */
+  /** The file of the settings. */
   public Optional<Path> file() {
     return file;
   }
@@ -86,15 +86,15 @@ public final class UserSettings {
   }
 
   /**
-   * Gives a property the value that was kept, and keeps every value that it gets.
+   * Restores the saved value of a property, and saves later values.
    *
-   * @param write brings a value to what JSON can hold
-   * @param read brings it back; what it throws means that the value is of no use
+   * @param write converts a value to JSON
+   * @param read converts it back; an exception means an invalid value
    */
   public <T> void keep(
       String name, Property<T> property, Function<T, Object> write, Function<Object, T> read) {
-    Kept made =
-        new Kept(
+    StoredValue made =
+        new StoredValue(
             () -> write.apply(property.getValue()), value -> property.setValue(read.apply(value)));
     properties.put(name, made);
     get(name).ifPresent(value -> choose(Map.of(name, value)));
@@ -102,9 +102,9 @@ public final class UserSettings {
   }
 
   /**
-   * What is chosen now of some kinds.
+   * The present values of some settings.
    *
-   * @param kinds how the names begin
+   * @param kinds prefixes of the names
    * @return values by name, as {@link #get} has them
    */
   public Map<String, Object> chosen(String... kinds) {
@@ -118,17 +118,17 @@ public final class UserSettings {
     return chosen;
   }
 
-  /** Gives kept properties other values; what is unknown or of no use is left out. */
+  /** Sets saved properties to other values; unknown and invalid ones are ignored. */
   public void choose(Map<?, ?> wanted) {
     wanted.forEach(
         (name, value) -> {
-          Kept property = properties.get(name);
+          StoredValue property = properties.get(name);
           try {
             if (property != null) {
               property.consumer().accept(value);
             }
           } catch (RuntimeException ofNoUse) {
-            // written by a person or by another version: the usual value stays
+            // edited manually or by another version: the default remains
             values.remove(name);
           }
         });
@@ -139,7 +139,7 @@ public final class UserSettings {
     keep(name, property, value -> value, Boolean.class::cast);
   }
 
-  /** Writes the file if something has changed; its folder is made. */
+  /** Writes the file after changes, and creates its folder. */
   public void save() throws IOException {
     Optional<Map<String, Object>> changed = unsaved;
     if (file.isEmpty() || changed.isEmpty()) {
@@ -152,7 +152,7 @@ public final class UserSettings {
     }
   }
 
-  /** Whether there is something to save. */
+  /** Whether there are unsaved changes. */
   public boolean hasChanged() {
     return unsaved.isPresent();
   }

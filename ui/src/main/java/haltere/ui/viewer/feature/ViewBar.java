@@ -20,12 +20,12 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 
-/** Above the events: what their colours say, how they fade, and the tools. */
+/** The bar above the events: display mode, fading and tools. */
 public final class ViewBar extends HBox {
-  /** Below this width, pixels, there is room for choices and buttons alone. */
+  /** Width, pixels, below which only choices and buttons are shown. */
   private static final double WIDE_PX = 460;
 
-  /** Width of the choice of what colours say, which leaves room for longer words on fading. */
+  /** Width of the choice of the display mode, which leaves room for longer labels of fading. */
   private static final double MODE_PX = 160;
 
   private final HBox tools = new HBox(2);
@@ -35,24 +35,24 @@ public final class ViewBar extends HBox {
     super(6);
     getStyleClass().add("view-bar");
     setAlignment(Pos.CENTER_LEFT);
-    Label words = Controls.whole("Fading", Styles.TEXT_MUTED, Styles.TEXT_SMALL);
-    Controls.showWhere(isWide, words);
+    Label text = Controls.whole("Fading", Styles.TEXT_MUTED, Styles.TEXT_SMALL);
+    Controls.bindVisible(isWide, text);
     tools.setAlignment(Pos.CENTER_RIGHT);
     Region mode =
         choice(
             "show-as",
-            "What the colour of a pixel says about its events",
+            "Meaning of the colour of a pixel",
             display.modeProperty(),
             List.of(DisplayMode.values()),
-            DisplayMode::words);
+            DisplayMode::label);
     mode.setPrefWidth(MODE_PX);
     getChildren()
         .addAll(
             mode,
-            words,
+            text,
             choice(
                 "fading",
-                "How fast events fade, or that only those of the last slice are shown",
+                "Fading time of events, or only those of the last slice",
                 display.decayUsProperty(),
                 DisplayControl.DECAYS.keySet(),
                 DisplayControl.DECAYS::get),
@@ -60,7 +60,7 @@ public final class ViewBar extends HBox {
             tools);
   }
 
-  /** Adds the switch of the camera's frames and their opacity, where what is open has frames. */
+  /** Adds the switch of the camera's frames and their opacity, for sources with frames. */
   public void addFrames(BooleanProperty on, DoubleProperty opacity, ObservableBooleanValue seen) {
     ToggleButton button =
         Controls.toggle("frames", Icons.FRAME, "Frames below the events", Styles.SMALL);
@@ -71,8 +71,8 @@ public final class ViewBar extends HBox {
     slider.setMinWidth(40);
     slider.valueProperty().bindBidirectional(opacity);
     slider.disableProperty().bind(on.not());
-    Controls.showWhere(seen, button);
-    Controls.showWhere(isWide.and(seen), slider);
+    Controls.bindVisible(seen, button);
+    Controls.bindVisible(isWide.and(seen), slider);
     getChildren().addAll(getChildren().indexOf(tools) - 1, List.of(button, slider));
   }
 
@@ -88,8 +88,8 @@ public final class ViewBar extends HBox {
       String help,
       Property<T> property,
       Collection<T> values,
-      Function<T, String> words) {
-    ChoiceBox<T> box = Controls.choice(id, help, values, words);
+      Function<T, String> text) {
+    ChoiceBox<T> box = Controls.choice(id, help, values, text);
     box.getStyleClass().add(Styles.SMALL);
     box.setMinWidth(90);
     box.valueProperty().bindBidirectional(property);

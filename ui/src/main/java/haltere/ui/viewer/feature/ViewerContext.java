@@ -23,20 +23,20 @@ import javafx.scene.Node;
 import javafx.stage.Stage;
 
 /**
- * What a {@link ViewerFeature} may use of the window.
+ * The parts of the window that a {@link ViewerFeature} may use.
  *
  * @param stage the window itself
- * @param sessions what is open
- * @param actions where to add what a person can do
+ * @param sessions the open session
+ * @param actions the window's commands
  * @param playback the transport
  * @param editor changes and reads the chain between two packets
  * @param background threads for files
- * @param dialogs asks for files
+ * @param dialogs file dialogs
  * @param status the bottom line
  * @param panels where panels and tools are put
  * @param steps makes large changes of the window, a step at a time
  * @param display how events are shown
- * @param settings what is kept from one start to the next
+ * @param settings saved settings
  */
 public record ViewerContext(
     Stage stage,
@@ -65,16 +65,13 @@ public record ViewerContext(
       String id, PanelLayout.Position position, Supplier<? extends Node> content) {
     String action = "show-" + id;
     BooleanProperty shown =
-        panels.panelLayout().offer(id, ViewerActions.words(action), position, content);
+        panels.panelLayout().offer(id, ViewerActions.label(action), position, content);
     settings.keep("panel." + id, shown);
     actions.add(action, shown);
     return shown;
   }
 
-  /**
-   * Calls something whenever another session is shown, before it plays, as one of the {@link
-   * #steps()}.
-   */
+  /** Adds a listener to a new session before it plays, as one of the {@link #steps()}. */
   public void onSession(Consumer<ViewerSession> listener) {
     sessions
         .sessionProperty()
@@ -86,34 +83,34 @@ public record ViewerContext(
     sessions.session().filter(shown -> shown == made).ifPresent(listener);
   }
 
-  /** Works on what is open, if something is. */
+  /** Applies a task to the open session, if any. */
   public void ifOpen(Consumer<ViewerSession> work) {
     sessions.session().ifPresent(work);
   }
 
-  /** Why nothing can be done with what is open, in a few words; empty if something is open. */
+  /** Why nothing can be done with the open source; empty if something is open. */
   public String nothingOpen() {
     return sessions.session().isPresent() ? "" : "nothing is open";
   }
 
-  /** Works on files in the background; what goes wrong the bottom line says. */
+  /** Runs a file task in the background; the bottom line shows problems. */
   public <T> void file(Callable<T> work, Consumer<T> done) {
     background.file(work, done, status::showProblem);
   }
 
-  /** Does something with files in the background; what goes wrong the bottom line says. */
+  /** Runs a file task without a result in the background; the bottom line shows problems. */
   public void run(BackgroundWork.Action work) {
     background.file(work, () -> {}, status::showProblem);
   }
 
-  /** Reads something off the chain between two packets and brings it to the JavaFX thread. */
+  /** Reads from the chain between two packets and returns the result on the JavaFX thread. */
   public <T> void read(Function<FilterChain, T> reading, Consumer<T> consumer) {
     editor.read(reading, consumer);
   }
 
   /**
-   * Reads a saved chain in the background and puts it in place of another one. A note on settings
-   * of an earlier version is shown in the bottom line.
+   * Reads a saved chain in the background and replaces another one. The bottom line shows a note on
+   * settings of an earlier version.
    */
   public void loadChain(Path file, ChainEditor chain) {
     ifOpen(open -> loadChain(file, open.chain().geometry(), chain));
@@ -132,8 +129,8 @@ public record ViewerContext(
   }
 
   /**
-   * Puts a tool into the hand of the event view while a switch is on. One tool is in the hand at a
-   * time, so the switches of the others go off.
+   * Selects a tool of the event view while a property is true. One tool is selected at a time; the
+   * properties of others become false.
    */
   public void bindTool(BooleanProperty on, ViewTool tool) {
     EventView view = panels.view();

@@ -1,11 +1,11 @@
 package haltere.ui.viewer.feature;
 
 /**
- * Something that the window offers: it adds its actions, panels and tools, and listens to what is
- * open. Features do not know each other; {@code ViewerFeatures} lists them.
+ * A feature of the window: it adds actions, panels and tools, and observes the open session.
+ * Features are independent of each other; {@code ViewerFeatures} lists them.
  */
 @FunctionalInterface
 public interface ViewerFeature {
-  /** Adds what it offers; called once, before the window is shown. */
+  /** Adds its actions, panels and tools; called once, before the window is shown. */
   void install(ViewerContext window);
 }

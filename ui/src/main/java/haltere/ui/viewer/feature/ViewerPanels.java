@@ -30,11 +30,11 @@ import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 
 /**
- * The panels of the window, laid out; at each pulse hands them the newest frame and what the player
- * says of itself.
+ * The panels of the window and their layout; passes them the newest frame and the player's status
+ * at each pulse.
  */
 public final class ViewerPanels extends BorderPane {
-  /** How often words and numbers are brought up to date while playing. */
+  /** Update interval of texts and numbers during playback. */
   private static final long NUMBERS_NANOS = 125_000_000;
 
   private final PlaybackController playback;
@@ -92,24 +92,24 @@ public final class ViewerPanels extends BorderPane {
     return view;
   }
 
-  /** Puts a page in place of all panels, and of the bars of playback; none shows the panels. */
+  /** Shows a page in place of all panels and the playback bars; empty shows the panels. */
   public void showPage(Optional<Node> page) {
     StackPane center = (StackPane) getCenter();
     center.getChildren().setAll(page.orElse(layout));
     Controls.show(page.isEmpty(), seekBar, transport);
   }
 
-  /** Puts something above the picture, below its bar. */
+  /** Adds a node above the picture, below its bar. */
   public void addAbovePicture(Node node) {
     pictureColumn.getChildren().add(1, node);
   }
 
-  /** Puts something beside the picture, at its left. */
+  /** Adds a node at the left of the picture. */
   public void addBesidePicture(Node node) {
     pictureRow.getChildren().add(0, node);
   }
 
-  /** Puts something over the picture, which keeps the mouse where it is not covered. */
+  /** Adds a node over the picture, which still gets the mouse where it is not covered. */
   public void addOverPicture(Node node, Pos place) {
     StackPane.setAlignment(node, place);
     StackPane.setMargin(node, new Insets(10));
@@ -121,7 +121,7 @@ public final class ViewerPanels extends BorderPane {
     return viewBar;
   }
 
-  /** The plots of what filters publish. */
+  /** The plots of published results. */
   public PlotPanel plots() {
     return plots;
   }
@@ -142,21 +142,21 @@ public final class ViewerPanels extends BorderPane {
   }
 
   /**
-   * Begins to show a session that has not started, in place of another one; the filters of its
-   * chain come in steps.
+   * Shows a session that has not started, in place of another one; the filters of its chain are
+   * added in steps.
    */
-  public void startAnew(ViewerSession made, ColourMap colours, Executor steps) {
+  public void reset(ViewerSession made, ColourMap colours, Executor steps) {
     String name = Texts.source(made.player().playable().name());
     SensorGeometry geometry = made.player().playable().geometry();
     statusLine.setSource(name + "   " + geometry.width() + " \u00d7 " + geometry.height());
     view.setGeometry(geometry, colours);
-    chainPanel.startAnew(made.firstStages(), steps);
-    plots.startAnew(made.inertial());
+    chainPanel.reset(made.firstStages(), steps);
+    plots.reset(made.inertial());
     seekBar.clear();
     shownStatus = null;
   }
 
-  /** What F6 goes through: the panels that are shown, and the bars below them. */
+  /** The areas for F6: the shown panels, and the bars below them. */
   public List<Node> areas() {
     List<Node> areas = new ArrayList<>(layout.shown());
     areas.set(0, view);
@@ -165,12 +165,12 @@ public final class ViewerPanels extends BorderPane {
     return areas;
   }
 
-  /** Calls something at each pulse of JavaFX while something is open. */
+  /** Adds a listener to each pulse of JavaFX while a session is open. */
   public void onPulse(Runnable listener) {
     pulseListeners.add(listener);
   }
 
-  /** Calls something at the first pulse of JavaFX after each time span, while something is open. */
+  /** Adds a listener to the first pulse of JavaFX after each interval, while a session is open. */
   public void every(long nanos, Runnable listener) {
     long[] lastNanos = {System.nanoTime() - nanos};
     onPulse(
@@ -183,7 +183,7 @@ public final class ViewerPanels extends BorderPane {
         });
   }
 
-  /** Draws what is painted here, and not by the style sheet, dark or light. */
+  /** Sets the theme, dark or light, of parts without a style sheet. */
   public void setDark(boolean dark) {
     seekBar.setDark(dark);
     plots.setDark(dark);
@@ -191,7 +191,7 @@ public final class ViewerPanels extends BorderPane {
 
   /** Brings all panels up to date with a session; called at each pulse of JavaFX. */
   public void pulse(ViewerSession open, long nowNanos) {
-    open.display().maker().setScreenPlace(view.screenPlace());
+    open.display().renderer().setScreenMapping(view.screenMapping());
     if (view.show(open.display(), editor::onProcessing)) {
       meter.shown();
     }
@@ -216,7 +216,7 @@ public final class ViewerPanels extends BorderPane {
         now,
         playback.reverseProperty().get(),
         meter.perSecond(nowNanos),
-        open.display().maker().exchange().conflated());
+        open.display().renderer().exchange().conflated());
     chainPanel.update();
     numbersNanos = nowNanos;
   }

@@ -12,8 +12,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The panel of file information and the banner of warnings. Where the camera of a recording is not
- * known the banner asks for it, and the answer is remembered.
+ * The panel of file information and the banner of warnings. For an unknown camera, the banner asks
+ * for it and saves the answer.
  */
 public final class FileInfoFeature implements ViewerFeature {
   private final FileInfoPanel panel = new FileInfoPanel();
@@ -35,7 +35,7 @@ public final class FileInfoFeature implements ViewerFeature {
     panel.say(
         made.request().file().isPresent()
             ? "Reading the file \u2026"
-            : "What is open is no file: " + made.player().playable().name() + ".");
+            : "The open source is not a file: " + made.player().playable().name() + ".");
   }
 
   private void show(RecordingFacts facts) {
@@ -47,7 +47,7 @@ public final class FileInfoFeature implements ViewerFeature {
     Optional<SessionRequest> asked = window.sessions().session().map(ViewerSession::request);
     Optional<Path> file = asked.flatMap(SessionRequest::file);
     if (file.isPresent()) {
-      window.sessions().keepSensor(sensor);
+      window.sessions().saveSensor(sensor);
       window.sessions().open(file.get(), asked.get().options().withSensor(sensor));
     }
   }

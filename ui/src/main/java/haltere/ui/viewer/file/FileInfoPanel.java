@@ -15,9 +15,7 @@ import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 
-/**
- * The facts of the recording that is open: format, sensor, times, counts, rates, header, warnings.
- */
+/** The facts of the open recording: format, sensor, times, counts, rates, header, warnings. */
 final class FileInfoPanel extends ScrollPane {
   private final GridPane grid = new GridPane();
 
@@ -30,14 +28,14 @@ final class FileInfoPanel extends ScrollPane {
     ColumnConstraints value = new ColumnConstraints();
     value.setHgrow(Priority.ALWAYS);
     grid.getColumnConstraints().addAll(name, value);
-    say("Open a recording with File > Open recording; what its file tells stands here.");
+    say("Open a recording with File > Open recording; its properties are shown here.");
   }
 
   /** Shows a sentence in place of facts. */
   void say(String sentence) {
-    Label words = Controls.paragraph(sentence, Styles.TEXT_MUTED);
+    Label text = Controls.paragraph(sentence, Styles.TEXT_MUTED);
     grid.getChildren().clear();
-    grid.add(words, 0, 0, 2, 1);
+    grid.add(text, 0, 0, 2, 1);
   }
 
   /** Shows the facts of a recording. */

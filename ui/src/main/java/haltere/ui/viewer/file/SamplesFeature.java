@@ -26,12 +26,11 @@ import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 
 /**
- * What a recording holds beside the events: frames below them, also after a jump, and triggers as
- * ticks on the time bar, and over the picture as words where they are not the camera's own frame
- * timing.
+ * Samples of a recording: frames below the events, also after a jump; triggers as ticks on the time
+ * bar, and as text over the picture unless they are the camera's own frame timing.
  */
 public final class SamplesFeature implements ViewerFeature {
-  /** A signal is named while it is at most so many slices old: 100 ms of smooth playback. */
+  /** Maximum age in slices of a named signal: 100 ms of smooth playback. */
   private static final int NAMED_SLICES = 12;
 
   private static final int MAX_NAMES = 3;
@@ -83,26 +82,26 @@ public final class SamplesFeature implements ViewerFeature {
     long shownUs = now.elapsedUs() + now.sliceUs();
     name(facts.get().signals(), shownUs, NAMED_SLICES * Math.max(1, now.sliceUs()));
     int frame = lastAt(facts.get().frames(), shownUs);
-    if (!reading && frame >= 0 && open.display().maker().frames().isSought()) {
+    if (!reading && frame >= 0 && open.display().renderer().frames().isFrameRequested()) {
       read(open, facts.get(), facts.get().frames().get(frame));
     }
   }
 
   private void name(List<Mark> signals, long shownUs, long spanUs) {
     int before = lastAt(signals, shownUs - spanUs + 1);
-    String words =
+    String text =
         signals.subList(before + 1, lastAt(signals, shownUs) + 1).stream()
             .map(Mark::name)
             .distinct()
             .limit(MAX_NAMES)
             .collect(Collectors.joining(", "));
-    trigger.setText(words);
-    trigger.setVisible(!words.isEmpty());
+    trigger.setText(text);
+    trigger.setVisible(!text.isEmpty());
   }
 
-  /** Index of the last moment before a place, -1 if there is none. */
+  /** Index of the last moment before an elapsed time, -1 without one. */
   private static int lastAt(List<Mark> moments, long elapsedUs) {
-    // a mark without a name comes before all others of its time
+    // an unnamed mark sorts before all others of its time
     return -2 - Collections.binarySearch(moments, new Mark("", Math.max(0, elapsedUs)));
   }
 

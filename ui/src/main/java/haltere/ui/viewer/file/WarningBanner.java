@@ -20,11 +20,11 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
 /**
- * Warnings about the file that is open, above the picture: one line that can be opened and put
- * aside, and the question for the camera where the file does not name it.
+ * Warnings of the open file above the picture: one line that can be expanded and dismissed, and the
+ * question for an unknown camera.
  */
 final class WarningBanner extends VBox {
-  /** Cameras of the usual sizes, for a person who does not know the size. */
+  /** Cameras of common sizes, for users who do not know the size. */
   private static final Map<String, String> CAMERAS =
       Map.of(
           "128x128", "DVS128",
@@ -42,7 +42,7 @@ final class WarningBanner extends VBox {
 
   private final ChoiceBox<SensorGeometry> sizes =
       Controls.choice(
-          "camera-choice", "Camera that made the recording", List.of(), WarningBanner::words);
+          "camera-choice", "Camera that made the recording", List.of(), WarningBanner::label);
   private final HBox question;
   private List<String> warnings = List.of();
 
@@ -76,8 +76,8 @@ final class WarningBanner extends VBox {
   }
 
   /**
-   * Says what a user should know of a file, a line each, and the sensor that was guessed, if the
-   * file does not name it; no line hides the banner. Warnings that were dismissed stay so.
+   * Shows warnings about a file, a line each, and the guessed sensor, if the file does not state
+   * it; no line hides the banner. Dismissed warnings stay hidden.
    */
   void show(List<String> newWarnings, Optional<SensorGeometry> guess) {
     boolean isNews = isVisible() || guess.isPresent() || !warnings.equals(sentences(newWarnings));
@@ -105,7 +105,7 @@ final class WarningBanner extends VBox {
 
   private void offer(SensorGeometry guess) {
     List<SensorGeometry> sensors = new ArrayList<>(List.of(guess));
-    for (SensorGeometry usual : SensorGuess.USUAL_SIZES) {
+    for (SensorGeometry usual : SensorGuess.COMMON_SIZES) {
       SensorGeometry sensor = new SensorGeometry(usual.width(), usual.height(), guess.origin());
       if (!sensor.equals(guess)) {
         sensors.add(sensor);
@@ -115,7 +115,7 @@ final class WarningBanner extends VBox {
     sizes.getSelectionModel().select(0);
   }
 
-  private static String words(SensorGeometry sensor) {
+  private static String label(SensorGeometry sensor) {
     String name = CAMERAS.get(sensor.width() + "x" + sensor.height());
     return sensor.width() + " \u00d7 " + sensor.height() + (name == null ? "" : " (" + name + ")");
   }

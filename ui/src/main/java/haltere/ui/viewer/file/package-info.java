@@ -1,2 +1,2 @@
-/** What is known of the file that is open: its facts in a panel, its warnings in a banner. */
+/** The open file: its facts in a panel, its warnings in a banner. */
 package haltere.ui.viewer.file;

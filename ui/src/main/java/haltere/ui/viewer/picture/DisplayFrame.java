@@ -2,14 +2,14 @@ package haltere.ui.viewer.picture;
 
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.StreamNotification;
-import haltere.filters.frequency.RegionReading;
-import haltere.ui.rendering.LayerTaps;
+import haltere.filters.frequency.RegionMeasurement;
+import haltere.ui.rendering.OverlaySnapshots;
 import java.util.List;
 import java.util.Optional;
 
 /**
- * A finished picture: the pixels and the marks of the same moment. Filled by the thread that
- * paints, shown by the JavaFX thread, handed over by a {@link haltere.ui.rendering.FrameExchange}.
+ * A finished picture: pixels and marks of the same moment. Filled by the painting thread, shown by
+ * the JavaFX thread, passed by a {@link haltere.ui.rendering.FrameExchange}.
  */
 public final class DisplayFrame {
   final SensorGeometry geometry;
@@ -17,24 +17,24 @@ public final class DisplayFrame {
   /** One for each of the sensor's, row by row from the top, with its rank for the scaler. */
   final int[] pixels;
 
-  /** The same as it is on the screen, with the marks; of use if there is a place. */
+  /** The pixels in screen resolution, with the marks; valid with a mapping. */
   int[] screen = {};
 
-  /** What part of the sensor the screen's pixels show. */
-  Optional<ScreenPlace> screenPlace = Optional.empty();
+  /** The mapping of the screen's pixels to the sensor. */
+  Optional<ScreenMapping> screenMapping = Optional.empty();
 
-  List<LayerTaps.Marks<?>> marks = List.of();
+  List<OverlaySnapshots.Marks<?>> marks = List.of();
 
-  /** What there is to say of the pixel under the mouse. */
-  Optional<PixelReading> pixel = Optional.empty();
+  /** Information on the pixel under the mouse. */
+  Optional<PixelInfo> pixel = Optional.empty();
 
-  /** What the region of interest is doing. */
-  Optional<RegionReading> region = Optional.empty();
+  /** Measurement of the region of interest. */
+  Optional<RegionMeasurement> region = Optional.empty();
 
-  /** What the ends of the colours mean, empty where colours stand for polarities. */
+  /** Meaning of the ends of the colours, empty for polarities. */
   String scale = "";
 
-  /** The same moment behind the second chain, where two are compared. */
+  /** The same moment of the second chain in a comparison. */
   Optional<DisplayFrame> beside = Optional.empty();
 
   long timeUs = StreamNotification.NO_TIME_US;
@@ -45,19 +45,19 @@ public final class DisplayFrame {
     this.pixels = new int[geometry.pixels()];
   }
 
-  /** What the region of interest is doing; empty where there is none. */
-  public Optional<RegionReading> region() {
+  /** Measurement of the region of interest; empty without one. */
+  public Optional<RegionMeasurement> region() {
     return region;
   }
 
-  /** The same moment behind the second chain; empty where no two are compared. */
+  /** The same moment of the second chain; empty without a comparison. */
   public Optional<DisplayFrame> beside() {
     return beside;
   }
 
   /**
-   * End of what is shown, microseconds of the stream; {@link StreamNotification#NO_TIME_US} before
-   * the first events.
+   * End of the shown slice, microseconds of the stream; {@link StreamNotification#NO_TIME_US}
+   * before the first events.
    */
   public long timeUs() {
     return timeUs;

@@ -5,9 +5,9 @@ import haltere.ui.rendering.DisplayMode;
 import haltere.ui.rendering.Gradient;
 
 /**
- * How events are shown.
+ * Options of the display of events.
  *
- * @param mode what the colour of a pixel says
+ * @param mode meaning of the colour of a pixel
  * @param colours for polarities
  * @param gradient for ages and counts
  * @param decayUs time constant of the fading; or {@link #FOLLOW_SLICES}, so that slow motion shows

@@ -7,7 +7,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorSample;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.StreamNotification;
-import haltere.ui.rendering.LayerTaps;
+import haltere.ui.rendering.OverlaySnapshots;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
@@ -15,85 +15,84 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 
 /**
- * The end of the chain that makes pictures: the newest snapshot of each overlay is kept here,
- * events are gathered and painted by a {@link PictureMaker}, on a {@link PictureThread} of its own
- * or at once. Where two chains are compared, the second one's pictures come {@link #beside} the
- * first one's, never alone.
+ * The sink of the chain for pictures: keeps the newest snapshot of each overlay and passes events
+ * to a {@link PictureRenderer}, on a {@link PictureThread} or directly. With two chains, the second
+ * one's pictures are painted {@link #beside} the first one's.
  *
- * <p>Thread rule: processing thread; {@link #maker()} and {@link #setAllEvents} are for the JavaFX
- * thread.
+ * <p>Thread rule: processing thread; {@link #renderer()} and {@link #setAllEvents} are for the
+ * JavaFX thread.
  */
 public final class DisplaySink implements SliceSink {
-  private final LayerTaps taps;
-  private final PictureMaker maker;
+  private final OverlaySnapshots snapshots;
+  private final PictureRenderer renderer;
   private final Optional<PictureThread> thread;
   private final Consumer<EventPacket> packets;
 
-  /** Does something behind the packets that were handed over. */
+  /** Runs a task after the packets sent so far. */
   private final Executor steps;
 
   final PassedEvents passed = new PassedEvents();
   private volatile boolean allEvents;
 
-  private DisplaySink(FilterChain chain, PictureMaker maker, Optional<PictureThread> thread) {
-    this.maker = maker;
+  private DisplaySink(FilterChain chain, PictureRenderer renderer, Optional<PictureThread> thread) {
+    this.renderer = renderer;
     this.thread = thread;
-    taps = new LayerTaps(chain);
-    Consumer<EventPacket> paints = maker::packet;
+    snapshots = new OverlaySnapshots(chain);
+    Consumer<EventPacket> paints = renderer::packet;
     packets =
         thread
-            .<Consumer<EventPacket>>map(apart -> packet -> apart.packet(packet, paints))
+            .<Consumer<EventPacket>>map(painter -> packet -> painter.packet(packet, paints))
             .orElse(paints);
-    steps = thread.<Executor>map(apart -> apart::later).orElse(Runnable::run);
+    steps = thread.<Executor>map(painter -> painter::later).orElse(Runnable::run);
   }
 
   /** One that paints on the thread of the chain. */
   public static DisplaySink direct(
       SensorGeometry geometry, FilterChain chain, DisplayOptions options) {
-    return new DisplaySink(chain, new PictureMaker(geometry, options, false), Optional.empty());
+    return new DisplaySink(chain, new PictureRenderer(geometry, options, false), Optional.empty());
   }
 
   /** One that paints on a thread of its own. */
-  public static DisplaySink apart(
+  public static DisplaySink onOwnThread(
       SensorGeometry geometry, FilterChain chain, DisplayOptions options) {
-    PictureMaker maker = new PictureMaker(geometry, options, true);
-    return new DisplaySink(chain, maker, Optional.of(new PictureThread()));
+    PictureRenderer renderer = new PictureRenderer(geometry, options, true);
+    return new DisplaySink(chain, renderer, Optional.of(new PictureThread()));
   }
 
   /**
-   * One whose pictures come with those of this one, of the same moments: it takes the same packets,
-   * slices and notifications, each before this one does.
+   * A sink whose pictures are painted with this one's, of the same moments: it gets the same
+   * packets, slices and notifications, each before this one.
    */
   public DisplaySink beside(FilterChain chain) {
-    return new DisplaySink(chain, maker.beside(), thread);
+    return new DisplaySink(chain, renderer.beside(), thread);
   }
 
-  /** What paints, for whoever shows its frames or wants them otherwise. */
-  public PictureMaker maker() {
-    return maker;
+  /** The renderer of its frames. */
+  public PictureRenderer renderer() {
+    return renderer;
   }
 
-  /** Shows the frame that was there before the place of the last jump. */
+  /** Shows the frame before the position of the last jump. */
   public void giveFrame(Frame frame) {
-    if (maker.frames().give(frame)) {
-      maker.setStale(true);
+    if (renderer.frames().give(frame)) {
+      renderer.setStale(true);
     }
   }
 
   /** Shows frames of 16 bits by the bits that those of the whole recording use. */
   public void useFrameBits(int bits) {
-    maker.frames().useBits(bits);
-    maker.setStale(true);
+    renderer.frames().useBits(bits);
+    renderer.setStale(true);
   }
 
   @Override
   public void sample(SensorSample sample) {
     if (sample instanceof Frame frame) {
-      steps.execute(() -> maker.frames().take(frame));
+      steps.execute(() -> renderer.frames().take(frame));
     }
   }
 
-  /** Shows events as they come, before the chain, or those that it leaves. */
+  /** Shows the events before the chain, or those that it passes. */
   public void setAllEvents(boolean all) {
     allEvents = all;
   }
@@ -111,7 +110,7 @@ public final class DisplaySink implements SliceSink {
 
       @Override
       public void sliceEnd(long fromUs, long toUs) {
-        // the display takes it behind the chain
+        // the display gets it after the chain
       }
     };
   }
@@ -126,72 +125,72 @@ public final class DisplaySink implements SliceSink {
 
   @Override
   public void notified(StreamNotification notification) {
-    boolean anew = taps.notified(notification);
+    boolean jumps = snapshots.notified(notification);
     steps.execute(
         () -> {
-          maker.notified(notification);
-          if (anew) {
-            maker.frames().jump();
-            maker.setStale(true);
+          renderer.notified(notification);
+          if (jumps) {
+            renderer.frames().jump();
+            renderer.setStale(true);
           }
         });
   }
 
-  /** A slice ends whose picture is asked for by {@link #picture}. */
+  /** Ends a slice whose picture is requested by {@link #picture}. */
   public void endSlice(long fromUs, long toUs) {
-    steps.execute(() -> maker.endSlice(fromUs, toUs));
+    steps.execute(() -> renderer.endSlice(fromUs, toUs));
   }
 
   @Override
   public long memoryUs(long sliceUs) {
-    return maker.memoryUs(sliceUs);
+    return renderer.memoryUs(sliceUs);
   }
 
   @Override
   public void runUpBegins(long sliceUs) {
-    taps.followChain();
-    steps.execute(() -> maker.runUpBegins(sliceUs));
+    snapshots.followChain();
+    steps.execute(() -> renderer.runUpBegins(sliceUs));
   }
 
   @Override
   public void runUpEnds() {
     passed.discard();
-    steps.execute(maker::runUpEnds);
+    steps.execute(renderer::runUpEnds);
   }
 
   @Override
   public void sliceHeld() {
     passed.hold();
-    List<LayerTaps.Marks<?>> marks = taps.marks();
-    steps.execute(() -> maker.hold(marks));
+    List<OverlaySnapshots.Marks<?>> marks = snapshots.marks();
+    steps.execute(() -> renderer.hold(marks));
   }
 
   @Override
   public void sliceEnd(long fromUs, long toUs) {
     passed.endSlice();
-    List<LayerTaps.Marks<?>> marks = taps.marks();
-    steps.execute(() -> maker.showSlice(fromUs, toUs, marks));
+    List<OverlaySnapshots.Marks<?>> marks = snapshots.marks();
+    steps.execute(() -> renderer.showSlice(fromUs, toUs, marks));
   }
 
-  /** Paints what there is and hands it over. */
+  /** Paints and publishes a frame. */
   public void paint() {
-    List<LayerTaps.Marks<?>> marks = taps.marks();
-    maker.setStale(false);
-    steps.execute(() -> maker.paint(marks));
+    List<OverlaySnapshots.Marks<?>> marks = snapshots.marks();
+    renderer.setStale(false);
+    steps.execute(() -> renderer.paint(marks));
   }
 
-  /** A picture of the present moment of usual size, with what lies over it. */
+  /** A picture of the present moment in default size, with overlays. */
   public BufferedImage picture(Overlays overlays) {
-    List<LayerTaps.Marks<?>> marks = taps.marks();
+    List<OverlaySnapshots.Marks<?>> marks = snapshots.marks();
     return thread
-        .map(apart -> apart.now(() -> maker.picture(overlays, marks)))
-        .orElseGet(() -> maker.picture(overlays, marks));
+        .map(painter -> painter.now(() -> renderer.picture(overlays, marks)))
+        .orElseGet(() -> renderer.picture(overlays, marks));
   }
 
   /** Ends all subscriptions; the processing thread has ended or calls this. */
   public void close() {
-    taps.close();
-    if (!maker.leave()) {
+    snapshots.close();
+    if (!renderer.leave()) {
       thread.ifPresent(PictureThread::close);
     }
   }

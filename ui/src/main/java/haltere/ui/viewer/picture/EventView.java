@@ -23,9 +23,9 @@ import javafx.scene.layout.Region;
 import javafx.scene.shape.Rectangle;
 
 /**
- * Shows frames: the events as square pixels, the marks over them, the pixel under the mouse in
- * words. The wheel zooms where the mouse is, dragging moves, a double click shows all again. While
- * a tool is in the hand the arrow keys and Enter work with it as the mouse does.
+ * Shows frames: events as square pixels, marks over them, a description of the pixel under the
+ * mouse. The wheel zooms at the mouse, a drag pans, a double click shows the whole sensor. With a
+ * tool, arrow keys and Enter replace the mouse.
  */
 public final class EventView extends Region implements ArrowKeys {
   /** Told which pixel is under the mouse. */
@@ -49,7 +49,7 @@ public final class EventView extends Region implements ArrowKeys {
   private Optional<ViewTool> tool = Optional.empty();
   private final KeyPointer keys = new KeyPointer();
 
-  /** What has been asked for another frame that has not come yet. */
+  /** The sink from which a frame has been requested and not received. */
   private Optional<DisplaySink> asked = Optional.empty();
 
   private final List<Consumer<OverlayCanvas>> layers = new ArrayList<>();
@@ -85,7 +85,7 @@ public final class EventView extends Region implements ArrowKeys {
           }
         });
     setOnMouseMoved(this::pointed);
-    setOnMouseExited(event -> pointNowhere());
+    setOnMouseExited(event -> clearPointer());
     setOnKeyPressed(this::keyPressed);
   }
 
@@ -99,15 +99,15 @@ public final class EventView extends Region implements ArrowKeys {
   }
 
   /**
-   * Shows the newest frame of a sink, true if there is one; else has one painted, on the processing
-   * thread, where another one is wanted.
+   * Shows the newest frame of a sink, true if there is one; else requests one on the processing
+   * thread, if needed.
    */
   public boolean show(DisplaySink sink, Executor processing) {
-    DisplayFrame frame = sink.maker().exchange().fetch();
+    DisplayFrame frame = sink.renderer().exchange().fetch();
     if (frame != null) {
       asked = Optional.empty();
       show(frame);
-    } else if (sink.maker().isStale() && !asked.equals(Optional.of(sink))) {
+    } else if (sink.renderer().isStale() && !asked.equals(Optional.of(sink))) {
       asked = Optional.of(sink);
       processing.execute(sink::paint);
     }
@@ -124,7 +124,7 @@ public final class EventView extends Region implements ArrowKeys {
       frame
           .pixel
           .filter(pixel -> pixel.x() == pointedX && pixel.y() == pointedY)
-          .ifPresent(pixel -> showReadout(pixel.words()));
+          .ifPresent(pixel -> showReadout(pixel.label()));
     }
     legend.show(frame.scale);
     frameListeners.forEach(listener -> listener.accept(frame));
@@ -137,12 +137,14 @@ public final class EventView extends Region implements ArrowKeys {
     requestLayout();
   }
 
-  /** Where another thread may draw frames as they are on the screen; empty where it need not. */
-  public Optional<ScreenPlace> screenPlace() {
-    return picture.screenPlace();
+  /**
+   * Mapping for frames in screen resolution, drawn by another thread; empty if that is not needed.
+   */
+  public Optional<ScreenMapping> screenMapping() {
+    return picture.screenMapping();
   }
 
-  /** Tells somebody which pixel is under the mouse. */
+  /** Sets the listener to the pixel under the mouse. */
   public void setPointerListener(PointerListener listener) {
     pointer = listener;
   }
@@ -152,23 +154,23 @@ public final class EventView extends Region implements ArrowKeys {
     return viewpoint;
   }
 
-  /** What the ends of the colours mean. */
+  /** The legend of the colours. */
   public ScaleLegend legend() {
     return legend;
   }
 
-  /** Makes each pixel of the sensor as large as it gets, where the mouse was last. */
+  /** Zooms in to the maximum at the last position of the mouse. */
   public void zoomToPixels() {
     viewpoint.zoomTo(PixelRegion.around(pointedX, pointedY, 4));
   }
 
-  /** Takes a tool into the hand, in place of the one that is there, or none. */
+  /** Selects a tool, or none, in place of the present one. */
   public void setTool(Optional<ViewTool> newTool) {
-    tool.ifPresent(ViewTool::putAside);
+    tool.ifPresent(ViewTool::dismiss);
     tool = newTool;
     if (keys.isShown()) {
       keys.end();
-      pointNowhere();
+      clearPointer();
     }
     if (tool.isPresent()) {
       requestFocus();
@@ -178,27 +180,27 @@ public final class EventView extends Region implements ArrowKeys {
     redraw();
   }
 
-  /** Tells somebody which tool is in the hand, whenever that changes. */
+  /** Adds a listener to the selected tool. */
   public void onToolChange(Consumer<Optional<ViewTool>> listener) {
     toolListeners.add(listener);
   }
 
-  /** Tells somebody of every frame that is shown, before its marks are drawn. */
+  /** Adds a listener to every shown frame, before its marks are drawn. */
   public void onFrame(Consumer<DisplayFrame> listener) {
     frameListeners.add(listener);
   }
 
-  /** The tool in the hand. */
+  /** The selected tool. */
   public Optional<ViewTool> tool() {
     return tool;
   }
 
-  /** Draws something over every picture, whether marks of filters are shown or not. */
+  /** Adds a layer over every picture, independent of the visibility of filters' marks. */
   public void addLayer(Consumer<OverlayCanvas> layer) {
     layers.add(layer);
   }
 
-  /** Draws the picture once more, because what lies over it has changed. */
+  /** Redraws the picture after a change of its layers. */
   public void redraw() {
     picture.draw(this::drawLayers);
   }
@@ -282,7 +284,7 @@ public final class EventView extends Region implements ArrowKeys {
   }
 
   @Override
-  public boolean keepsArrows() {
+  public boolean consumesArrows() {
     return tool.isPresent();
   }
 
@@ -294,12 +296,12 @@ public final class EventView extends Region implements ArrowKeys {
         pixel(viewpoint.sensorX(getWidth() / 2), geometry.width()),
         pixel(viewpoint.sensorY(getHeight() / 2), geometry.height()));
     keys.press(event.getCode(), event.isShiftDown(), tool.get(), geometry);
-    viewpoint.keepInSight(keys.x(), keys.y());
+    viewpoint.ensureVisible(keys.x(), keys.y());
     point(keys.x(), keys.y());
     event.consume();
   }
 
-  /** The pixel at a place, or the nearest one. */
+  /** The pixel at a coordinate, or the nearest one. */
   static int pixel(double place, int size) {
     return (int) Math.max(0, Math.min(size - 1, Math.rint(place)));
   }
@@ -309,7 +311,7 @@ public final class EventView extends Region implements ArrowKeys {
     point((int) Math.floor(sensorX(event) + 0.5), (int) Math.floor(sensorY(event) + 0.5));
   }
 
-  private void pointNowhere() {
+  private void clearPointer() {
     readout.setVisible(keys.isShown());
     if (!keys.isShown()) {
       pointer.pointed(0, 0, false);
@@ -327,8 +329,8 @@ public final class EventView extends Region implements ArrowKeys {
     }
   }
 
-  private void showReadout(String words) {
-    readout.setText(words);
+  private void showReadout(String text) {
+    readout.setText(text);
     readout.autosize();
     readout.relocate(12, getHeight() - readout.getHeight() - 10);
   }

@@ -8,25 +8,25 @@ import java.nio.ShortBuffer;
 import java.util.Arrays;
 
 /**
- * The camera's frames below the events: each stands from the start of its exposure to the next one.
- * After a jump somebody has to {@link #give} the frame that was there before.
+ * The camera's frames below the events, each shown from the start of its exposure to that of the
+ * next. After a jump, the previous frame must be {@link #give given}.
  *
  * <p>Thread rule: {@link #paintUnder} on the thread that paints, all else on any thread.
  */
 public final class FrameLayer {
-  /** Rank from which the colour of an event hides the frame, as {@code Ranks} gives it. */
+  /** Rank from which the colour of an event hides the frame, as {@code ColourRanks} gives it. */
   private static final int FULL_RANK = 60;
 
   private static final int NONE = -1;
 
   private volatile Frame latest;
-  private boolean sought;
+  private boolean isRequested;
   private Frame shown;
   private int shownShift;
   private int[] colours = {};
 
   /**
-   * Bits of 16 that frames use, as 10 and 12 bits are stored in 16 too. None is forgotten, so that
+   * Used bits of frames, up to 16, as 10 and 12 bits are stored in 16 too. It only grows, so that
    * frames of a recording are equally bright.
    */
   private volatile int usedBits;
@@ -35,7 +35,7 @@ public final class FrameLayer {
   synchronized void take(Frame frame) {
     usedBits |= usedBits(frame);
     latest = frame;
-    sought = false;
+    isRequested = false;
   }
 
   /** Bits that are set in any value of a frame of 16 bits, 0 for other frames. */
@@ -55,20 +55,20 @@ public final class FrameLayer {
     usedBits |= bits;
   }
 
-  /** The stream goes on elsewhere. */
+  /** The stream jumps. */
   synchronized void jump() {
     latest = null;
-    sought = true;
+    isRequested = true;
   }
 
-  /** Whether no frame has come since the last jump, so that the one before is wanted. */
-  public synchronized boolean isSought() {
-    return sought;
+  /** Whether no frame has come since the last jump, so that the previous one is needed. */
+  public synchronized boolean isFrameRequested() {
+    return isRequested;
   }
 
-  /** The frame that was there before the place of the last jump; of no use once another came. */
+  /** Sets the frame before the position of the last jump; ignored once another came. */
   synchronized boolean give(Frame frame) {
-    boolean wanted = sought;
+    boolean wanted = isRequested;
     if (wanted) {
       take(frame);
     }
@@ -76,9 +76,8 @@ public final class FrameLayer {
   }
 
   /**
-   * Puts the frame below events that have been painted: colours with their ranks, row by row from
-   * the top, are changed where the background stands for no event; of the frame so much is seen as
-   * the opacity, 0 to 1.
+   * Blends the frame below painted events: colours with ranks, row by row from the top, are changed
+   * where the background is visible, by the opacity, 0 to 1.
    */
   void paintUnder(int[] ranked, SensorGeometry geometry, int background, double opacity) {
     Frame now = latest;
@@ -149,7 +148,7 @@ public final class FrameLayer {
     if (channels >= 3) {
       return picture.getRGB(x, y) & 0xFFFFFF;
     }
-    // the stored value: a grey picture's own conversion would brighten it
+    // stored value: the conversion of a grey image would brighten it
     int grey = picture.getRaster().getSample(x, y, 0) >> shift;
     return grey << 16 | grey << 8 | grey;
   }

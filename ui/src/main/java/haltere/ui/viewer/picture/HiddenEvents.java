@@ -8,7 +8,7 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 
-/** Says over the picture which share of the events the filters hide, and shows them on request. */
+/** Shows over the picture the share of events hidden by filters, and the events on request. */
 public final class HiddenEvents extends HBox {
   /** Time over which the share is measured, real time. */
   public static final long BETWEEN_NANOS = 500_000_000;
@@ -35,13 +35,13 @@ public final class HiddenEvents extends HBox {
     say();
   }
 
-  /** Forgets what was measured, for another recording. */
+  /** Clears the measurement, for another recording. */
   public void clear() {
     percent = 0;
     say();
   }
 
-  /** Says the share of what a display shows. */
+  /** Shows the share of a display. */
   public void update(DisplaySink display) {
     percent = display.passed.takePercentHidden().orElse(percent);
     say();

@@ -7,8 +7,8 @@ import haltere.core.overlay.OverlayCanvas;
 import javafx.scene.input.KeyCode;
 
 /**
- * Does with keys what the mouse does with a tool: arrow keys move a cross over the picture, by ten
- * pixels with Shift; Enter presses the tool down where the cross is, and lets it go again.
+ * Operates a tool by keys: arrow keys move a cross over the picture, by ten pixels with Shift;
+ * Enter presses the tool at the cross and releases it.
  */
 final class KeyPointer {
   private static final int STRIDE = 10;
@@ -30,12 +30,12 @@ final class KeyPointer {
     return y;
   }
 
-  /** Whether there is a cross. */
+  /** Whether the cross is shown. */
   boolean isShown() {
     return shown;
   }
 
-  /** Puts the cross somewhere if there is none. */
+  /** Shows the cross at a position if it is not shown. */
   void begin(int startX, int startY) {
     if (!shown) {
       shown = true;
@@ -44,21 +44,18 @@ final class KeyPointer {
     }
   }
 
-  /** The mouse has taken over, or the tool was put aside. */
+  /** Hides the cross: the mouse is used, or the tool was dismissed. */
   void end() {
     shown = false;
     down = false;
   }
 
-  /** Whether a key does something here. */
+  /** Whether a key has a function here. */
   static boolean takes(KeyCode code) {
     return code.isArrowKey() || code == KeyCode.ENTER;
   }
 
-  /**
-   * Does what a key that is {@link #takes taken} stands for; far, the cross goes by more than one
-   * pixel.
-   */
+  /** Applies a key that is {@link #takes accepted}; far moves the cross by more than one pixel. */
   void press(KeyCode code, boolean far, ViewTool tool, SensorGeometry sensor) {
     int step = far ? STRIDE : 1;
     switch (code) {

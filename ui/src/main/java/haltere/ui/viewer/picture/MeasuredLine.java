@@ -6,18 +6,18 @@ import haltere.core.overlay.OverlayCanvas;
 import java.util.Locale;
 
 /**
- * A length and an angle that were measured, from one place of the sensor to another, in pixels.
+ * A measured length and angle between two positions on the sensor, in pixels.
  *
- * @param fromX column where it begins, 0 at the middle of the first one
- * @param fromY row where it begins, upwards
+ * @param fromX column of its start, 0 at the centre of the first one
+ * @param fromY row of its start, upwards
  * @param toX column where it ends
  * @param toY row where it ends
  */
 public record MeasuredLine(double fromX, double fromY, double toX, double toY) {
   private static final double TICK = 2;
 
-  /** What was measured, in words. */
-  public String words() {
+  /** The measurement as text. */
+  public String label() {
     double right = toX - fromX;
     double up = toY - fromY;
     return String.format(
@@ -37,6 +37,6 @@ public record MeasuredLine(double fromX, double fromY, double toX, double toY) {
     canvas.line(fromX, fromY, toX, toY, line);
     canvas.line(fromX - acrossX, fromY - acrossY, fromX + acrossX, fromY + acrossY, line);
     canvas.line(toX - acrossX, toY - acrossY, toX + acrossX, toY + acrossY, line);
-    canvas.text(toX + 2, toY + 2, words(), MarkStyle.of(Role.LABEL));
+    canvas.text(toX + 2, toY + 2, label(), MarkStyle.of(Role.LABEL));
   }
 }

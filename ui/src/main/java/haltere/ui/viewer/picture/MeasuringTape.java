@@ -4,13 +4,13 @@ import haltere.core.overlay.OverlayCanvas;
 import java.util.Optional;
 import javafx.beans.property.ObjectProperty;
 
-/** Measures lengths and angles: drag from one place to another. */
+/** Measures length and angle of a drag. */
 public final class MeasuringTape implements ViewTool {
   private final ObjectProperty<Optional<MeasuredLine>> measured;
   private double fromX;
   private double fromY;
 
-  /** A tape; tells what is measured, and nothing when the tape is put aside. */
+  /** A tape; publishes the measurement, and empty when the tape is dismissed. */
   public MeasuringTape(ObjectProperty<Optional<MeasuredLine>> measured) {
     this.measured = measured;
   }
@@ -33,7 +33,7 @@ public final class MeasuringTape implements ViewTool {
   }
 
   @Override
-  public void putAside() {
+  public void dismiss() {
     measured.set(Optional.empty());
   }
 

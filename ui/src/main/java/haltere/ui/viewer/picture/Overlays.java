@@ -4,11 +4,11 @@ import haltere.filters.frequency.PixelRegion;
 import java.util.Optional;
 
 /**
- * What lies over the events of a picture or a film.
+ * Overlays of a picture or a film.
  *
  * @param marks whether the marks of the filters do
  * @param region the region of interest, with its rate and frequency
- * @param tape what was measured
+ * @param tape the measured line
  */
 public record Overlays(boolean marks, Optional<PixelRegion> region, Optional<MeasuredLine> tape) {
   /** The marks of the filters alone. */

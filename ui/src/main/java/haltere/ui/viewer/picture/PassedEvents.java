@@ -3,9 +3,8 @@ package haltere.ui.viewer.picture;
 import java.util.OptionalInt;
 
 /**
- * Counts events before and after a chain: those of a slice that is held, so that a moment has one
- * number however it was reached, else those of playback since the last number. Counted on the
- * processing thread; {@link #takePercentHidden} is for any.
+ * Counts events before and after a chain, of a held slice, or else of playback since the last
+ * query. Counts on the processing thread; {@link #takePercentHidden} may be called from any.
  */
 final class PassedEvents {
   /** Events that playback needs at least for a number. */
@@ -28,7 +27,7 @@ final class PassedEvents {
     discard();
   }
 
-  /** What was counted since the last slice is not shown. */
+  /** Discards events counted since the last slice. */
   void discard() {
     before = 0;
     after = 0;
@@ -38,7 +37,9 @@ final class PassedEvents {
     isHeld = true;
   }
 
-  /** Percentage that the chain removed, 0 of a held slice without events; empty if too few came. */
+  /**
+   * Percentage that the chain removed, 0 of a held slice without events; empty for too few events.
+   */
   synchronized OptionalInt takePercentHidden() {
     long in = isHeld ? lastBefore : playedBefore;
     long out = isHeld ? lastAfter : playedAfter;

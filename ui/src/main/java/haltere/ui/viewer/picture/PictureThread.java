@@ -11,10 +11,9 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * A thread that gathers and paints, so that the thread of the chain need not. It gets copies of
- * packets by way of a {@link PacketPool} with who takes each, and steps to take between them, in
- * order; an empty packet stands for each step. Where it falls behind by all packets of the pool,
- * who hands one over waits.
+ * A thread that accumulates and paints instead of the chain's thread. It gets copies of packets
+ * with their consumers by a {@link PacketPool}, and tasks between them, in order; an empty packet
+ * represents a task. If all packets of the pool are waiting, the sender waits.
  *
  * <p>Thread rule: {@link #packet}, {@link #later} and {@link #now} by one thread at a time, {@link
  * #close} by any.
@@ -25,12 +24,13 @@ final class PictureThread implements AutoCloseable {
   private static final EventPacket NONE = new EventPacket(0);
 
   private final PacketPool pool = new PacketPool(PACKETS, PACKET_EVENTS);
-  private final ConcurrentLinkedQueue<Consumer<EventPacket>> takers = new ConcurrentLinkedQueue<>();
+  private final ConcurrentLinkedQueue<Consumer<EventPacket>> consumers =
+      new ConcurrentLinkedQueue<>();
   private final Thread thread = Daemon.thread(this::work, "haltere-picture");
   private final CompletableFuture<Void> end = new CompletableFuture<>();
   private volatile RuntimeException failure;
 
-  /** Begins; packets are taken on the new thread. */
+  /** Starts the thread. */
   PictureThread() {
     thread.start();
   }
@@ -39,7 +39,7 @@ final class PictureThread implements AutoCloseable {
     try {
       while (true) {
         EventPacket packet = pool.receive();
-        guarded(() -> takers.remove().accept(packet));
+        guarded(() -> consumers.remove().accept(packet));
         pool.release(packet);
       }
     } catch (InterruptedException closed) {
@@ -55,29 +55,29 @@ final class PictureThread implements AutoCloseable {
     } catch (RuntimeException thrown) {
       failure = thrown;
     } catch (Error thrown) {
-      // A thread that died of it would let the chain's thread wait for ever.
+      // If this thread died, the chain's thread would wait for ever.
       failure = new IllegalStateException("no picture: " + thrown, thrown);
     }
   }
 
   /**
-   * Hands over a copy of a packet to who takes it, or throws what was thrown on the other thread
-   * since the last call.
+   * Sends a copy of a packet to a consumer, or throws the exception of the other thread since the
+   * last call.
    */
-  void packet(EventPacket packet, Consumer<EventPacket> taker) {
-    tellFailure();
+  void packet(EventPacket packet, Consumer<EventPacket> consumer) {
+    rethrowFailure();
     if (!packet.isEmpty()) {
-      hand(packet, taker);
+      hand(packet, consumer);
     }
   }
 
-  /** Does something behind the packets that were handed over, and does not wait for it. */
+  /** Queues a task after the packets sent so far. */
   void later(Runnable step) {
-    tellFailure();
+    rethrowFailure();
     hand(NONE, empty -> step.run());
   }
 
-  private void tellFailure() {
+  private void rethrowFailure() {
     RuntimeException thrown = failure;
     if (thrown != null) {
       failure = null;
@@ -85,11 +85,11 @@ final class PictureThread implements AutoCloseable {
     }
   }
 
-  private void hand(EventPacket source, Consumer<EventPacket> taker) {
+  private void hand(EventPacket source, Consumer<EventPacket> consumer) {
     try {
       EventPacket copy = pool.take();
       copy.append(source, 0, source.size());
-      takers.add(taker);
+      consumers.add(consumer);
       pool.hand(copy);
     } catch (InterruptedException ending) {
       Thread.currentThread().interrupt();
@@ -97,7 +97,7 @@ final class PictureThread implements AutoCloseable {
   }
 
   /**
-   * Does something behind the packets that were handed over, and waits for it.
+   * Runs a task after the packets sent so far, and waits for it.
    *
    * @throws CancellationException if this is closed before
    */
@@ -111,7 +111,7 @@ final class PictureThread implements AutoCloseable {
     }
   }
 
-  /** Ends the thread; what it has not come to is left out. */
+  /** Ends the thread; pending work is discarded. */
   @Override
   public void close() {
     thread.interrupt();

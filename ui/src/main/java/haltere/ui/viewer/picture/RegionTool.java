@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
-/** Draws the region of interest: drag from corner to corner; a click takes it away. */
+/** Draws the region of interest from corner to corner; a click removes it. */
 public final class RegionTool implements ViewTool {
   private final Supplier<SensorGeometry> sensor;
   private final Consumer<Optional<PixelRegion>> consumer;
@@ -15,8 +15,8 @@ public final class RegionTool implements ViewTool {
   private boolean drawn;
 
   /**
-   * A tool for a picture of a sensor, whose size is asked whenever a region is drawn; a click takes
-   * the region away.
+   * A tool for a picture of a sensor, whose size is requested whenever a region is drawn; a click
+   * removes the region.
    */
   public RegionTool(Supplier<SensorGeometry> sensor, Consumer<Optional<PixelRegion>> consumer) {
     this.sensor = sensor;
@@ -25,7 +25,7 @@ public final class RegionTool implements ViewTool {
 
   @Override
   public String hint() {
-    return "Drag over the picture to draw the region of interest; a click takes it away.";
+    return "Drag over the picture to draw the region of interest; a click removes it.";
   }
 
   @Override

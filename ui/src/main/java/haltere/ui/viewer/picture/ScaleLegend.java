@@ -11,7 +11,7 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 
-/** A strip of the colours and what their ends mean, where colours stand for ages or counts. */
+/** A strip of colours with the meaning of its ends, for ages and counts. */
 public final class ScaleLegend extends HBox {
   private final Label first = new Label();
   private final Region strip = new Region();
@@ -41,7 +41,7 @@ public final class ScaleLegend extends HBox {
     strip.setStyle("-fx-background-color: linear-gradient(to right, " + stops + ");");
   }
 
-  /** Shows what the far end stands for; nothing hides the legend. */
+  /** Shows the meaning of the far end; empty hides the legend. */
   void show(String farEnd) {
     Optional<ColourScale> scale = ColourScale.of(mode, gradient, farEnd);
     if (isVisible() != scale.isPresent()) {

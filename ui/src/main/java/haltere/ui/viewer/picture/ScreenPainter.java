@@ -2,48 +2,48 @@ package haltere.ui.viewer.picture;
 
 import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.OverlayCanvas;
-import haltere.ui.rendering.LayerTaps;
+import haltere.ui.rendering.OverlaySnapshots;
 import haltere.ui.rendering.PictureScaler;
 import haltere.ui.rendering.PixelOverlayCanvas;
 
 /**
- * Draws frames as they are on the screen, pixels and marks.
+ * Draws frames in screen resolution, pixels and marks.
  *
  * <p>Thread rule: one thread at a time.
  */
 final class ScreenPainter {
   private final PictureScaler scaler = new PictureScaler();
   private PixelOverlayCanvas canvas;
-  private ScreenPlace place;
+  private ScreenMapping mapping;
   private SensorGeometry geometry;
 
-  /** Says what is in sight. */
-  void configure(SensorGeometry newGeometry, ScreenPlace newPlace) {
-    if (newPlace.equals(place) && newGeometry.equals(geometry)) {
+  /** Sets the visible part. */
+  void configure(SensorGeometry newGeometry, ScreenMapping newMapping) {
+    if (newMapping.equals(mapping) && newGeometry.equals(geometry)) {
       return;
     }
-    if (place == null || newPlace.letters() != place.letters()) {
-      canvas = new PixelOverlayCanvas(newPlace.letters());
+    if (mapping == null || newMapping.letters() != mapping.letters()) {
+      canvas = new PixelOverlayCanvas(newMapping.letters());
     }
-    place = newPlace;
+    mapping = newMapping;
     geometry = newGeometry;
     scaler.configure(
         geometry.width(),
         geometry.height(),
-        place.fromX(),
-        place.fromY(),
-        place.scale() * place.density(),
-        place.columns(),
-        place.rows());
-    canvas.setView(place.scale(), place.left(), place.bottom(), place.density());
+        mapping.fromX(),
+        mapping.fromY(),
+        mapping.scale() * mapping.density(),
+        mapping.columns(),
+        mapping.rows());
+    canvas.setView(mapping.scale(), mapping.left(), mapping.bottom(), mapping.density());
   }
 
-  /** Draws the pixels and marks of a frame, as many opaque pixels as the place has. */
+  /** Draws the pixels and marks of a frame, as many opaque pixels as the mapping has. */
   void paint(DisplayFrame frame, int[] target) {
     scaler.scale(frame.pixels, target);
-    if (place.marks()) {
+    if (mapping.marks()) {
       OverlayCanvas over = over(target, frame.dark);
-      for (LayerTaps.Marks<?> snapshot : frame.marks) {
+      for (OverlaySnapshots.Marks<?> snapshot : frame.marks) {
         snapshot.draw(frame.timeUs, over);
       }
     }
@@ -51,7 +51,7 @@ final class ScreenPainter {
 
   /** A canvas over pixels that have been painted. */
   OverlayCanvas over(int[] target, boolean dark) {
-    canvas.setTarget(target, place.columns(), place.rows());
+    canvas.setTarget(target, mapping.columns(), mapping.rows());
     canvas.setDark(dark);
     return canvas;
   }

@@ -11,18 +11,18 @@ import java.util.function.Consumer;
 import javafx.scene.Node;
 
 /**
- * The pixels of the sensor on the screen, and the marks over them, drawn into pixels: by the thread
- * that paints frames, once it has been told {@link #screenPlace where}, else here.
+ * The sensor's pixels and marks in screen resolution, drawn by the painting thread once it knows
+ * the {@link #screenMapping mapping}, else here.
  */
 final class SensorPicture {
-  /** So many pictures are not kept waiting by the loading of fonts that they may not need. */
+  /** Number of first pictures that do not wait for fonts, which they may not need. */
   private static final int FIRST_PICTURES = 10;
 
   private final PixelImage image = new PixelImage();
   private final ScreenPainter painter = new ScreenPainter();
   private SensorGeometry geometry = new SensorGeometry(1, 1);
   private DisplayFrame newest = new DisplayFrame(geometry);
-  private Optional<ScreenPlace> place = Optional.empty();
+  private Optional<ScreenMapping> mapping = Optional.empty();
   private boolean marksVisible = true;
   private int drawn;
 
@@ -32,7 +32,7 @@ final class SensorPicture {
     image.setSmooth(false);
   }
 
-  /** The pixels with what lies over them. */
+  /** The node of pixels and marks. */
   Node node() {
     return image;
   }
@@ -43,22 +43,22 @@ final class SensorPicture {
     newest = new DisplayFrame(geometry);
     newest.dark = colours.dark();
     Arrays.fill(newest.pixels, colours.background() & 0xFFFFFF);
-    place = Optional.empty();
+    mapping = Optional.empty();
     image.setVisible(false);
   }
 
-  /** Puts the picture where it belongs, on so many pixels of the screen per unit of the view. */
+  /** Positions the picture, at a number of screen pixels per unit of the view. */
   void place(Viewpoint viewpoint, double density) {
     double left = viewpoint.left();
     double top = viewpoint.top();
     double scale = viewpoint.scale();
-    // only what is in sight, so that a large zoom costs no more than a small one
+    // only the visible part, so that a large zoom costs no more than a small one
     double fromX = Math.max(0, -left / scale);
     double fromY = Math.max(0, -top / scale);
     double toX = Math.min(geometry.width(), (viewpoint.width() - left) / scale);
     double toY = Math.min(geometry.height(), (viewpoint.height() - top) / scale);
     image.setVisible(toX > fromX && toY > fromY);
-    place = Optional.empty();
+    mapping = Optional.empty();
     if (!image.isVisible()) {
       return;
     }
@@ -70,9 +70,9 @@ final class SensorPicture {
     int columns = Math.max(1, (int) Math.ceil((toX - fromX) * scale * density - 1e-6));
     int rows = Math.max(1, (int) Math.ceil((toY - fromY) * scale * density - 1e-6));
     image.fit(columns, rows, density);
-    place =
+    mapping =
         Optional.of(
-            new ScreenPlace(
+            new ScreenMapping(
                 fromX,
                 fromY,
                 scale,
@@ -85,12 +85,12 @@ final class SensorPicture {
                 marksVisible));
   }
 
-  /** Where another thread may draw frames; empty where nothing is in sight. */
-  Optional<ScreenPlace> screenPlace() {
-    return place;
+  /** Mapping for frames drawn by another thread; empty if nothing is visible. */
+  Optional<ScreenMapping> screenMapping() {
+    return mapping;
   }
 
-  /** The frame to be drawn next, which must stay as it is until there is another. */
+  /** Sets the next frame, which must not change until there is another. */
   void setFrame(DisplayFrame frame) {
     newest = frame;
     if (drawn < FIRST_PICTURES && ++drawn == FIRST_PICTURES) {
@@ -103,14 +103,14 @@ final class SensorPicture {
     marksVisible = visible;
   }
 
-  /** Draws all anew, with what lies over the frame and its marks. */
+  /** Redraws all, with layers over the frame and its marks. */
   void draw(Consumer<OverlayCanvas> layers) {
     if (!image.isVisible()) {
       return;
     }
     int[] shown = image.pixels();
-    painter.configure(geometry, place.orElseThrow());
-    if (newest.screenPlace.equals(place)) {
+    painter.configure(geometry, mapping.orElseThrow());
+    if (newest.screenMapping.equals(mapping)) {
       System.arraycopy(newest.screen, 0, shown, 0, shown.length);
     } else {
       painter.paint(newest, shown);

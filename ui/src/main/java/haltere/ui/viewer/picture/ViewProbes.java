@@ -3,8 +3,8 @@ package haltere.ui.viewer.picture;
 import haltere.core.event.EventPacket;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.frequency.PixelRegion;
+import haltere.filters.frequency.RegionMeasurement;
 import haltere.filters.frequency.RegionMeter;
-import haltere.filters.frequency.RegionReading;
 import haltere.ui.rendering.EventFrame;
 import haltere.ui.rendering.EventPicture;
 import java.util.Objects;
@@ -12,15 +12,15 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * What the window wants to know of single places: the pixel under the mouse, and a region of
- * interest. Costs nothing while it wants nothing.
+ * Measurements at positions of the picture: the pixel under the mouse, and a region of interest.
+ * Without them it has no cost.
  *
  * <p>Thread rule: {@link #point} and {@link #setRegion} on the JavaFX thread, all else on the
  * processing thread.
  */
 final class ViewProbes {
   /** Neighbours at each side of the pixel under the mouse that its rate is made of. */
-  static final int NEAR = 2;
+  static final int NEIGHBOURS = 2;
 
   /** The rate near the mouse is that of the last tenth of a second. */
   private static final int NEAR_BINS = 512;
@@ -29,28 +29,28 @@ final class ViewProbes {
   private static final long FREQUENCY_NANOS = 250_000_000;
 
   private volatile Optional<PixelRegion> pointed = Optional.empty();
-  private volatile Optional<PixelRegion> wantedRegion = Optional.empty();
+  private volatile Optional<PixelRegion> requestedRegion = Optional.empty();
   private RegionMeter near;
   private RegionMeter region;
-  private RegionReading lastReading = RegionReading.NOTHING;
+  private RegionMeasurement lastReading = RegionMeasurement.NOTHING;
   private long frequencyNanos;
 
   /** The mouse is over a pixel, or over none. */
   void point(int x, int y, boolean over) {
-    pointed = over ? Optional.of(PixelRegion.around(x, y, NEAR)) : Optional.empty();
+    pointed = over ? Optional.of(PixelRegion.around(x, y, NEIGHBOURS)) : Optional.empty();
   }
 
   /** The region of interest, or none. */
   void setRegion(Optional<PixelRegion> newRegion) {
-    wantedRegion = newRegion;
+    requestedRegion = newRegion;
   }
 
-  /** How far back events matter to what is said, microseconds. */
+  /** Time for which events affect the measurements, microseconds. */
   long memoryUs() {
-    return RegionMeter.BIN_US * (long) (wantedRegion.isPresent() ? RegionMeter.BINS : NEAR_BINS);
+    return RegionMeter.BIN_US * (long) (requestedRegion.isPresent() ? RegionMeter.BINS : NEAR_BINS);
   }
 
-  /** The next frequency is looked for at once. */
+  /** Requests the next frequency at once. */
   void settle() {
     frequencyNanos = System.nanoTime() - FREQUENCY_NANOS - 1;
   }
@@ -70,7 +70,7 @@ final class ViewProbes {
 
   private void follow() {
     near = meter(near, pointed, NEAR_BINS);
-    region = meter(region, wantedRegion, RegionMeter.BINS);
+    region = meter(region, requestedRegion, RegionMeter.BINS);
   }
 
   private static RegionMeter meter(RegionMeter old, Optional<PixelRegion> wanted, int bins) {
@@ -82,22 +82,22 @@ final class ViewProbes {
         : new RegionMeter(wanted.get(), bins);
   }
 
-  /** What there is to say of the pixel under the mouse. */
-  Optional<PixelReading> pixel(EventPicture events) {
+  /** Information on the pixel under the mouse. */
+  Optional<PixelInfo> pixel(EventPicture events) {
     EventFrame frame = events.frame();
     follow();
     if (near == null) {
       return Optional.empty();
     }
-    int x = near.region().left() + NEAR;
-    int y = near.region().bottom() + NEAR;
+    int x = near.region().left() + NEIGHBOURS;
+    int y = near.region().bottom() + NEIGHBOURS;
     if (!frame.geometry().contains(x, y)) {
       return Optional.empty();
     }
-    RegionReading around = near.reading(false);
+    RegionMeasurement around = near.measure(false);
     long lastUs = frame.lastUs(x, y);
     return Optional.of(
-        new PixelReading(
+        new PixelInfo(
             x,
             y,
             lastUs,
@@ -107,14 +107,14 @@ final class ViewProbes {
             events.frequencyHz(x, y)));
   }
 
-  /** What the region of interest is doing, with its frequency however lately that was found. */
-  RegionReading regionNow(long nowUs) {
+  /** Measurement of the region of interest, with a present frequency. */
+  RegionMeasurement regionNow(long nowUs) {
     settle();
-    return region(nowUs).orElse(RegionReading.NOTHING);
+    return region(nowUs).orElse(RegionMeasurement.NOTHING);
   }
 
-  /** What the region of interest is doing. */
-  Optional<RegionReading> region(long nowUs) {
+  /** Measurement of the region of interest. */
+  Optional<RegionMeasurement> region(long nowUs) {
     follow();
     if (region == null) {
       return Optional.empty();
@@ -122,13 +122,14 @@ final class ViewProbes {
     region.advanceTo(nowUs);
     long nanos = System.nanoTime();
     boolean look = nanos - frequencyNanos > FREQUENCY_NANOS;
-    RegionReading now = region.reading(look);
+    RegionMeasurement now = region.measure(look);
     if (look) {
       frequencyNanos = nanos;
       lastReading = now;
     } else {
       now =
-          new RegionReading(now.rateEps(), now.onShare(), lastReading.frequencyHz(), now.spanUs());
+          new RegionMeasurement(
+              now.rateEps(), now.onShare(), lastReading.frequencyHz(), now.spanUs());
     }
     return Optional.of(now);
   }

@@ -3,12 +3,11 @@ package haltere.ui.viewer.picture;
 import haltere.core.overlay.OverlayCanvas;
 
 /**
- * What the mouse does on the picture of the events instead of moving it: sets a point, draws a
- * region, measures. Places are in sensor coordinates: x to the right, y up, (0, 0) the centre of
- * the bottom left pixel.
+ * A mouse tool on the picture: sets a point, draws a region, measures. Positions are in sensor
+ * coordinates: x to the right, y up, (0, 0) the centre of the bottom left pixel.
  */
 public interface ViewTool {
-  /** One line that says what to do, while the tool is in hand. */
+  /** One line of instructions, while the tool is selected. */
   String hint();
 
   /** The mouse button went down. */
@@ -17,12 +16,12 @@ public interface ViewTool {
   /** The mouse moved with the button down. */
   default void dragged(double x, double y) {}
 
-  /** The mouse button came up. */
+  /** The mouse button was released. */
   default void released(double x, double y) {}
 
   /** The tool was put aside. */
-  default void putAside() {}
+  default void dismiss() {}
 
-  /** Draws what it has set so far. */
+  /** Draws its present state. */
   default void draw(OverlayCanvas canvas) {}
 }

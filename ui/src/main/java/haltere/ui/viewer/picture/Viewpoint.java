@@ -4,7 +4,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.filters.frequency.PixelRegion;
 
 /**
- * Which part of a sensor a view shows, and how large: from one to the other and back.
+ * The visible part of a sensor and its scale, with the mapping in both directions.
  *
  * <p>Places on the sensor are counted from the middle of its left bottom pixel, upwards; those in
  * the view from its left top corner, downwards.
@@ -29,7 +29,7 @@ public final class Viewpoint {
 
   private final Runnable changed;
 
-  /** A viewpoint that tells whenever something else is seen. */
+  /** A viewpoint with a listener to its changes. */
   Viewpoint(Runnable changed) {
     this.changed = changed;
   }
@@ -87,7 +87,7 @@ public final class Viewpoint {
     changed.run();
   }
 
-  /** Makes the picture larger or smaller; the place under the mouse stays there. */
+  /** Zooms; the position under the mouse is fixed. */
   void zoomAt(double viewX, double viewY, double notches) {
     double sensorX = sensorX(viewX);
     double sensorY = sensorY(viewY);
@@ -95,30 +95,30 @@ public final class Viewpoint {
     if (isClose()) {
       centreX += sensorX - sensorX(viewX);
       centreY += sensorY - sensorY(viewY);
-      keepInside();
+      clamp();
     }
   }
 
-  /** Moves what is seen by shares of the view. */
+  /** Pans by shares of the view. */
   public void pan(double right, double up) {
     move(right * width, up * height);
   }
 
-  /** Moves what is seen, in units of the view to the right and up. */
+  /** Pans by units of the view to the right and up. */
   void move(double right, double up) {
     centreX += right / scale();
     centreY += up / scale();
-    keepInside();
+    clamp();
   }
 
-  /** Moves what is seen just as far as it takes to show a place on the sensor. */
-  void keepInSight(double sensorX, double sensorY) {
+  /** Pans as far as needed to show a position on the sensor. */
+  void ensureVisible(double sensorX, double sensorY) {
     double x = viewX(sensorX);
     double y = viewY(sensorY);
     move(x - Math.max(0, Math.min(width, x)), Math.max(0, Math.min(height, y)) - y);
   }
 
-  private void keepInside() {
+  private void clamp() {
     centreX = Math.max(0, Math.min(sensor.width(), centreX));
     centreY = Math.max(0, Math.min(sensor.height(), centreY));
     changed.run();
@@ -128,7 +128,7 @@ public final class Viewpoint {
   public double scale() {
     double fit = fit() * zoom;
     double whole = Math.floor(fit);
-    // whole numbers make all pixels alike, where they do not leave much room empty
+    // integer factors draw all pixels equally, unless they leave much space empty
     return zoom == 1 && whole >= 1 && fit < whole * MAX_LOSS ? whole : fit;
   }
 
@@ -147,12 +147,12 @@ public final class Viewpoint {
     return Math.rint(height / 2 - (sensor.height() - centreY) * scale());
   }
 
-  /** Where a place on the sensor is in the view, from the left. */
+  /** View coordinate of a sensor column, from the left. */
   public double viewX(double sensorX) {
     return width / 2 + (sensorX + 0.5 - centreX) * scale();
   }
 
-  /** Where a place on the sensor is in the view, from the top. */
+  /** View coordinate of a sensor row, from the top. */
   public double viewY(double sensorY) {
     return height / 2 - (sensorY + 0.5 - centreY) * scale();
   }

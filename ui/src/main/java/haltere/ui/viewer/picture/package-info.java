@@ -1,7 +1,6 @@
 /**
- * The picture of the sensor. {@code DisplaySink} gathers what comes out of the chain, {@code
- * PictureMaker} paints it, on a thread of its own, into one of three preallocated frames; {@code
- * EventView} shows the newest at each pulse of JavaFX, with the tools that a person works with on
- * it.
+ * The picture of the sensor. {@code DisplaySink} receives the chain's output, {@code
+ * PictureRenderer} paints it on its own thread into one of three preallocated frames, {@code
+ * EventView} shows the newest at each pulse of JavaFX, with mouse tools.
  */
 package haltere.ui.viewer.picture;

@@ -22,8 +22,8 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
 
 /**
- * The transport as buttons, keys and the seek bar use it: speed, slices and loop stay the same from
- * one recording to the next, the rest goes to the player that is open.
+ * Playback for buttons, keys and seek bar: speed, slices and loop persist from one recording to the
+ * next, the rest is passed to the open player.
  */
 public final class PlaybackController {
   /** Speeds that are offered: 1, 2 and 5 times powers of ten. */
@@ -35,13 +35,13 @@ public final class PlaybackController {
   static final double MAX_SPEED = 10;
 
   /**
-   * Slices that are finer than the pictures of a screen, so that there is a new picture at every
-   * pulse although the player's clock and the screen's do not beat together.
+   * Slices finer than the screen's pictures, so that there is a new picture at every pulse although
+   * the clocks of player and screen differ.
    */
   public static final Slicing SMOOTH = new Slicing.PerFrame(120);
 
   /** A fruit fly's. */
-  private static final long USUAL_BEAT_US = 5_000;
+  private static final long DEFAULT_BEAT_US = 5_000;
 
   private final Consumer<String> problems;
   private final ReadOnlyObjectWrapper<Double> speed = new ReadOnlyObjectWrapper<>(1.0);
@@ -54,18 +54,18 @@ public final class PlaybackController {
   private long reverseFromUs;
   private long reverseNanos;
 
-  /** Where the jump under way, or the one after it, goes to. */
+  /** Target of the pending jump, or of the one after it. */
   private long aimUs;
 
   private OptionalLong nextSeekUs = OptionalLong.empty();
 
-  /** A controller without a player; tells what went wrong in one line. */
+  /** A controller without a player; the consumer gets problems as one line. */
   public PlaybackController(Consumer<String> problems) {
     this.problems = problems;
     beats.subscribe(
         (was, is) -> {
           if (is) {
-            setBeat(USUAL_BEAT_US);
+            setBeat(DEFAULT_BEAT_US);
           }
         });
   }
@@ -75,7 +75,7 @@ public final class PlaybackController {
     return PlayerOptions.defaults().withSlicing(SMOOTH).withLoop(Loop.ALL);
   }
 
-  /** Options for the next player: speed, slices and loop as they are set. */
+  /** Options for the next player: present speed, slices and loop. */
   public PlayerOptions options() {
     return PlayerOptions.defaults()
         .withSpeed(speed.get())
@@ -92,17 +92,17 @@ public final class PlaybackController {
     nextSeekUs = OptionalLong.empty();
   }
 
-  /** What the player says of itself; empty before the first one. */
+  /** The player's status; empty before the first one. */
   public Optional<PlayerStatus> status() {
     return player.map(Player::status);
   }
 
-  /** What can be gone to; empty where nothing can. */
-  public Optional<Reach> reach() {
-    return player.map(Player::playable).filter(Playable::seekable).map(Reach::of);
+  /** The seekable range; empty without one. */
+  public Optional<SeekableRange> reach() {
+    return player.map(Player::playable).filter(Playable::seekable).map(SeekableRange::of);
   }
 
-  /** Recording time in a unit of real time; infinite for as fast as it goes. */
+  /** Recording time per real time; infinite for unlimited. */
   public ReadOnlyObjectProperty<Double> speedProperty() {
     return speed.getReadOnlyProperty();
   }
@@ -112,18 +112,18 @@ public final class PlaybackController {
     return slicing.getReadOnlyProperty();
   }
 
-  /** What is played over and over. */
+  /** The repeated part. */
   public ReadOnlyObjectProperty<Loop> loopProperty() {
     return loop.getReadOnlyProperty();
   }
 
-  /** Pauses, or goes on. */
+  /** Pauses or resumes. */
   public void togglePause() {
     reverse.set(false);
     player.ifPresent(open -> report(open.togglePause()));
   }
 
-  /** Goes on by slices, or back if there are fewer than 0, and pauses. */
+  /** Steps forward by slices, or back for negative numbers, and pauses. */
   public void step(int slices) {
     reverse.set(false);
     player.ifPresent(open -> report(open.step(slices)));
@@ -135,12 +135,12 @@ public final class PlaybackController {
     player.ifPresent(open -> report(open.rewind()));
   }
 
-  /** Has all filters forget what they know. */
+  /** Resets all filters. */
   public void reset() {
     player.ifPresent(open -> report(open.reset()));
   }
 
-  /** Sets the speed, brought into range; more than {@link #MAX_SPEED} is unlimited. */
+  /** Sets the speed, limited to its range; above {@link #MAX_SPEED} is unlimited. */
   public void setSpeed(double wanted) {
     speed.set(
         wanted > MAX_SPEED * 1.0001
@@ -151,7 +151,7 @@ public final class PlaybackController {
     player.map(open -> open.setSpeed(speed.get())).filter(done -> !live).ifPresent(this::report);
   }
 
-  /** Whether events come at their own time, at no speed of playback. */
+  /** Whether events come in real time, independent of the speed of playback. */
   public boolean isLive() {
     return player.filter(open -> open.playable().isLive()).isPresent();
   }
@@ -201,7 +201,7 @@ public final class PlaybackController {
     double passedUs = (nanos - reverseNanos) / 1000.0;
     double pace = Double.isInfinite(speed.get()) ? MAX_SPEED : speed.get();
     long to = reverseFromUs - Math.round(passedUs * pace);
-    Reach all = reach().get();
+    SeekableRange all = reach().get();
     long first = Math.max(all.fromUs(), loop.get().on() ? loop.get().inUs().orElse(0) : 0);
     if (to >= first) {
       if (to < player.get().status().elapsedUs()) {
@@ -227,12 +227,12 @@ public final class PlaybackController {
     player.ifPresent(open -> report(open.setSlicing(wanted)));
   }
 
-  /** Whether each slice is one wing beat, whose length somebody else finds out. */
+  /** Whether each slice is one wing beat, whose length is set from outside. */
   public BooleanProperty beatsProperty() {
     return beats;
   }
 
-  /** Says how long a wing beat is; of use while slices are beats. */
+  /** Sets the period of a wing beat; has an effect while slices are beats. */
   public void setBeat(long periodUs) {
     cut(new Slicing.ByTime(Math.max(1, periodUs)));
   }
@@ -242,7 +242,7 @@ public final class PlaybackController {
     setLoop(new Loop(on, loop.get().inUs(), loop.get().outUs()));
   }
 
-  /** Puts the loop's start where playback is; an end before it is dropped. */
+  /** Sets the loop's start to the present position; an end before it is dropped. */
   public void markIn() {
     status()
         .ifPresent(
@@ -254,8 +254,8 @@ public final class PlaybackController {
   }
 
   /**
-   * Puts the loop's end behind what is shown, where playback goes back to its start; a start behind
-   * the end is dropped.
+   * Sets the loop's end after the shown slice, from which playback goes back to its start; a start
+   * after the end is dropped.
    */
   public void markOut() {
     status()
@@ -270,7 +270,7 @@ public final class PlaybackController {
             });
   }
 
-  /** Puts an end of the loop to a place; the other one stays at least 1 us away. */
+  /** Moves an end of the loop; the other end is at least 1 us away. */
   public void moveLoopEnd(boolean isStart, long elapsedUs) {
     OptionalLong in = loop.get().inUs();
     OptionalLong out = loop.get().outUs();
@@ -292,12 +292,12 @@ public final class PlaybackController {
     player.ifPresent(open -> report(open.setLoop(wanted)));
   }
 
-  /** Sets a mark where playback is. */
+  /** Sets a mark at the present position. */
   public void mark() {
     mark("Mark " + (marks().size() + 1));
   }
 
-  /** Sets a mark of a name where playback is; one that is there already gets the name. */
+  /** Sets a named mark at the present position; an existing one is renamed. */
   public void mark(String name) {
     player.ifPresent(
         open -> {
@@ -330,12 +330,12 @@ public final class PlaybackController {
     there.ifPresent(this::seek);
   }
 
-  /** Jumps by a time from where playback is, or will be when it has done what it was asked. */
+  /** Jumps by a time from the present position, or from the target of a pending jump. */
   public void jump(long us) {
     status().ifPresent(now -> seek((seeking ? aimUs : now.elapsedUs()) + us));
   }
 
-  /** Goes to a place. While a jump is under way only the last wish is kept. */
+  /** Seeks. During a jump only the last request is kept. */
   public void seek(long elapsedUs) {
     reverse.set(false);
     goTo(elapsedUs);
@@ -347,7 +347,7 @@ public final class PlaybackController {
     }
     Player open = player.get();
     long endUs = open.playable().durationUs().orElse(Long.MAX_VALUE);
-    // at the end is the last whole slice, not the last event alone
+    // the end shows the last full slice, not the last event alone
     long backUs = elapsedUs >= endUs - 1 ? endUs - open.status().sliceUs() : elapsedUs;
     aimUs = open.playable().nearestUs(backUs);
     if (seeking) {
@@ -377,7 +377,7 @@ public final class PlaybackController {
         problem -> {
           Platform.runLater(
               () -> {
-                // what a player that was closed could not do any more is nobody's loss
+                // failures of a closed player are irrelevant
                 if (player.get() == asked) {
                   problems.accept(Texts.oneLine(problem));
                 }

@@ -3,13 +3,13 @@ package haltere.ui.viewer.playback;
 import java.util.Arrays;
 
 /**
- * Heights of event rates in the time bar. One burst does not flatten the rest: linear heights end
- * at a percentile of the rates, or heights are logarithmic.
+ * Heights of event rates in the time bar, robust against single bursts: linear up to a percentile
+ * of the rates, or logarithmic.
  *
  * <p>Thread rule: any thread.
  */
 final class RateScale {
-  /** Share of the columns with events that are shown at their full height; the rest is clipped. */
+  /** Share of the columns with events that are not clipped. */
   private static final double UNCLIPPED = 0.97;
 
   /** Decades of rate that the logarithmic scale has below the highest rate. */

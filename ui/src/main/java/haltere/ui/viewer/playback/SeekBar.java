@@ -29,17 +29,19 @@ import javafx.scene.paint.Color;
 import javafx.scene.shape.Rectangle;
 
 /**
- * The whole recording at a glance: its event rate over time, the place that is shown, the loop and
- * the marks, over a ruler of times. A click or a drag seeks, a drag of an end of the loop moves it,
- * the wheel zooms. Of a camera or a scene it shows the moments that are kept.
+ * The time line of the recording: event rate, position, loop, marks and a ruler. A click or a drag
+ * seeks, a drag of an end of the loop moves it, the wheel zooms. For a camera or a scene it shows
+ * the buffered interval.
  */
 public final class SeekBar extends Region {
   /** Colours that a canvas cannot take from the style sheet, for dark and light. */
-  private record Ink(Color rate, Color played, Color loop, Color mark, Color base, Color text) {
-    static final Ink DARK = new Ink("#3d4654", "#ffa63024", "#2ed3a5", "#30363d", "#8b949e");
-    static final Ink LIGHT = new Ink("#c4ccd6", "#c2500a1f", "#00785a", "#d0d7de", "#57606a");
+  private record Colours(Color rate, Color played, Color loop, Color mark, Color base, Color text) {
+    static final Colours DARK =
+        new Colours("#3d4654", "#ffa63024", "#2ed3a5", "#30363d", "#8b949e");
+    static final Colours LIGHT =
+        new Colours("#c4ccd6", "#c2500a1f", "#00785a", "#d0d7de", "#57606a");
 
-    private Ink(String rate, String loop, String mark, String base, String text) {
+    private Colours(String rate, String loop, String mark, String base, String text) {
       this(web(rate), web("#4f8fe6"), web(loop), web(mark), web(base), web(text));
     }
   }
@@ -52,7 +54,7 @@ public final class SeekBar extends Region {
   private static final double RULER_TIME_WIDTH = 90;
   private static final double DIGIT_WIDTH = 8;
 
-  /** An end of the marked part is taken hold of within this distance. */
+  /** Distance within which an end of the marked part can be dragged. */
   private static final double HANDLE_REACH = 5;
 
   private static final double ZOOM_PER_NOTCH = 1.25;
@@ -60,7 +62,7 @@ public final class SeekBar extends Region {
   /** The shortest time that the bar shows, microseconds. */
   private static final long MIN_VIEW_US = 1_000;
 
-  /** What the mouse holds while it is pressed. */
+  /** The dragged part. */
   private enum Grip {
     NEEDLE,
     LOOP_START,
@@ -75,41 +77,41 @@ public final class SeekBar extends Region {
 
   private static final long GROW_NANOS = 100_000_000;
 
-  /** Rates of a camera or a scene are no nearer to each other than this share of what is drawn. */
+  /** Minimum distance of rates of a camera or a scene, as a share of the drawn range. */
   private static final long STEPS = 600;
 
   private static final long MIN_STEP_US = 10_000;
 
   private final PlaybackController playback;
 
-  /** The whole profile in the colour of what is to come; marks and loop. */
+  /** The whole profile in the colour of the future; marks and loop. */
   private final Canvas canvas = new Canvas();
 
-  /** The whole profile in the colour of what has been; cut off where playback is. */
+  /** The whole profile in the colour of the past; clipped at the present position. */
   private final Canvas played = new Canvas();
 
   private final Rectangle playedClip = new Rectangle();
   private final Region needle = new Region();
   private final Label hover = Controls.label("", "readout");
-  private Ink ink = Ink.DARK;
+  private Colours colours = Colours.DARK;
 
-  /** Events per second over the elapsed timeline, as far as they are known. */
+  /** Known event rates over the elapsed timeline. */
   private final Curve rates = new Curve("", 0);
 
   private PlayerStatus status;
-  private Optional<Reach> reach = Optional.empty();
+  private Optional<SeekableRange> reach = Optional.empty();
 
-  /** All that there is, on the elapsed timeline. */
-  private long wholeFromUs;
+  /** Start of the full range, on the elapsed timeline. */
+  private long fullFromUs;
 
-  private long wholeSpanUs = 1;
+  private long fullSpanUs = 1;
 
   /** The part of it that the bar shows. */
   private long fromUs;
 
   private long spanUs = 1;
   private Grip grip = Grip.NEEDLE;
-  private long grownNanos;
+  private long lastGrowthNanos;
   private List<Mark> marks = List.of();
   private List<Mark> ticks = List.of();
   private final BooleanProperty logarithmic = new SimpleBooleanProperty();
@@ -120,7 +122,7 @@ public final class SeekBar extends Region {
     this.playback = playback;
     Controls.named(this, "seek-bar", "seek-bar");
     setAccessibleRole(AccessibleRole.SLIDER);
-    setAccessibleText("Place in the recording");
+    setAccessibleText("Position in the recording");
     setFocusTraversable(true);
     setMinHeight(44 + RULER_HEIGHT);
     setPrefHeight(44 + RULER_HEIGHT);
@@ -174,7 +176,7 @@ public final class SeekBar extends Region {
     heightProperty().subscribe(() -> dirty = true);
   }
 
-  /** Forgets the recording that was shown. */
+  /** Clears the recording. */
   public void clear() {
     rates.clear();
     ticks = List.of();
@@ -206,11 +208,11 @@ public final class SeekBar extends Region {
 
   /** Draws for a dark window, or for a light one. */
   public void setDark(boolean dark) {
-    ink = dark ? Ink.DARK : Ink.LIGHT;
+    colours = dark ? Colours.DARK : Colours.LIGHT;
     dirty = true;
   }
 
-  /** Shows where the player is. */
+  /** Shows the player's position. */
   public void update(PlayerStatus newStatus) {
     status = newStatus;
     reach = playback.reach();
@@ -219,7 +221,7 @@ public final class SeekBar extends Region {
       dirty = true;
     }
     reach.ifPresent(this::follow);
-    keepInView(status.elapsedUs());
+    ensureVisible(status.elapsedUs());
     double x = Math.rint(xOf(status.elapsedUs()));
     needle.setVisible(canSeek() && isInView(status.elapsedUs()));
     needle.resizeRelocate(x - 1, 0, 2, getHeight() - RULER_HEIGHT);
@@ -234,8 +236,8 @@ public final class SeekBar extends Region {
   public Object queryAccessibleAttribute(AccessibleAttribute attribute, Object... parameters) {
     return switch (attribute) {
       case VALUE -> status == null ? 0.0 : status.elapsedUs() * 1e-6;
-      case MIN_VALUE -> wholeFromUs * 1e-6;
-      case MAX_VALUE -> (wholeFromUs + wholeSpanUs) * 1e-6;
+      case MIN_VALUE -> fullFromUs * 1e-6;
+      case MAX_VALUE -> (fullFromUs + fullSpanUs) * 1e-6;
       case ORIENTATION -> Orientation.HORIZONTAL;
       default -> super.queryAccessibleAttribute(attribute, parameters);
     };
@@ -245,11 +247,11 @@ public final class SeekBar extends Region {
     return status != null && reach.isPresent() && !reach.get().isEmpty();
   }
 
-  /** Goes along with what can be gone to. */
-  private void follow(Reach all) {
+  /** Follows the seekable range. */
+  private void follow(SeekableRange all) {
     long newSpanUs = Math.max(all.grows() ? MIN_SPAN_US : 1, all.toUs() - all.fromUs());
     if (!all.grows()) {
-      showWhole(all.fromUs(), newSpanUs);
+      setFullRange(all.fromUs(), newSpanUs);
       return;
     }
     if (rates.lastUs() > all.toUs()) {
@@ -260,51 +262,51 @@ public final class SeekBar extends Region {
     }
     rates.add(status.elapsedUs(), status.eventRateEps());
     long nanos = System.nanoTime();
-    if (nanos - grownNanos > GROW_NANOS) {
-      // the picture moves with what is drawn on it
-      grownNanos = nanos;
-      showWhole(all.fromUs(), newSpanUs);
+    if (nanos - lastGrowthNanos > GROW_NANOS) {
+      // the picture moves with the marks on it
+      lastGrowthNanos = nanos;
+      setFullRange(all.fromUs(), newSpanUs);
       dirty = true;
     }
   }
 
-  /** What is zoomed stays where it is; else all is shown. */
-  private void showWhole(long newFromUs, long newSpanUs) {
-    boolean isZoomed = spanUs < wholeSpanUs;
-    if (newFromUs != wholeFromUs || newSpanUs != wholeSpanUs) {
-      wholeFromUs = newFromUs;
-      wholeSpanUs = newSpanUs;
+  /** Sets the full range; a zoomed view is unchanged. */
+  private void setFullRange(long newFromUs, long newSpanUs) {
+    boolean isZoomed = spanUs < fullSpanUs;
+    if (newFromUs != fullFromUs || newSpanUs != fullSpanUs) {
+      fullFromUs = newFromUs;
+      fullSpanUs = newSpanUs;
       show(isZoomed ? fromUs : newFromUs, isZoomed ? spanUs : newSpanUs);
     }
   }
 
   private void show(long newFromUs, long newSpanUs) {
-    spanUs = Math.max(Math.min(MIN_VIEW_US, wholeSpanUs), Math.min(newSpanUs, wholeSpanUs));
-    long lastUs = wholeFromUs + wholeSpanUs - spanUs;
-    fromUs = Math.max(wholeFromUs, Math.min(newFromUs, lastUs));
+    spanUs = Math.max(Math.min(MIN_VIEW_US, fullSpanUs), Math.min(newSpanUs, fullSpanUs));
+    long lastUs = fullFromUs + fullSpanUs - spanUs;
+    fromUs = Math.max(fullFromUs, Math.min(newFromUs, lastUs));
     dirty = true;
   }
 
   private void zoomAt(double x, double factor) {
-    long heldUs = placeAt(x);
+    long heldUs = timeAt(x);
     long newSpanUs = Math.round(spanUs * factor);
     double share = (heldUs - fromUs) / (double) spanUs;
-    show(heldUs - Math.round(share * Math.min(newSpanUs, wholeSpanUs)), newSpanUs);
+    show(heldUs - Math.round(share * Math.min(newSpanUs, fullSpanUs)), newSpanUs);
     showHover(x);
   }
 
-  /** Turns to the part of the recording that playback comes to. */
-  private void keepInView(long placeUs) {
-    if (status.state() == PlayerStatus.State.PLAYING && !isInView(placeUs)) {
-      show(placeUs - spanUs / 10, spanUs);
+  /** Scrolls to the present position of playback. */
+  private void ensureVisible(long positionUs) {
+    if (status.state() == PlayerStatus.State.PLAYING && !isInView(positionUs)) {
+      show(positionUs - spanUs / 10, spanUs);
     }
   }
 
-  private boolean isInView(long placeUs) {
-    return placeUs >= fromUs && placeUs <= fromUs + spanUs;
+  private boolean isInView(long positionUs) {
+    return positionUs >= fromUs && positionUs <= fromUs + spanUs;
   }
 
-  /** What a press of the mouse takes hold of. */
+  /** The part that a press would drag. */
   private Grip gripAt(double x) {
     Loop loop = playback.loopProperty().get();
     if (loop.on() && isNear(loop.outUs(), x)) {
@@ -313,24 +315,24 @@ public final class SeekBar extends Region {
     return loop.on() && isNear(loop.inUs(), x) ? Grip.LOOP_START : Grip.NEEDLE;
   }
 
-  private boolean isNear(OptionalLong placeUs, double x) {
-    return placeUs.isPresent()
-        && isInView(placeUs.getAsLong())
-        && Math.abs(xOf(placeUs.getAsLong()) - x) <= HANDLE_REACH;
+  private boolean isNear(OptionalLong positionUs, double x) {
+    return positionUs.isPresent()
+        && isInView(positionUs.getAsLong())
+        && Math.abs(xOf(positionUs.getAsLong()) - x) <= HANDLE_REACH;
   }
 
   private void drag(double x) {
     if (canSeek() && grip == Grip.NEEDLE) {
-      playback.seek(placeAt(x));
+      playback.seek(timeAt(x));
     } else if (canSeek()) {
-      playback.moveLoopEnd(grip == Grip.LOOP_START, placeAt(x));
+      playback.moveLoopEnd(grip == Grip.LOOP_START, timeAt(x));
     }
   }
 
   private void showHover(double x) {
     hover.setVisible(canSeek());
     if (canSeek()) {
-      hover.setText(Texts.time(placeAt(x), spanUs < 10_000_000) + tickAt(x));
+      hover.setText(Texts.time(timeAt(x), spanUs < 10_000_000) + tickAt(x));
       hover.autosize();
       hover.relocate(
           Math.max(2, Math.min(getWidth() - hover.getWidth() - 2, x - hover.getWidth() / 2)),
@@ -338,7 +340,7 @@ public final class SeekBar extends Region {
     }
   }
 
-  /** Name of the tick nearest to a place on the bar; empty where none is near. */
+  /** Name of the tick nearest to a position on the bar; empty if none is near. */
   private String tickAt(double x) {
     return ticks.stream()
         .filter(tick -> isNear(OptionalLong.of(tick.elapsedUs()), x))
@@ -347,8 +349,8 @@ public final class SeekBar extends Region {
         .orElse("");
   }
 
-  /** Elapsed time at a place on the bar. */
-  private long placeAt(double x) {
+  /** Elapsed time at a position on the bar. */
+  private long timeAt(double x) {
     double share = Math.max(0, Math.min(1, x / Math.max(1, getWidth())));
     return fromUs + Math.min(spanUs - 1, Math.round(share * spanUs));
   }
@@ -365,22 +367,22 @@ public final class SeekBar extends Region {
     graphics.clearRect(0, 0, width, getHeight());
     over.clearRect(0, 0, width, getHeight());
     drawRuler(graphics, width, height);
-    graphics.setFill(ink.base());
+    graphics.setFill(colours.base());
     graphics.fillRect(0, height - 1, width, 1);
     Loop loop = playback.loopProperty().get();
     if (loop.on() && (loop.inUs().isPresent() || loop.outUs().isPresent())) {
       double from = xOf(loop.inUs().orElse(0));
       double to = loop.outUs().isPresent() ? xOf(loop.outUs().getAsLong()) : width;
-      graphics.setFill(ink.loop());
+      graphics.setFill(colours.loop());
       graphics.fillRect(from, 0, to - from, height);
-      graphics.setFill(ink.mark());
+      graphics.setFill(colours.mark());
       drawHandle(graphics, loop.inUs(), 0, height);
       drawHandle(graphics, loop.outUs(), -1.5, height);
     }
     double[] columns = rates((int) width / COLUMN);
-    drawRates(graphics, columns, ink.rate());
-    drawRates(over, columns, ink.played());
-    graphics.setFill(ink.mark());
+    drawRates(graphics, columns, colours.rate());
+    drawRates(over, columns, colours.played());
+    graphics.setFill(colours.mark());
     drawTicks(graphics, width);
     double namedTo = 0;
     for (Mark mark : marks) {
@@ -399,9 +401,9 @@ public final class SeekBar extends Region {
 
   /** An end of the marked part, with a grip for the mouse. */
   private void drawHandle(
-      GraphicsContext graphics, OptionalLong placeUs, double offset, double height) {
-    if (placeUs.isPresent() && isInView(placeUs.getAsLong())) {
-      double x = Math.rint(xOf(placeUs.getAsLong())) + offset;
+      GraphicsContext graphics, OptionalLong positionUs, double offset, double height) {
+    if (positionUs.isPresent() && isInView(positionUs.getAsLong())) {
+      double x = Math.rint(xOf(positionUs.getAsLong())) + offset;
       graphics.fillRect(x, 0, 1.5, height);
       graphics.fillRoundRect(x - 2.5, height / 2 - 8, 6.5, 16, 4, 4);
     }
@@ -411,7 +413,7 @@ public final class SeekBar extends Region {
   private void drawRuler(GraphicsContext graphics, double width, double top) {
     Ticks times =
         Ticks.of(fromUs * 1e-6, (fromUs + spanUs) * 1e-6, (int) (width / RULER_TIME_WIDTH));
-    graphics.setFill(ink.text());
+    graphics.setFill(colours.text());
     for (double seconds : times.values()) {
       double x = Math.rint(xOf(Math.round(seconds * 1e6)));
       graphics.fillRect(x, top, 1, 5);
@@ -422,7 +424,7 @@ public final class SeekBar extends Region {
     }
   }
 
-  /** A time with as many decimals as tell it from its neighbours. */
+  /** A time with as many decimals as distinguish it from its neighbours. */
   private static String rulerTime(double seconds, double step) {
     String whole = Texts.time(Math.round(seconds * 1e6), true);
     int decimals = (int) Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
@@ -432,7 +434,7 @@ public final class SeekBar extends Region {
         : whole.substring(0, Math.min(whole.length(), point + 1 + decimals));
   }
 
-  /** One tick a column at the most, however many moments there are. */
+  /** At most one tick in each column, for any number of moments. */
   private void drawTicks(GraphicsContext graphics, double width) {
     double last = -1;
     for (Mark tick : ticks) {

@@ -10,10 +10,7 @@ import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
 import javafx.scene.layout.HBox;
 
-/**
- * How the stream is cut into slices: finer than the screen's pictures, or by time, or by number of
- * events.
- */
+/** Division of the stream into slices: 1/120 s, by time, by number of events, or by wing beat. */
 final class SlicingField extends HBox {
   private enum Mode {
     SMOOTH("Smooth", "", 0),
@@ -21,12 +18,12 @@ final class SlicingField extends HBox {
     COUNT("By count", "events", 5_000),
     BEAT("One wing beat", "", 0);
 
-    final String words;
+    final String label;
     final String unit;
     final int usual;
 
-    Mode(String words, String unit, int usual) {
-      this.words = words;
+    Mode(String label, String unit, int usual) {
+      this.label = label;
       this.unit = unit;
       this.usual = usual;
     }
@@ -36,10 +33,10 @@ final class SlicingField extends HBox {
   private final ChoiceBox<Mode> mode =
       Controls.choice(
           "slicing",
-          "What one step holds: what passes in 1/120 s at the present speed, a fixed time, a fixed"
-              + " number of events, or one beat of the wings that are tracked.",
+          "Content of one step: 1/120 s at the present speed, a fixed time, a fixed"
+              + " number of events, or one beat of the tracked wings.",
           List.of(Mode.values()),
-          each -> each.words);
+          each -> each.label);
   private final TextField size = Controls.entry("slice-size", "Size of a slice", 6);
   private final Label unit = Controls.label("", Styles.TEXT_MUTED);
 

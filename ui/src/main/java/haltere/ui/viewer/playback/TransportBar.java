@@ -22,10 +22,10 @@ import javafx.scene.layout.Region;
 
 /** Buttons of playback: transport, speed, slices, loop, marks, and the time. */
 public final class TransportBar extends HBox {
-  /** What is nearer to the newest events than this is shown as it comes. */
+  /** Distance to the newest events that counts as live. */
   private static final long NOW_US = 100_000;
 
-  private static final String NO_WAY_BACK = "What is open goes on only: nothing of it is kept.";
+  private static final String NOT_SEEKABLE = "This source cannot go back: none of it is buffered.";
 
   private final PlaybackController playback;
   private final Button play;
@@ -80,15 +80,15 @@ public final class TransportBar extends HBox {
       kept.setMinWidth(Region.USE_PREF_SIZE);
     }
     BooleanBinding isWide = widthProperty().greaterThan(WIDE_PX);
-    Controls.showWhere(isWide, remaining);
+    Controls.bindVisible(isWide, remaining);
     Button slower = Controls.button("slower", Icons.SLOWER, "Slower (S)", playback::slower);
     Button faster = Controls.button("faster", Icons.FASTER, "Faster (F)", playback::faster);
-    Controls.showWhere(widthProperty().greaterThan(NARROW_PX), slower, faster, markIn, markOut);
+    Controls.bindVisible(widthProperty().greaterThan(NARROW_PX), slower, faster, markIn, markOut);
     speedRow = Controls.row(4, slower, speed, faster);
     loop.setOnAction(event -> playback.setLooping(loop.isSelected()));
     playback.loopProperty().subscribe(now -> loop.setSelected(now.on()));
     Controls.help(elapsed, "Time since the start");
-    Controls.help(remaining, "Time until the end, or until what comes just now");
+    Controls.help(remaining, "Time until the end, or until the newest event");
     Region space = Controls.growing(new Region());
     getChildren()
         .addAll(
@@ -97,7 +97,10 @@ public final class TransportBar extends HBox {
             Controls.place(backwards),
             play,
             Controls.button(
-                "step-forward", Icons.STEP_FORWARD, "One slice on (.)", () -> playback.step(1)),
+                "step-forward",
+                Icons.STEP_FORWARD,
+                "One slice forward (.)",
+                () -> playback.step(1)),
             separator(),
             Controls.place(speedRow),
             separator(),
@@ -115,12 +118,12 @@ public final class TransportBar extends HBox {
             remaining);
     getChildren().stream()
         .filter(Separator.class::isInstance)
-        .forEach(separator -> Controls.showWhere(isWide, separator));
+        .forEach(separator -> Controls.bindVisible(isWide, separator));
     setObstacle("Nothing is open.");
   }
 
-  private void setObstacle(String words) {
-    Controls.unless(words, back, backwards, loop, markIn, markOut);
+  private void setObstacle(String text) {
+    Controls.unless(text, back, backwards, loop, markIn, markOut);
   }
 
   /** Adds a control behind those of playback. */
@@ -129,9 +132,9 @@ public final class TransportBar extends HBox {
     tools.getChildren().add(tool);
   }
 
-  /** Shows what the player is doing. */
+  /** Shows the player's status. */
   public void update(PlayerStatus status) {
-    Optional<Reach> reach = playback.reach();
+    Optional<SeekableRange> reach = playback.reach();
     boolean playing = status.state() == State.PLAYING;
     Node icon = playing ? pauseIcon : playIcon;
     if (play.getGraphic() != icon) {
@@ -145,7 +148,7 @@ public final class TransportBar extends HBox {
     long behindUs = reach.map(all -> all.toUs() - status.elapsedUs()).orElse(0L);
     boolean newest = reach.isEmpty() || reach.get().grows() && behindUs < status.sliceUs() + NOW_US;
     remaining.setText(newest ? "" : "/ " + Texts.time(-behindUs, fine));
-    setObstacle(reach.isEmpty() ? NO_WAY_BACK : "");
+    setObstacle(reach.isEmpty() ? NOT_SEEKABLE : "");
     Controls.unless(playback.isLive() ? "A camera plays in real time." : "", speedRow);
   }
 

@@ -1,2 +1,2 @@
-/** The transport: {@code PlaybackController} asks the player, buttons and the seek bar ask it. */
+/** Playback: {@code PlaybackController} controls the player; buttons and the seek bar use it. */
 package haltere.ui.viewer.playback;

@@ -16,8 +16,8 @@ import javafx.scene.text.Font;
 import javafx.scene.text.TextAlignment;
 
 /**
- * Draws a lane: axes, grid and curves. Samples that share a column of pixels become one upright
- * line, so what it costs does not depend on how many there are.
+ * Draws a lane: axes, grid and curves. Samples in one column of pixels become one vertical line, so
+ * the cost does not depend on their number.
  */
 final class LanePicture {
   /** Room for the numbers of the vertical axis. */
@@ -40,8 +40,8 @@ final class LanePicture {
   private final TimeWindow window;
 
   /**
-   * Pixels of the curves. JavaFX's own shapes take several times as long for a curve that goes up
-   * and down a hundred times, and keep the whole window waiting.
+   * Pixels of the curves. JavaFX's shapes take several times as long for a curve with a hundred
+   * extremes, and block the window.
    */
   private final PixelImage pixels = new PixelImage();
 
@@ -58,13 +58,13 @@ final class LanePicture {
   }
 
   /** Place in the window, 0 to 1 within it, of a horizontal coordinate. */
-  static double place(double x, double width) {
+  static double shareAt(double x, double width) {
     return (x - LEFT) / Math.max(1, width - LEFT - RIGHT);
   }
 
-  /** Horizontal coordinate of a place in the window. */
-  static double x(double place, double width) {
-    return LEFT + place * (width - LEFT - RIGHT);
+  /** Horizontal coordinate of a share of the window. */
+  static double x(double share, double width) {
+    return LEFT + share * (width - LEFT - RIGHT);
   }
 
   /** Shows the curves, over the canvas that has axes and grid. */
@@ -73,24 +73,24 @@ final class LanePicture {
   }
 
   /**
-   * Draws the lane anew, axes and grid on a canvas; the density is pixels of the screen per unit of
-   * the lane, the start that of the recording.
+   * Redraws the lane, axes and grid on a canvas; with pixels of the screen per unit of the lane,
+   * and the start of the recording.
    */
   void draw(
       GraphicsContext graphics,
       double width,
       double height,
       double density,
-      PlotInk ink,
+      PlotColours colours,
       long startUs) {
     graphics.clearRect(0, 0, width, height);
     int wide = (int) Math.max(1, width - LEFT - RIGHT);
     List<Curve> curves = lane.curves();
     range(wide);
-    grid(graphics, width, height, ink, startUs);
+    grid(graphics, width, height, colours, startUs);
     begin(wide, height, density);
     for (Curve curve : curves) {
-      columns.begin(argb(ink.curve(curve)), width, height);
+      columns.begin(argb(colours.curve(curve)), width, height);
       curve.paint(window.fromUs(), window.toUs(), wide, columns);
       columns.end();
     }
@@ -149,7 +149,7 @@ final class LanePicture {
   }
 
   private void grid(
-      GraphicsContext graphics, double width, double height, PlotInk ink, long startUs) {
+      GraphicsContext graphics, double width, double height, PlotColours colours, long startUs) {
     graphics.setFont(FONT);
     graphics.setTextAlign(TextAlignment.RIGHT);
     graphics.setTextBaseline(VPos.CENTER);
@@ -157,25 +157,25 @@ final class LanePicture {
     double labelled = Double.POSITIVE_INFINITY;
     for (double value : values.values()) {
       double y = Math.rint(y(value, height));
-      // rectangles, because strokes take many times as long
-      graphics.setFill(ink.grid());
+      // rectangles: strokes take many times as long
+      graphics.setFill(colours.grid());
       graphics.fillRect(LEFT, y, width - RIGHT - LEFT, 1);
-      // whole, and clear of the one below
+      // not clipped, and not over the label below
       double middle = Math.max(LINE / 2, Math.min(height - LINE / 2, y));
       if (middle <= labelled - LINE) {
-        graphics.setFill(ink.text());
+        graphics.setFill(colours.text());
         graphics.fillText(values.label(value), LEFT - 6, middle);
         labelled = middle;
       }
     }
-    graphics.setFill(ink.grid());
+    graphics.setFill(colours.grid());
     for (double seconds : PlotTimeAxis.ticks(window, startUs, width).values()) {
-      double place = window.placeOf(startUs + Math.round(seconds * 1e6));
-      graphics.fillRect(Math.rint(x(place, width)), 0, 1, height);
+      double share = window.shareOf(startUs + Math.round(seconds * 1e6));
+      graphics.fillRect(Math.rint(x(share, width)), 0, 1, height);
     }
   }
 
-  /** Puts together what falls on the same column of pixels, and draws it. */
+  /** Combines samples of one column of pixels, and draws them. */
   private final class Columns implements Curve.Painter {
     private int argb;
     private double width;
@@ -187,7 +187,7 @@ final class LanePicture {
     private double high;
     private double lastValue;
 
-    /** Where the line has come to, and whether it is a place only so far. */
+    /** The end of the line, and whether it is a single point so far. */
     private double penX;
 
     private double penY;
@@ -217,7 +217,7 @@ final class LanePicture {
       isDot = false;
     }
 
-    /** A sample by itself is a dot. */
+    /** Draws a single sample as a dot. */
     private void endDot() {
       if (isDot) {
         line(penX, penY, penX, penY, argb);
@@ -225,12 +225,12 @@ final class LanePicture {
     }
 
     @Override
-    public void stretch(long fromUs, long toUs, double lowestOf, double highestOf, boolean joined) {
-      double middle = (lowestOf + highestOf) / 2;
-      double at = Math.rint(LanePicture.x(window.placeOf(fromUs + (toUs - fromUs) / 2), width));
+    public void stretch(long fromUs, long toUs, double min, double max, boolean joined) {
+      double middle = (min + max) / 2;
+      double at = Math.rint(LanePicture.x(window.shareOf(fromUs + (toUs - fromUs) / 2), width));
       if (any && joined && at == x) {
-        low = Math.min(low, lowestOf);
-        high = Math.max(high, highestOf);
+        low = Math.min(low, min);
+        high = Math.max(high, max);
       } else {
         flush();
         if (any && joined) {
@@ -241,8 +241,8 @@ final class LanePicture {
         any = true;
         lineOpen = true;
         x = at;
-        low = lowestOf;
-        high = highestOf;
+        low = min;
+        high = max;
       }
       lastValue = middle;
     }

@@ -14,14 +14,14 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * Keeps the plots listening to the chain that is open: after each change of the chain or of the
- * lanes all subscriptions are made anew.
+ * Subscriptions of the plots to the open chain, renewed after each change of the chain or the
+ * lanes.
  */
 final class PlotFeeds {
-  /** What a chain offers, and what of it is listened to. */
+  /** The fields of a chain, and the subscriptions. */
   private record Opened(List<PlotField> offered, List<PlotFeed> feeds) {}
 
-  /** A sample that is older than the newest by more than this begins a run-up, microseconds. */
+  /** Difference to the newest sample above which an older one starts a run-up, microseconds. */
   private static final long MAX_DISORDER_US = 100_000;
 
   private final ChainEditor editor;
@@ -30,13 +30,13 @@ final class PlotFeeds {
   private InertialFeed inertial = new InertialFeed();
   private int changes;
 
-  /** Listens to nothing yet; tells what can be plotted whenever it may have changed. */
+  /** Without subscriptions; the consumer gets the plottable fields after changes. */
   PlotFeeds(ChainEditor editor, Consumer<List<PlotField>> offered) {
     this.editor = editor;
     this.offered = offered;
   }
 
-  /** Takes the inertial samples of another recording from now on. */
+  /** Sets the inertial samples of another recording. */
   void setInertial(InertialFeed newInertial) {
     inertial = newInertial;
   }
@@ -46,7 +46,7 @@ final class PlotFeeds {
     return inertial.hasSamples();
   }
 
-  /** Listens to what some lanes need. */
+  /** Subscribes to the fields of some lanes. */
   void follow(List<Lane> lanes) {
     int change = ++changes;
     close();
@@ -71,7 +71,7 @@ final class PlotFeeds {
     }
   }
 
-  /** Brings the samples that have come to their lanes; true if there were any. */
+  /** Passes new samples to their lanes; true if there were any. */
   boolean drainTo(List<Lane> lanes) {
     boolean[] any = new boolean[1];
     feeds.forEach(feed -> feed.queue().drainTo(consumer(feed.field(), lanes, any)));
@@ -81,23 +81,23 @@ final class PlotFeeds {
     return any[0];
   }
 
-  /** Brings samples to the lanes of their field; those that no lane wants are let go. */
+  /** Passes samples to the lanes of their field; others are dropped. */
   private static SampleQueue.SampleConsumer consumer(
       PlotField field, List<Lane> lanes, boolean[] any) {
-    List<Lane> takers = lanes.stream().filter(lane -> lane.has(field)).toList();
+    List<Lane> consumers = lanes.stream().filter(lane -> lane.has(field)).toList();
     return (timeUs, key, value) -> {
-      for (Lane lane : takers) {
+      for (Lane lane : consumers) {
         any[0] = true;
         if (timeUs < lane.lastUs(field) - MAX_DISORDER_US) {
-          // tracks of before would stand beside those that are found anew
-          lane.forgetFrom(timeUs);
+          // earlier tracks would remain beside those found after the reset
+          lane.removeFrom(timeUs);
         }
         lane.take(field, timeUs, key, value);
       }
     };
   }
 
-  /** Samples that came too fast to be plotted. */
+  /** Number of samples that came too fast to be plotted. */
   long lost() {
     return feeds.stream().mapToLong(feed -> feed.queue().lost()).sum();
   }

@@ -88,7 +88,7 @@ final class PlotLane extends BorderPane {
     showTitle();
   }
 
-  /** Says so where nothing of the lane is published by a chain that publishes these fields. */
+  /** Shows a note if the chain publishes nothing of the lane. */
   void followPublished(List<PlotField> published) {
     boolean any =
         lane.fields().stream()
@@ -100,22 +100,22 @@ final class PlotLane extends BorderPane {
   }
 
   private void showTitle() {
-    String words =
-        lane.fields().stream().map(PlotLane::words).distinct().collect(Collectors.joining(", "));
-    title.setText(words);
+    String text =
+        lane.fields().stream().map(PlotLane::label).distinct().collect(Collectors.joining(", "));
+    title.setText(text);
     Controls.help(
         title, lane.fields().stream().map(PlotField::toString).collect(Collectors.joining("\n")));
-    stack.setAccessibleText("Plot of " + words);
+    stack.setAccessibleText("Plot of " + text);
   }
 
-  private static String words(PlotField field) {
+  private static String label(PlotField field) {
     return field.equals(PlotField.EVENT_RATE)
         ? "Event rate"
-        : Texts.title(field.outlet()) + ": " + field.words();
+        : Texts.title(field.outlet()) + ": " + field.label();
   }
 
-  /** Draws all anew. */
-  void draw(PlotInk ink, long nowUs, long startUs) {
+  /** Redraws all. */
+  void draw(PlotColours colours, long nowUs, long startUs) {
     double width = stack.getWidth();
     double height = stack.getHeight();
     if (width < 2 || height < 2) {
@@ -127,27 +127,24 @@ final class PlotLane extends BorderPane {
     }
     GraphicsContext graphics = canvas.getGraphicsContext2D();
     double density = PixelImage.density(this);
-    picture.draw(graphics, width, height, density, ink, startUs);
-    double place = window.placeOf(nowUs);
-    place(now, !window.isFollowing() && place >= 0 && place <= 1, place, ink.now());
+    picture.draw(graphics, width, height, density, colours, startUs);
+    double share = window.shareOf(nowUs);
+    move(now, !window.isFollowing() && share >= 0 && share <= 1, share, colours.now());
   }
 
-  /**
-   * Shows the values at the place in the window that the mouse points at, or the newest where it is
-   * NaN.
-   */
-  void showValues(double place, PlotInk ink) {
-    boolean pointed = place >= 0 && place <= 1;
-    place(cursor, pointed, place, ink.cursor());
+  /** Shows the values at a share of the window, under the mouse, or the newest ones for NaN. */
+  void showValues(double share, PlotColours colours) {
+    boolean pointed = share >= 0 && share <= 1;
+    move(cursor, pointed, share, colours.cursor());
     List<Curve> curves =
         lane.curves().stream().filter(curve -> curve.lastUs() >= window.fromUs()).toList();
-    long atUs = pointed ? window.timeAt(place) : 0;
+    long atUs = pointed ? window.timeAt(share) : 0;
     int shown = Math.min(NAMED_CURVES, curves.size());
     while (values.getChildren().size() > shown) {
       values.getChildren().remove(values.getChildren().size() - 1);
     }
     for (int i = 0; i < shown; i++) {
-      // The latest: tracks of before playback went back have not ended within the window either.
+      // The latest: tracks from before a jump back have not ended within the window either.
       Curve curve = curves.get(curves.size() - shown + i);
       if (values.getChildren().size() <= i) {
         Label label = Controls.whole("");
@@ -155,9 +152,9 @@ final class PlotLane extends BorderPane {
         values.getChildren().add(label);
       }
       Label label = (Label) values.getChildren().get(i);
-      ((Circle) label.getGraphic()).setFill(ink.curve(curve));
+      ((Circle) label.getGraphic()).setFill(colours.curve(curve));
       double value = pointed ? curve.valueAt(atUs) : curve.last();
-      label.setText(curve.key() + " " + words(value, lane.unit(curve)));
+      label.setText(curve.key() + " " + label(value, lane.unit(curve)));
     }
     if (curves.size() > NAMED_CURVES) {
       more.setText("+" + (curves.size() - NAMED_CURVES));
@@ -165,16 +162,16 @@ final class PlotLane extends BorderPane {
     }
   }
 
-  private static String words(double value, String unit) {
+  private static String label(double value, String unit) {
     return Double.isNaN(value)
         ? "\u2013"
         : Texts.number(value) + (unit.isEmpty() ? "" : " " + unit);
   }
 
-  private void place(Line line, boolean visible, double place, Color colour) {
+  private void move(Line line, boolean visible, double share, Color colour) {
     line.setVisible(visible);
     if (visible) {
-      double x = Math.rint(LanePicture.x(place, stack.getWidth())) + 0.5;
+      double x = Math.rint(LanePicture.x(share, stack.getWidth())) + 0.5;
       line.setStartX(x);
       line.setEndX(x);
       line.setEndY(stack.getHeight());

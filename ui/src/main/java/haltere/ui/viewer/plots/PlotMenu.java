@@ -11,16 +11,16 @@ import javafx.scene.control.Menu;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 
-/** Menus of what can be plotted: a menu for each stage and outlet, an item for each column. */
+/** Menus of plottable fields: a menu for each stage and outlet, an item for each column. */
 final class PlotMenu {
   private PlotMenu() {}
 
-  /** Sets of plots that belong together, with a line below them; none where there are none. */
+  /** Sets of related plots, with a separator below them; empty without sets. */
   static List<MenuItem> sets(List<PlotField> fields, Consumer<PlotSet> chosen) {
     List<MenuItem> items = new ArrayList<>();
     for (PlotSet set : PlotSet.of(fields)) {
-      String words = Texts.title(set.stage()) + ": " + set.title();
-      items.add(Controls.item(null, words, () -> chosen.accept(set)));
+      String text = Texts.title(set.stage()) + ": " + set.title();
+      items.add(Controls.item(null, text, () -> chosen.accept(set)));
     }
     if (!items.isEmpty()) {
       items.add(new SeparatorMenuItem());
@@ -38,18 +38,18 @@ final class PlotMenu {
         menu = new Menu(name);
         items.add(menu);
       }
-      menu.getItems().add(item(words(field), field, chosen));
+      menu.getItems().add(item(label(field), field, chosen));
     }
     return items;
   }
 
-  private static String words(PlotField field) {
+  private static String label(PlotField field) {
     String unit = field.unit();
-    return Texts.title(field.words()) + (unit.isEmpty() ? "" : " (" + unit + ")");
+    return Texts.title(field.label()) + (unit.isEmpty() ? "" : " (" + unit + ")");
   }
 
-  private static MenuItem item(String words, PlotField field, Consumer<PlotField> chosen) {
+  private static MenuItem item(String text, PlotField field, Consumer<PlotField> chosen) {
     String id = "plot-" + field.toString().replace(" / ", "-");
-    return Controls.item(id, words, () -> chosen.accept(field));
+    return Controls.item(id, text, () -> chosen.accept(field));
   }
 }

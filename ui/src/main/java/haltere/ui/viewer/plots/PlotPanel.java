@@ -30,7 +30,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
-/** Plots of what filters publish, one above the other with one axis of time. */
+/** Plots of published results, stacked over one time axis. */
 public final class PlotPanel extends BorderPane {
   private static final long FRAME_NANOS = 30_000_000;
   private static final long VALUES_NANOS = 100_000_000;
@@ -54,7 +54,7 @@ public final class PlotPanel extends BorderPane {
   private final Label lost = Controls.label("", "problem");
   private List<PlotField> offered = List.of();
   private boolean offersInertial;
-  private PlotInk ink = PlotInk.DARK;
+  private PlotColours colours = PlotColours.DARK;
   private double pointed = Double.NaN;
   private long startUs;
   private long nowUs;
@@ -62,7 +62,7 @@ public final class PlotPanel extends BorderPane {
   private long valuesNanos;
   private boolean dirty = true;
 
-  /** A panel without lanes. Playback goes to a time that was chosen in a plot. */
+  /** A panel without lanes. Playback seeks to a time chosen in a plot. */
   public PlotPanel(ChainEditor editor, PlaybackController playback) {
     this.playback = playback;
     feeds = new PlotFeeds(editor, this::offer);
@@ -83,7 +83,7 @@ public final class PlotPanel extends BorderPane {
             Controls.button("plot-more-time", Icons.ADD, "Show more time", () -> zoom(2, 1)),
             lost,
             space,
-            Controls.button("plot-clear", Icons.RESET, "Forget what was plotted", this::clear));
+            Controls.button("plot-clear", Icons.RESET, "Clear the plots", this::clear));
     head.getStyleClass().addAll("plots-head");
     laneBox.setFillWidth(true);
     ScrollPane lanesView = Controls.scrolling(laneBox);
@@ -102,7 +102,7 @@ public final class PlotPanel extends BorderPane {
 
   /** Draws for a dark window, or for a light one. */
   public void setDark(boolean dark) {
-    ink = dark ? PlotInk.DARK : PlotInk.LIGHT;
+    colours = dark ? PlotColours.DARK : PlotColours.LIGHT;
     dirty = true;
   }
 
@@ -116,13 +116,13 @@ public final class PlotPanel extends BorderPane {
     return window;
   }
 
-  /** Listens to the chain as it is now. */
+  /** Subscribes to the present chain. */
   public void followChain() {
     feeds.follow(lanes());
   }
 
-  /** Another recording with its inertial samples: what was plotted is of no more use. */
-  public void startAnew(InertialFeed newInertial) {
+  /** Switches to another recording with its inertial samples: plotted samples are removed. */
+  public void reset(InertialFeed newInertial) {
     feeds.setInertial(newInertial);
     offersInertial = false;
     clear();
@@ -130,7 +130,7 @@ public final class PlotPanel extends BorderPane {
     followChain();
   }
 
-  /** What is shown as a table. */
+  /** The plotted samples as a table. */
   public PlotTable table() {
     return PlotTable.of(lanes(), window);
   }
@@ -162,13 +162,13 @@ public final class PlotPanel extends BorderPane {
         another,
         Controls.button("plot-remove", Icons.REMOVE, "Remove this plot", () -> remove(lane)));
     VBox.setVgrow(lane, Priority.ALWAYS);
-    PlotHands.on(lane.plot(), this);
+    PlotGestures.on(lane.plot(), this);
     lanes.add(lane);
     laneBox.getChildren().add(lane);
     changed();
   }
 
-  /** Shows plots that belong together in place of all others. */
+  /** Shows a set of plots in place of all others. */
   public void show(PlotSet set) {
     List.copyOf(lanes).forEach(this::remove);
     for (List<PlotField> fields : set.lanes()) {
@@ -179,8 +179,8 @@ public final class PlotPanel extends BorderPane {
   }
 
   /**
-   * Opens plots for a user who has none, of 0.1 s, in which single wing beats are seen; false if
-   * there is nothing to show.
+   * Opens default plots of 0.1 s, in which single wing beats are visible; false if there is nothing
+   * to show.
    */
   public boolean beginWith(List<PlotField> fields) {
     if (fields.isEmpty() || !lanes.isEmpty()) {
@@ -192,17 +192,14 @@ public final class PlotPanel extends BorderPane {
     return true;
   }
 
-  /**
-   * Takes away the plots that were begun with, where nobody has changed them and another chain
-   * publishes nothing for them; false otherwise.
-   */
+  /** Removes unchanged default plots for which another chain publishes nothing; false otherwise. */
   public boolean dropFirst(FilterChain chain) {
-    boolean asBegun =
+    boolean isAsInitially =
         !first.isEmpty()
             && lanes().stream().flatMap(lane -> lane.fields().stream()).toList().equals(first);
     List<String> stages = chain.stages().stream().map(ChainStage::name).toList();
     boolean published = first.stream().map(PlotField::stage).anyMatch(stages::contains);
-    if (!asBegun || published) {
+    if (!isAsInitially || published) {
       return false;
     }
     List.copyOf(lanes).forEach(this::remove);
@@ -232,14 +229,14 @@ public final class PlotPanel extends BorderPane {
     dirty = true;
   }
 
-  /** Points at a place; NaN for none. */
-  void point(double place) {
-    pointed = place;
+  /** Points at a share of the window, 0 to 1; NaN for none. */
+  void point(double share) {
+    pointed = share;
     valuesNanos = 0;
     dirty = true;
   }
 
-  /** The place that is pointed at; NaN if there is none. */
+  /** The share of the window under the pointer; NaN without one. */
   double pointed() {
     return pointed;
   }
@@ -250,14 +247,14 @@ public final class PlotPanel extends BorderPane {
     setFollowing(false);
   }
 
-  /** Takes playback to a place. */
-  void goTo(double place) {
-    playback.seek(Math.max(0, window.timeAt(place) - startUs));
+  /** Seeks to a share of the window. */
+  void goTo(double share) {
+    playback.seek(Math.max(0, window.timeAt(share) - startUs));
   }
 
-  /** Shows so many times the time, around a place. */
-  void zoom(double factor, double place) {
-    window.zoom(factor, place);
+  /** Scales the window around a share of it. */
+  void zoom(double factor, double share) {
+    window.zoom(factor, share);
     showSpan();
     dirty = true;
   }
@@ -273,7 +270,7 @@ public final class PlotPanel extends BorderPane {
     dirty = true;
   }
 
-  /** Takes in what has come and draws it; at most some 30 times a second. */
+  /** Fetches and draws new samples, at most some 30 times a second. */
   public void update(PlayerStatus status, long nanos) {
     List<Lane> plotted = lanes();
     if (feeds.hasInertial() && !offersInertial) {
@@ -281,12 +278,12 @@ public final class PlotPanel extends BorderPane {
       offersInertial = true;
     }
     dirty |= feeds.drainTo(plotted);
-    // during a run-up there is no time that is shown
+    // a run-up has no displayed time
     if (nowUs != status.timeUs() && status.timeUs() != StreamNotification.NO_TIME_US) {
       if (status.timeUs() < nowUs) {
-        // curves of tracks that do not come again would stand there as if they did; samples of the
-        // displayed slice may have come already
-        plotted.forEach(lane -> lane.forgetFrom(status.timeUs() + status.sliceUs()));
+        // curves of tracks that do not recur would remain; samples of the
+        // displayed slice may have arrived already
+        plotted.forEach(lane -> lane.removeFrom(status.timeUs() + status.sliceUs()));
       }
       nowUs = status.timeUs();
       startUs = status.timeUs() - status.elapsedUs();
@@ -300,18 +297,18 @@ public final class PlotPanel extends BorderPane {
     window.advanceTo(nowUs);
     if (dirty && isVisible() && nanos - drawnNanos >= FRAME_NANOS) {
       drawnNanos = nanos;
-      // in a pause no later picture would show the newest values
+      // no later picture in a pause would show the newest values
       dirty = nanos - valuesNanos < VALUES_NANOS;
       draw(nanos);
     }
   }
 
   private void draw(long nanos) {
-    lanes.forEach(lane -> lane.draw(ink, nowUs, startUs));
-    axis.draw(ink, startUs);
+    lanes.forEach(lane -> lane.draw(colours, nowUs, startUs));
+    axis.draw(colours, startUs);
     if (nanos - valuesNanos >= VALUES_NANOS) {
       valuesNanos = nanos;
-      lanes.forEach(lane -> lane.showValues(pointed, ink));
+      lanes.forEach(lane -> lane.showValues(pointed, colours));
       long gone = feeds.lost();
       lost.setText(gone == 0 ? "" : Texts.count(gone) + " values came too fast to be plotted");
     }

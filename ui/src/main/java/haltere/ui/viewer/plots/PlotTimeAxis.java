@@ -9,7 +9,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.text.Font;
 import javafx.scene.text.TextAlignment;
 
-/** The time that all lanes share, in seconds since the start of the recording. */
+/** The common time axis of all lanes, in seconds since the start of the recording. */
 final class PlotTimeAxis extends Region {
   private static final double HEIGHT = 18;
   private static final Font FONT = Font.font(10.5);
@@ -34,8 +34,8 @@ final class PlotTimeAxis extends Region {
         (int) Math.max(2, width / 110));
   }
 
-  /** Draws the axis anew, by the recording's clock at its start. */
-  void draw(PlotInk ink, long startUs) {
+  /** Redraws the axis, by the recording's clock at its start. */
+  void draw(PlotColours colours, long startUs) {
     double width = getWidth();
     if (canvas.getWidth() != width) {
       canvas.setWidth(width);
@@ -44,13 +44,13 @@ final class PlotTimeAxis extends Region {
     GraphicsContext graphics = canvas.getGraphicsContext2D();
     graphics.clearRect(0, 0, width, HEIGHT);
     graphics.setFont(FONT);
-    graphics.setFill(ink.text());
+    graphics.setFill(colours.text());
     graphics.setTextAlign(TextAlignment.CENTER);
     graphics.setTextBaseline(VPos.CENTER);
     Ticks ticks = ticks(window, startUs, width);
     for (double seconds : ticks.values()) {
-      double place = window.placeOf(startUs + Math.round(seconds * 1e6));
-      graphics.fillText(ticks.label(seconds) + " s", LanePicture.x(place, width), HEIGHT / 2);
+      double share = window.shareOf(startUs + Math.round(seconds * 1e6));
+      graphics.fillText(ticks.label(seconds) + " s", LanePicture.x(share, width), HEIGHT / 2);
     }
   }
 }

@@ -1,5 +1,2 @@
-/**
- * Plots of what filters publish over time. What is plotted, and how it gets here from the
- * processing thread, is {@code haltere.ui.plot}; here it is drawn.
- */
+/** Drawing of plots of published results over time; their data is in {@code haltere.ui.plot}. */
 package haltere.ui.viewer.plots;

@@ -13,10 +13,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.geometry.Point2D;
 
-/**
- * Says by a click where the road vanishes. Of use while there are Kalman tracks in the chain; the
- * first of them get the point.
- */
+/** Sets the vanishing point of a road by a click, for the first Kalman tracks in the chain. */
 public final class VanishingPointFeature implements ViewerFeature {
   private static final double STEPS_PER_PX = 10;
 
@@ -60,7 +57,7 @@ public final class VanishingPointFeature implements ViewerFeature {
             marking,
             () -> hasTracks ? "" : "no filter of Kalman tracks in the chain");
     window.editor().onChange(this::look);
-    // Whoever takes the tool into the hand sees the mark as it is by then, however it was set.
+    // Selecting the tool shows the present mark, however it was set.
     marking.subscribe((was, is) -> look());
     window.editor().onSettings((stage, settings) -> look());
   }

@@ -9,8 +9,8 @@ import java.util.function.Consumer;
 import javafx.geometry.Point2D;
 
 /**
- * Marks where the road vanishes: by a click, or by a drag that ends there. While it is in the hand
- * the mark is drawn.
+ * Marks the vanishing point by a click, or by the end of a drag. The mark is drawn while the tool
+ * is selected.
  */
 final class VanishingPointTool implements ViewTool {
   private static final double RADIUS_PX = 3;
@@ -19,12 +19,12 @@ final class VanishingPointTool implements ViewTool {
   private final Consumer<Point2D> consumer;
   private Optional<Point2D> mark = Optional.empty();
 
-  /** A tool that tells where the button came up, in sensor coordinates. */
+  /** A tool that passes on the position of the button's release, in sensor coordinates. */
   VanishingPointTool(Consumer<Point2D> consumer) {
     this.consumer = consumer;
   }
 
-  /** Draws another mark from now on, or none. */
+  /** Sets the drawn mark, or none. */
   void show(Optional<Point2D> newMark) {
     mark = newMark;
   }
@@ -36,7 +36,7 @@ final class VanishingPointTool implements ViewTool {
 
   @Override
   public String hint() {
-    return "Click where the road vanishes; tracks are on the road from then on.";
+    return "Click the vanishing point of the road; tracks are then in metres on the road.";
   }
 
   @Override

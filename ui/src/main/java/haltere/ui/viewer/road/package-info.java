@@ -1,2 +1,2 @@
-/** Where the road vanishes, which tells the tracks of vehicles how far away they are. */
+/** The vanishing point of a road, which gives the distances of tracked vehicles. */
 package haltere.ui.viewer.road;

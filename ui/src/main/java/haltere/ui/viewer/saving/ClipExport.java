@@ -13,7 +13,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
 
-/** Makes a film of a part: a picture with overlays at even distances of recording time. */
+/** Exports a part as a film: pictures with overlays at equal intervals of recording time. */
 final class ClipExport extends PartExport {
   /** Pictures of the film per second. */
   static final double FRAMES_PER_SECOND = 25;
@@ -21,7 +21,7 @@ final class ClipExport extends PartExport {
   /** Sent through the chain before the part, so that trackers are warm. */
   private static final long RUN_UP_US = 500_000;
 
-  /** Films longer than this are asked for by mistake. */
+  /** Maximum number of pictures; longer films are probably a mistake. */
   private static final long MAX_PICTURES = 20_000;
 
   private final DisplaySink display;
@@ -34,9 +34,9 @@ final class ClipExport extends PartExport {
   /**
    * An export.
    *
-   * @param file its name's ending says in which format
+   * @param file its name gives the format
    * @param options how events are shown
-   * @param overlays what lies over them
+   * @param overlays overlays of the pictures
    * @param pictureUs recording time from one picture to the next
    */
   ClipExport(Part part, Path file, DisplayOptions options, Overlays overlays, double pictureUs)
@@ -54,7 +54,7 @@ final class ClipExport extends PartExport {
     this.pictureUs = pictureUs;
     film = film(file);
     display = DisplaySink.direct(part.playable().geometry(), part.chain(), options);
-    display.maker().setRegion(overlays.region());
+    display.renderer().setRegion(overlays.region());
   }
 
   private static FilmWriter film(Path file) throws IOException {
@@ -97,7 +97,7 @@ final class ClipExport extends PartExport {
     // from the elapsed timeline to the source's clock
     long offsetUs = -part.playable().elapsedUs(0);
     display.endSlice(Math.round(nextUs() - pictureUs) + offsetUs, Math.round(nextUs()) + offsetUs);
-    tell(Math.round(nextUs()));
+    report(Math.round(nextUs()));
     film.add(display.picture(overlays));
     pictures++;
   }
@@ -116,7 +116,7 @@ final class ClipExport extends PartExport {
 
   @Override
   String finish() throws IOException {
-    // the last picture, also where the recording ends before it
+    // the last picture, even if the recording ends before it
     while (nextUs() <= part.toUs() + 0.5) {
       shoot();
     }

@@ -12,7 +12,7 @@ import haltere.ui.viewer.controls.Texts;
 import java.io.IOException;
 import java.nio.file.Path;
 
-/** Writes what the chain leaves of a part; the name's ending says in which format. */
+/** Exports the events that the chain passes; the file name gives the format. */
 final class DataExport extends PartExport {
   private final RecordingWriter writer;
   private long events;
@@ -33,7 +33,7 @@ final class DataExport extends PartExport {
     part.chain().packet(packet);
     events += packet.size();
     writer.write(packet);
-    tell(lastUs + offsetUs);
+    report(lastUs + offsetUs);
   }
 
   @Override

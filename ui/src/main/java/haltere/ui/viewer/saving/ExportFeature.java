@@ -2,7 +2,7 @@ package haltere.ui.viewer.saving;
 
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
-import haltere.core.playback.KeptPlayable;
+import haltere.core.playback.BufferedPlayable;
 import haltere.core.playback.Loop;
 import haltere.core.playback.Playable;
 import haltere.ui.viewer.action.ViewerActions;
@@ -24,15 +24,15 @@ import java.util.function.LongConsumer;
 import javafx.application.Platform;
 
 /**
- * Exports the marked part of what is open, or all of it, through the chain: as a film with overlays
- * or as data. Works in the background, on a copy of the chain; a recording is read anew, of a
- * camera and a scene the moments that are kept are copied.
+ * Exports the marked part, or all, through the chain: as a film with overlays or as data. Works in
+ * the background on a copy of the chain, with a second reader of a recording, or a copy of the
+ * buffered interval of a camera or a scene.
  */
 public final class ExportFeature implements ViewerFeature {
   private static final long BETWEEN_NANOS = 250_000_000;
   private static final String EXPORTING = "Exporting to %s \u2026 ";
 
-  /** What is wanted, on the elapsed timeline of what {@code open} gives. */
+  /** A request, on the elapsed timeline of the playable of {@code open}. */
   private record Wanted(Callable<Playable> open, String chain, long fromUs, long toUs) {}
 
   /** Begins to export a part. */
@@ -70,7 +70,7 @@ public final class ExportFeature implements ViewerFeature {
         () -> running.stream().allMatch(Future::isDone) ? "nothing is being exported" : "");
   }
 
-  /** Ends what is being exported and what waits for it; nothing of it is kept. */
+  /** Stops running and waiting exports and removes their files. */
   void stop() {
     stops++;
     running.forEach(export -> export.cancel(true));
@@ -78,7 +78,7 @@ public final class ExportFeature implements ViewerFeature {
     running.clear();
   }
 
-  /** Writes a film; its name's ending says in which format. */
+  /** Exports a film; the file name gives the format. */
   public void exportFilm(Path file) {
     double speed = window.playback().speedProperty().get();
     double pictureUs = (Double.isInfinite(speed) ? 1 : speed) * 1e6 / ClipExport.FRAMES_PER_SECOND;
@@ -87,7 +87,7 @@ public final class ExportFeature implements ViewerFeature {
     export(file, part -> new ClipExport(part, file, options, overlays, pictureUs));
   }
 
-  /** Writes what the chain leaves of the events; the name's ending says in which format. */
+  /** Exports the events that the chain passes; the file name gives the format. */
   public void exportData(Path file) {
     export(file, part -> new DataExport(part, file));
   }
@@ -98,7 +98,7 @@ public final class ExportFeature implements ViewerFeature {
 
   private void export(ViewerSession open, String name, Exporter exporter) {
     StatusLine status = window.status();
-    // an older problem would hide how far it is
+    // an earlier problem would hide the progress
     status.clearError();
     status.setActivity(EXPORTING.formatted(name));
     Loop loop = window.playback().loopProperty().get();
@@ -126,17 +126,17 @@ public final class ExportFeature implements ViewerFeature {
                 }));
   }
 
-  /** Says how far an export is, a few times a second, unless exports are stopped. */
+  /** Shows the progress of an export, a few times a second, unless exports are stopped. */
   private LongConsumer progress(String name, Wanted wanted, int stopsBefore) {
-    long[] saidNanos = {System.nanoTime()};
+    long[] reportedNanos = {System.nanoTime()};
     return elapsedUs -> {
       if (stops != stopsBefore) {
-        // a font that is read clears the interrupt of its thread
+        // reading a font clears the interrupt of its thread
         throw new CancellationException();
       }
       long now = System.nanoTime();
-      if (now - saidNanos[0] >= BETWEEN_NANOS) {
-        saidNanos[0] = now;
+      if (now - reportedNanos[0] >= BETWEEN_NANOS) {
+        reportedNanos[0] = now;
         double share = (elapsedUs - wanted.fromUs()) / (double) (wanted.toUs() - wanted.fromUs());
         int percent = (int) (100 * Math.max(0, Math.min(1, share)));
         Platform.runLater(
@@ -149,14 +149,14 @@ public final class ExportFeature implements ViewerFeature {
     };
   }
 
-  /** What is marked, all where nothing is; processing thread. */
+  /** The marked part, or all without one; processing thread. */
   private static Wanted wanted(ViewerSession open, Loop loop, FilterChain chain) {
     String json = ChainFile.write(chain);
     Playable playing = open.player().playable();
     long fromUs = Math.max(playing.earliestUs(), loop.inUs().orElse(0));
     long endUs = playing.durationUs().orElseGet(() -> playing.nearestUs(Long.MAX_VALUE));
     long toUs = Math.min(endUs, loop.outUs().orElse(Long.MAX_VALUE));
-    if (playing instanceof KeptPlayable kept) {
+    if (playing instanceof BufferedPlayable kept) {
       Playable copy = kept.copy(fromUs, toUs);
       return new Wanted(() -> copy, json, fromUs, toUs);
     }

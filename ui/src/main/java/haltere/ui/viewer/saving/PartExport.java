@@ -9,10 +9,10 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.function.LongConsumer;
 
-/** Plays a part of what is open through a chain, without a clock, and writes what comes of it. */
+/** Plays a part through a chain without a clock, and writes its output. */
 abstract class PartExport implements StreamHandler, AutoCloseable {
   /**
-   * What is exported.
+   * The exported part.
    *
    * @param playable at its start, closed by the caller
    * @param chain for its sensor, closed by the caller
@@ -27,21 +27,21 @@ abstract class PartExport implements StreamHandler, AutoCloseable {
   private LongConsumer progress;
   private boolean past;
 
-  /** An export that sends so much of what comes before the part through the chain, microseconds. */
+  /** An export with a run-up before the part, microseconds. */
   PartExport(Part part, long runUpUs) {
     this.part = part;
     startUs = Math.max(0, part.fromUs() - runUpUs);
   }
 
-  /** Runs, telling where on the elapsed timeline it is; what was written, in words. */
-  final String run(LongConsumer toTell) throws IOException {
-    progress = toTell;
+  /** Runs, and reports its position on the elapsed timeline; returns a message on the output. */
+  final String run(LongConsumer listener) throws IOException {
+    progress = listener;
     try {
       if (startUs > 0) {
         part.playable().seek(startUs);
       }
       while (!past && part.playable().next(this)) {
-        stopIfAsked();
+        checkCancelled();
       }
       return finish();
     } catch (UncheckedIOException problem) {
@@ -49,15 +49,15 @@ abstract class PartExport implements StreamHandler, AutoCloseable {
     }
   }
 
-  private static void stopIfAsked() throws IOException {
+  private static void checkCancelled() throws IOException {
     if (Thread.currentThread().isInterrupted()) {
       throw new IOException("the export was ended");
     }
   }
 
-  /** Says how far it is on the elapsed timeline, and goes on unless the export is to end. */
-  final void tell(long elapsedUs) throws IOException {
-    stopIfAsked();
+  /** Reports the position on the elapsed timeline, and throws if the export is to stop. */
+  final void report(long elapsedUs) throws IOException {
+    checkCancelled();
     progress.accept(elapsedUs);
   }
 
@@ -80,7 +80,7 @@ abstract class PartExport implements StreamHandler, AutoCloseable {
   /** Takes events of the run-up and the part, whose offset leads to the elapsed timeline. */
   abstract void take(EventPacket events, long offsetUs) throws IOException;
 
-  /** Ends what is written, and says in words what it is. */
+  /** Ends the output, and returns a message on it. */
   abstract String finish() throws IOException;
 
   @Override

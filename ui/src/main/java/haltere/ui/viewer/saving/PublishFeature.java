@@ -5,7 +5,7 @@ import haltere.core.playback.Player;
 import haltere.core.sink.LineOutputs;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.controls.Windows;
-import haltere.ui.viewer.feature.PlayedOutput;
+import haltere.ui.viewer.feature.PlaybackOutput;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.io.IOException;
@@ -14,11 +14,11 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import javafx.application.Platform;
 
-/** Sends what the filters publish to other programs while they run. */
+/** Sends results of the filters to other programs during playback. */
 public final class PublishFeature implements ViewerFeature {
-  private record Sending(LiveResults sink) implements PlayedOutput.Output {
+  private record Sending(LiveResults sink) implements PlaybackOutput.Output {
     @Override
-    public String begun() {
+    public String startMessage() {
       return "Sending results at " + sink.address();
     }
 
@@ -31,13 +31,13 @@ public final class PublishFeature implements ViewerFeature {
   }
 
   private ViewerContext window;
-  private PlayedOutput<Sending> sending;
+  private PlaybackOutput<Sending> sending;
   private String address = "tcp://127.0.0.1:5555";
 
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    sending = new PlayedOutput<>(window);
+    sending = new PlaybackOutput<>(window);
     window
         .actions()
         .add("publish", sending.runningProperty(), () -> sending.toggle(this::ask), () -> "");
@@ -70,16 +70,16 @@ public final class PublishFeature implements ViewerFeature {
               }
             })
         .join();
-    made.get().onFailure(words -> Platform.runLater(() -> window.status().showError(words)));
+    made.get().onFailure(text -> Platform.runLater(() -> window.status().showError(text)));
     return new Sending(made.get());
   }
 
-  /** Ends the sending, if there is any. */
+  /** Stops sending. */
   public void stop() {
     sending.stop();
   }
 
-  /** Where results are being sent. */
+  /** Address of the results. */
   public Optional<String> address() {
     return sending.output().map(now -> now.sink().address());
   }

@@ -12,24 +12,24 @@ import javafx.scene.control.Label;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 
-/** Records what comes out of the chain, and says for how long it has and how large the file is. */
+/** Records the events that the chain passes, and shows duration and size of the file. */
 final class RecordButton extends HBox {
-  /** How often the numbers are brought up to date. */
+  /** Update interval of the numbers. */
   static final long NUMBERS_NANOS = 500_000_000;
 
   private final ToggleButton button =
       Controls.toggle(
           "record-button",
           Icons.RECORD,
-          "Record what comes out of the chain (Ctrl+E)",
+          "Record the events that the chain passes (Ctrl+E)",
           "record-button");
   private final Label numbers = Controls.named(new Label(), "record-numbers", "time");
   private final BackgroundWork background;
   private long startNanos;
 
   /**
-   * A button of a recording that has not begun, which starts and stops it and asks for the size of
-   * the file in the background.
+   * The button of a recording, which starts and stops it and reads the size of the file in the
+   * background.
    */
   RecordButton(Runnable toggle, BackgroundWork background) {
     this.background = background;
@@ -51,7 +51,7 @@ final class RecordButton extends HBox {
     Controls.show(on, numbers);
   }
 
-  /** Shows how long the recording has gone on, and the size of its file. */
+  /** Shows the duration of the recording and the size of its file. */
   void pulse(Optional<Path> file) {
     if (!button.isSelected() || file.isEmpty()) {
       return;

@@ -14,7 +14,7 @@ import haltere.core.pipeline.SessionRecorder;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.ui.viewer.controls.Texts;
-import haltere.ui.viewer.feature.PlayedOutput;
+import haltere.ui.viewer.feature.PlaybackOutput;
 import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -24,20 +24,19 @@ import java.util.concurrent.Callable;
 import java.util.function.BooleanSupplier;
 
 /**
- * A file that takes what comes out of the chain while it plays, as AEDAT-4 that can be read
- * whenever the program ends; one that is there is replaced. A jump ends it; what came until then is
- * kept.
+ * An AEDAT-4 file of the events that the chain passes during playback, readable whenever the
+ * program ends; an existing file is replaced. A jump ends it; the events before are kept.
  *
  * @param file where it is
- * @param sink what it gets of the stream
- * @param isOver whether it takes no more, because of a jump, the end or a full disk
+ * @param sink its stream handler
+ * @param isOver whether it has ended, because of a jump, the end or a full disk
  * @param ending ends it, as {@link #finish()}
  */
 record RecordedFile(Path file, StreamHandler sink, BooleanSupplier isOver, Callable<String> ending)
-    implements PlayedOutput.Output {
+    implements PlaybackOutput.Output {
   private static final String UNTIL_JUMP = ", until playback jumped";
 
-  /** A file for what is open. */
+  /** A file for the open session. */
   static RecordedFile of(Path file, ViewerSession session) throws IOException {
     return session.camera().isPresent()
         ? ofCamera(file, session.camera().get().camera(), session.chain())
@@ -45,7 +44,7 @@ record RecordedFile(Path file, StreamHandler sink, BooleanSupplier isOver, Calla
   }
 
   @Override
-  public String begun() {
+  public String startMessage() {
     return "Recording to " + file.getFileName();
   }
 
@@ -64,13 +63,13 @@ record RecordedFile(Path file, StreamHandler sink, BooleanSupplier isOver, Calla
         () -> {
           RecorderReport report = recorder.finish();
           boolean jumped = report.stoppedBy().filter(Reset.class::isInstance).isPresent();
-          return words(file, report.written()) + (jumped ? UNTIL_JUMP : "");
+          return label(file, report.written()) + (jumped ? UNTIL_JUMP : "");
         });
   }
 
   /**
-   * A recording of a camera, which says in its header what the camera and the chain were set to,
-   * and goes on in another part where the camera's clock starts anew.
+   * A recording of a camera, with the settings of camera and chain in its header; it continues in
+   * another part when the camera's clock restarts.
    */
   private static RecordedFile ofCamera(Path file, Camera camera, FilterChain chain)
       throws IOException {
@@ -84,7 +83,7 @@ record RecordedFile(Path file, StreamHandler sink, BooleanSupplier isOver, Calla
                     part,
                     new WriteOptions(camera.geometry(), true, Optional.empty(), metadata),
                     Aedat4Compression.LZ4),
-            SessionRecorder.Limits.USUAL);
+            SessionRecorder.Limits.DEFAULT);
     return new RecordedFile(
         file,
         session,
@@ -93,7 +92,7 @@ record RecordedFile(Path file, StreamHandler sink, BooleanSupplier isOver, Calla
           List<SessionRecorder.Part> parts = session.finish();
           long events = parts.stream().mapToLong(part -> part.report().written()).sum();
           long lost = parts.stream().mapToLong(part -> part.report().lost()).sum();
-          return words(file, events)
+          return label(file, events)
               + (parts.size() > 1 ? " in " + parts.size() + " parts" : "")
               + (parts.stream().anyMatch(part -> part.report().afterStop() > 0) ? UNTIL_JUMP : "")
               + (lost > 0 ? "; the disk was too slow for " + Texts.count(lost) : "")
@@ -101,7 +100,7 @@ record RecordedFile(Path file, StreamHandler sink, BooleanSupplier isOver, Calla
         });
   }
 
-  private static String words(Path file, long events) {
+  private static String label(Path file, long events) {
     return "Recorded " + Texts.count(events) + " events to " + file.getFileName();
   }
 }

@@ -5,25 +5,25 @@ import haltere.core.format.AtomicFile;
 import haltere.ui.rendering.Pictures;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.FileDialogs;
-import haltere.ui.viewer.feature.PlayedOutput;
+import haltere.ui.viewer.feature.PlaybackOutput;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.Overlays;
 import java.nio.file.Path;
 
 /**
- * Saves and loads chains, saves pictures, records. A file that is there is replaced; the file
- * dialog has asked.
+ * Saves and loads chains, saves pictures, records. Existing files are replaced after confirmation
+ * in the file dialog.
  */
 public final class SavingFeature implements ViewerFeature {
 
   private ViewerContext window;
-  private PlayedOutput<RecordedFile> recording;
+  private PlaybackOutput<RecordedFile> recording;
 
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    recording = new PlayedOutput<>(window);
+    recording = new PlaybackOutput<>(window);
     FileDialogs dialogs = window.dialogs();
     ViewerActions actions = window.actions();
     actions.add(
@@ -50,7 +50,7 @@ public final class SavingFeature implements ViewerFeature {
     button.pulse(recording.output().map(RecordedFile::file));
   }
 
-  /** Puts a saved chain in place of the one that is open. */
+  /** Replaces the open chain by a saved one. */
   public void loadChain(Path file) {
     window.loadChain(file, window.editor());
   }
@@ -60,7 +60,7 @@ public final class SavingFeature implements ViewerFeature {
     window.read(ChainFile::write, json -> window.run(() -> AtomicFile.write(file, json, true)));
   }
 
-  /** Saves what is shown as a picture. */
+  /** Saves the shown picture. */
   public void savePicture(Path file) {
     Overlays overlays = window.display().overlays();
     window.ifOpen(
@@ -70,7 +70,7 @@ public final class SavingFeature implements ViewerFeature {
                 image -> window.run(() -> Pictures.write(file, image))));
   }
 
-  /** Stops the recording that is under way, or asks where the next one goes. */
+  /** Stops the running recording, or asks for the file of the next one. */
   public void toggleRecording() {
     recording.toggle(
         () ->
@@ -80,7 +80,7 @@ public final class SavingFeature implements ViewerFeature {
                 .ifPresent(this::record));
   }
 
-  /** Records what comes out of the chain. */
+  /** Records the events that the chain passes. */
   public void record(Path file) {
     recording.start(open -> RecordedFile.of(file, open));
   }

@@ -25,20 +25,20 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What is known of a recording once all of it has been read.
+ * The facts of a recording after a complete scan.
  *
  * @param file where it is
  * @param sizeBytes of the file
  * @param summary counts, times, gaps and warnings
  * @param profile event rate over the elapsed timeline
- * @param clock what its times count from
- * @param compression how its events are compressed; empty where the format does not say
- * @param header what it says of camera and chain, by name
+ * @param clock origin of its times
+ * @param compression method of compression; empty if the format does not state it
+ * @param header properties of camera and chain, by name
  * @param triggers in their order, the first {@link #MAX_LISTED}
  * @param signals those of them that are not the camera's own frame timing
  * @param frames times of frames in their order, the first {@link #MAX_LISTED}
  * @param usedBits bits that are set in any value of a frame of 16 bits
- * @param assumedSensor the sensor, where nobody has said which it is and it was guessed
+ * @param assumedSensor the sensor, if it was guessed
  */
 public record RecordingFacts(
     Path file,
@@ -53,7 +53,7 @@ public record RecordingFacts(
     List<Mark> frames,
     int usedBits,
     Optional<SensorGeometry> assumedSensor) {
-  /** So many triggers and frames are listed at the most. */
+  /** Maximum number of listed triggers and frames. */
   public static final int MAX_LISTED = 100_000;
 
   private static final int PROFILE_BINS = 2000;
@@ -64,7 +64,7 @@ public record RecordingFacts(
   public static RecordingFacts scan(Path file, ReadOptions options) throws IOException {
     try (RecordingReader reader = Recordings.open(file, options.withSamples(true))) {
       Moments moments = new Moments(new RateProfile.Collector(reader.segments(), PROFILE_BINS));
-      // beside a window that is to answer meanwhile
+      // low priority: the window must stay responsive
       RecordingSummary summary =
           RecordingSummary.scan(reader, (done, total) -> Thread.yield(), moments);
       return new RecordingFacts(
@@ -83,21 +83,21 @@ public record RecordingFacts(
     }
   }
 
-  /** The sensor, if the reader has fewer assumptions to tell of once somebody names it. */
+  /** The sensor, if the reader makes fewer assumptions once it is stated. */
   private static Optional<SensorGeometry> assumedSensor(RecordingReader reader, ReadOptions options)
       throws IOException {
     if (options.sensor().isPresent()) {
       return Optional.empty();
     }
     SensorGeometry sensor = reader.geometry();
-    try (RecordingReader told = Recordings.open(reader.path(), options.withSensor(sensor))) {
-      return told.remarks().size() < reader.remarks().size()
+    try (RecordingReader reopened = Recordings.open(reader.path(), options.withSensor(sensor))) {
+      return reopened.remarks().size() < reader.remarks().size()
           ? Optional.of(sensor)
           : Optional.empty();
     }
   }
 
-  /** Gathers what comes beside the events. */
+  /** Collects samples. */
   private static final class Moments implements StreamHandler {
     private final RateProfile.Collector rates;
     private final List<Mark> triggers = new ArrayList<>();
@@ -121,10 +121,10 @@ public record RecordingFacts(
 
     @Override
     public void sample(SensorSample sample) {
-      // what lies before the first event belongs to the start
+      // times before the first event count as the start
       long elapsedUs = Math.max(0, rates.elapsedUs(sample.timeUs()));
       if (sample instanceof Trigger trigger) {
-        Mark mark = new Mark(words(trigger), elapsedUs);
+        Mark mark = new Mark(label(trigger), elapsedUs);
         add(mark, triggers);
         if (!FRAME_TIMING.contains(trigger.source())) {
           add(mark, signals);
@@ -142,8 +142,8 @@ public record RecordingFacts(
     }
   }
 
-  /** What a trigger is called, such as "Exposure begins" or "Trigger 1 rising". */
-  public static String words(Trigger trigger) {
+  /** Name of a trigger, such as "Exposure begins" or "Trigger 1 rising". */
+  public static String label(Trigger trigger) {
     boolean begins = trigger.edge() != Trigger.Edge.FALLING;
     return switch (trigger.source()) {
       case EXPOSURE -> "Exposure " + (begins ? "begins" : "ends");

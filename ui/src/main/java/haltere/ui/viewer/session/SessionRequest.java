@@ -6,7 +6,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
-import haltere.core.playback.KeptPlayable;
+import haltere.core.playback.BufferedPlayable;
 import haltere.core.playback.Playable;
 import haltere.core.playback.PlayerOptions;
 import haltere.core.playback.RecordingPlayable;
@@ -21,30 +21,30 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 
 /**
- * What is to be opened, and how a session of it is made.
+ * A request to open a source, which creates its session.
  *
  * <p>Thread rule: may be made on any thread; sessions are made in the background, because files are
  * read.
  *
  * @param playable opens it
  * @param file where it is, if it is a file
- * @param options what the user says about the file
- * @param name what a person would call it
- * @param start the filters and plots that it begins with where none are open
+ * @param options the user's statements about the file
+ * @param name display name
+ * @param start default filters and plots
  */
 public record SessionRequest(
     Callable<Playable> playable,
     Optional<Path> file,
     ReadOptions options,
     String name,
-    FirstView start) {
-  /** Events of a camera or a scene that are kept, in 48 MB. */
-  private static final int KEPT_EVENTS = 6_000_000;
+    InitialView start) {
+  /** Buffered events of a camera or a scene, 48 MB. */
+  private static final int BUFFERED_EVENTS = 6_000_000;
 
   /** A recording. */
   public static SessionRequest recording(Path file, ReadOptions options) {
     return new SessionRequest(
-        () -> play(file, options), Optional.of(file), options, file.toString(), FirstView.RAW);
+        () -> play(file, options), Optional.of(file), options, file.toString(), InitialView.RAW);
   }
 
   /** The built-in scene. */
@@ -54,7 +54,7 @@ public record SessionRequest(
 
   /**
    * A simulated scene by its name on the command line, such as {@code road}, with its default
-   * settings and the title that a person calls it.
+   * settings and a title.
    */
   public static SessionRequest scene(String scene, String title) {
     return new SessionRequest(
@@ -62,20 +62,21 @@ public record SessionRequest(
         Optional.empty(),
         ReadOptions.DEFAULT,
         scene.equals("fly") ? "the fly scene" : title,
-        scene.endsWith("fly") ? FirstView.FLY : FirstView.OBJECTS);
+        scene.endsWith("fly") ? InitialView.FLY : InitialView.OBJECTS);
   }
 
-  /** What is not a file, under the name that a person would call it. */
+  /** A source that is not a file, with its display name. */
   public static SessionRequest made(Callable<Playable> playable, String name) {
-    return new SessionRequest(playable, Optional.empty(), ReadOptions.DEFAULT, name, FirstView.RAW);
+    return new SessionRequest(
+        playable, Optional.empty(), ReadOptions.DEFAULT, name, InitialView.RAW);
   }
 
-  /** A recording, or the built-in scene where there is no file. */
+  /** A recording, or the built-in scene without a file. */
   public static SessionRequest of(Optional<Path> file, ReadOptions options) {
     return file.map(path -> recording(path, options)).orElseGet(SessionRequest::scene);
   }
 
-  /** A recording to be played; one that cannot be read is told in one line for a person. */
+  /** A playable recording; the message of a failure is one line for the user. */
   public static Playable play(Path file, ReadOptions options) throws IOException {
     RecordingReader reader = Recordings.open(file, options.withSamples(true));
     try {
@@ -86,7 +87,7 @@ public record SessionRequest(
     }
   }
 
-  /** What a chain of its own is kept under: the file's whole path, or the name. */
+  /** Key of its saved chain: the file's absolute path, or the name. */
   public String chainKey() {
     return file.map(path -> path.toAbsolutePath().normalize().toString()).orElse(name);
   }
@@ -99,11 +100,11 @@ public record SessionRequest(
       Optional<String> chainJson, PlayerOptions playerOptions, DisplayOptions displayOptions)
       throws Exception {
     Playable opened =
-        file.isPresent() ? playable.call() : new KeptPlayable(playable.call(), KEPT_EVENTS);
+        file.isPresent() ? playable.call() : new BufferedPlayable(playable.call(), BUFFERED_EVENTS);
     try {
       FilterChain chain =
           chainJson
-              .flatMap(json -> ownChain(opened.geometry(), json))
+              .flatMap(json -> savedChain(opened.geometry(), json))
               .filter(start::isCoveredBy)
               .orElseGet(() -> start.chain(opened.geometry()));
       return ViewerSession.of(opened, this, chain, playerOptions, displayOptions);
@@ -113,8 +114,8 @@ public record SessionRequest(
     }
   }
 
-  /** A chain that was kept for a recording or a scene; empty where it does not fit any more. */
-  private static Optional<FilterChain> ownChain(SensorGeometry geometry, String json) {
+  /** The saved chain of a recording or a scene; empty if it is no longer valid. */
+  private static Optional<FilterChain> savedChain(SensorGeometry geometry, String json) {
     try {
       return Optional.of(ChainFile.parse(json, "the chain", geometry));
     } catch (IOException | RuntimeException unfit) {
@@ -123,8 +124,8 @@ public record SessionRequest(
   }
 
   /**
-   * Makes the {@link #session} that a new window shows, and has its player paint the first slice,
-   * so that there are events to show as soon as there is a window. Background thread.
+   * Creates the {@link #session} of a new window, and lets its player paint the first slice, so
+   * that events appear with the window. Background thread.
    */
   public ViewerSession firstSession(Optional<String> chainJson) throws Exception {
     PlayerOptions paused = PlaybackController.firstOptions().withPaused(true);

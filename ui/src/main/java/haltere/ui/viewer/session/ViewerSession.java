@@ -1,8 +1,8 @@
 package haltere.ui.viewer.session;
 
 import haltere.core.chain.FilterChain;
+import haltere.core.playback.BufferedPlayable;
 import haltere.core.playback.CameraPlayable;
-import haltere.core.playback.KeptPlayable;
 import haltere.core.playback.Playable;
 import haltere.core.playback.Player;
 import haltere.core.playback.PlayerOptions;
@@ -16,12 +16,12 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What is open: a playable, the chain it goes through, the player and the sink that makes pictures.
+ * An open session: a playable, its chain, its player and the sink of its pictures.
  *
  * <p>Thread rule: made, prepared and closed on any thread but JavaFX's, because that may wait.
  *
- * @param request what was asked for: where it is, what the user said of it, and how it begins
- * @param remarks what a user should know about how the recording is read, as it was opened
+ * @param request the request that it was opened for
+ * @param remarks remarks for the user on the reading of the recording
  * @param chain belongs to the thread that plays
  * @param firstStages the stages before the player starts
  * @param display where its pictures are made
@@ -52,7 +52,7 @@ public record ViewerSession(
             ? List.copyOf(recording.reader().remarks())
             : List.of();
     List<StageState> stages = StageState.of(chain);
-    DisplaySink display = DisplaySink.apart(playable.geometry(), chain, displayOptions);
+    DisplaySink display = DisplaySink.onOwnThread(playable.geometry(), chain, displayOptions);
     Player player = new Player(playable, chain, playerOptions);
     InertialFeed inertial = new InertialFeed();
     player.addRawSink(display.beforeChain());
@@ -61,10 +61,10 @@ public record ViewerSession(
     return new ViewerSession(request, remarks, chain, stages, display, player, inertial, false);
   }
 
-  /** What was opened, whether its newest events are kept or not. */
+  /** The opened source, without its buffer. */
   public Playable source() {
     Playable playing = player.playable();
-    return playing instanceof KeptPlayable kept ? kept.source() : playing;
+    return playing instanceof BufferedPlayable kept ? kept.source() : playing;
   }
 
   /** The camera that is open, if it is one. */
@@ -72,13 +72,13 @@ public record ViewerSession(
     return source() instanceof CameraPlayable live ? Optional.of(live) : Optional.empty();
   }
 
-  /** The session with its player started, which begins in pause: it paints its first slice. */
+  /** The session with its player started in pause: it paints its first slice. */
   ViewerSession prepared() {
     player.start();
     return new ViewerSession(request, remarks, chain, firstStages, display, player, inertial, true);
   }
 
-  /** Starts the player, or lets it go on where it was started in pause. */
+  /** Starts the player, or resumes it after {@link #prepared}. */
   public void play() {
     if (isPrepared) {
       player.play();

@@ -1,5 +1,5 @@
 /**
- * What is open, and how it is opened: a playable, its chain, its player and the sink that makes its
- * pictures. Knows no node of the window.
+ * Sessions: a playable, its chain, its player and the sink of its pictures. Independent of the
+ * window's nodes.
  */
 package haltere.ui.viewer.session;

@@ -9,8 +9,8 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * A window that shows a body in space from what several cameras saw of it: the observations of
- * {@code haltere orient} and its cameras are chosen one after the other.
+ * A window of a body in space from the observations of several cameras. The user selects the
+ * observations and the cameras, as for {@code haltere orient}.
  */
 public final class BodyFlightFeature implements ViewerFeature {
   private ViewerContext window;

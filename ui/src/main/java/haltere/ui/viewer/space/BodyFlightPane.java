@@ -9,13 +9,13 @@ import javafx.scene.control.Slider;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.VBox;
 
-/** A body in space and the cameras that see it, at a time that a slider chooses. */
+/** A body in space and the cameras, at the time of a slider. */
 final class BodyFlightPane extends BorderPane {
   private final BodyFlight flight;
   private final BodyFlightDrawing drawing;
   private final SpaceCanvas canvas = new SpaceCanvas();
   private final Slider slider = Controls.named(new Slider(), "flight-time");
-  private final Label words = Controls.named(new Label(), "flight-words");
+  private final Label text = Controls.named(new Label(), "flight-words");
 
   BodyFlightPane(BodyFlight flight, Theme theme) {
     this.flight = flight;
@@ -25,7 +25,7 @@ final class BodyFlightPane extends BorderPane {
     slider.setAccessibleText("Time of the flight");
     slider.setMax(Math.max(0, flight.moments().size() - 1));
     slider.valueProperty().subscribe((was, is) -> show());
-    VBox controls = new VBox(4, slider, words);
+    VBox controls = new VBox(4, slider, text);
     controls.getStyleClass().addAll("flight-controls");
     setBottom(controls);
     show();
@@ -34,9 +34,9 @@ final class BodyFlightPane extends BorderPane {
   private void show() {
     int index = (int) Math.round(slider.getValue());
     canvas.show(drawing, index);
-    words.setText(
+    text.setText(
         index < flight.moments().size()
-            ? SpaceCanvas.words(flight.moments().get(index))
+            ? SpaceCanvas.label(flight.moments().get(index))
             : "no orientation was found");
   }
 }

@@ -23,8 +23,8 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 
 /**
- * Where a body is and which way it points while the events of several cameras play: of a simulated
- * flight, of one recording for each calibrated camera, or of the cameras themselves.
+ * Position and axis of a body during playback of several cameras: a simulated flight, one recording
+ * for each calibrated camera, or live cameras.
  */
 public final class LiveFlightFeature implements ViewerFeature {
 
@@ -101,7 +101,7 @@ public final class LiveFlightFeature implements ViewerFeature {
     open(() -> CameraRig.live(calibrated, cameras), "cameras");
   }
 
-  /** Opens several cameras in place of what is open. */
+  /** Opens several cameras in place of the present source. */
   void open(Callable<CameraRig> cameras, String name) {
     window.file(
         cameras,
@@ -118,8 +118,7 @@ public final class LiveFlightFeature implements ViewerFeature {
     if (rig.isPresent() && is.isPresent()) {
       if (is.get().source() == rig.get().first()) {
         LiveFlight live =
-            new LiveFlight(
-                rig.get(), pane.startAnew(rig.get().others(), window.display().options()));
+            new LiveFlight(rig.get(), pane.reset(rig.get().others(), window.display().options()));
         is.get().player().addRawSink(live);
         flight = Optional.of(live);
         shown.set(true);

@@ -28,8 +28,8 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 
 /**
- * A body in space and the cameras that see it, now, and the events of all cameras but the first,
- * which the window itself shows, each with the line of the body over it.
+ * A body in space and the cameras at the present time, and the pictures of all cameras but the
+ * first (shown by the main window), with the body's line.
  */
 final class LiveFlightPane extends BorderPane {
   private static final String NOTHING = "Open a flight before several cameras, in the File menu.";
@@ -39,7 +39,7 @@ final class LiveFlightPane extends BorderPane {
   private final SpaceCanvas canvas = new SpaceCanvas();
   private final GridPane pictures = new GridPane(2, 2);
   private final SplitPane both = new SplitPane(canvas);
-  private final Label words = Controls.named(new Label(NOTHING), "live-flight-words");
+  private final Label text = Controls.named(new Label(NOTHING), "live-flight-words");
   private final List<EventView> views = new ArrayList<>();
   private final List<DisplaySink> sinks = new ArrayList<>();
   private List<CameraLine> lines = List.of();
@@ -56,9 +56,9 @@ final class LiveFlightPane extends BorderPane {
     shown.selectedProperty().bindBidirectional(linesShown);
     Controls.help(
         shown, "Accepted lines are green, gated ones red and broken, the estimated axis white.");
-    words.setWrapText(true);
-    words.setMinHeight(USE_PREF_SIZE);
-    VBox controls = new VBox(4, shown, words);
+    text.setWrapText(true);
+    text.setMinHeight(USE_PREF_SIZE);
+    VBox controls = new VBox(4, shown, text);
     controls.getStyleClass().addAll("flight-controls");
     setBottom(controls);
   }
@@ -71,8 +71,7 @@ final class LiveFlightPane extends BorderPane {
     if (flight != null) {
       int last = flight.moments().size() - 1;
       canvas.show(new BodyFlightDrawing(flight), Math.max(0, last));
-      words.setText(
-          last < 0 ? "no orientation yet" : SpaceCanvas.words(flight.moments().get(last)));
+      text.setText(last < 0 ? "no orientation yet" : SpaceCanvas.label(flight.moments().get(last)));
       lines = last < 0 ? List.of() : flight.moments().get(last).lines();
     }
     for (int i = 0; i < views.size(); i++) {
@@ -92,7 +91,7 @@ final class LiveFlightPane extends BorderPane {
     canvas.clear();
     clearPictures();
     both.getItems().setAll(canvas);
-    words.setText(NOTHING);
+    text.setText(NOTHING);
   }
 
   private void clearPictures() {
@@ -103,13 +102,13 @@ final class LiveFlightPane extends BorderPane {
     lines = List.of();
   }
 
-  /** Begins with other cameras; returns what takes the events of each. */
-  List<DisplaySink> startAnew(List<Playable> cameras, DisplayOptions options) {
+  /** Switches to other cameras; returns the sinks of their events. */
+  List<DisplaySink> reset(List<Playable> cameras, DisplayOptions options) {
     canvas.goBack();
     clearPictures();
     both.getItems().setAll(canvas, pictures);
     both.setDividerPositions(0.55);
-    words.setText("no orientation yet");
+    text.setText("no orientation yet");
     int columns = (int) Math.ceil(Math.sqrt(cameras.size()));
     for (int i = 0; i < cameras.size(); i++) {
       int camera = i + 1;
@@ -133,10 +132,10 @@ final class LiveFlightPane extends BorderPane {
 
   /** Shows events in another way. */
   void setOptions(DisplayOptions options) {
-    sinks.forEach(sink -> sink.maker().setOptions(options));
+    sinks.forEach(sink -> sink.renderer().setOptions(options));
   }
 
-  /** Draws as a theme wants it. */
+  /** Applies a theme. */
   void setTheme(Theme theme) {
     canvas.setTheme(theme);
   }

@@ -3,7 +3,7 @@ package haltere.ui.viewer.space;
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.OverlayCanvas;
-import haltere.ui.rendering.LayerTaps;
+import haltere.ui.rendering.OverlaySnapshots;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Positions over time of what overlays draw: centres of objects and tips of wing lines. A mark that
- * is missing at one moment begins a new trace.
+ * Positions of overlay marks over time: centres of objects and tips of wings. A mark that is
+ * missing at one moment starts a new trace.
  */
 final class MarkTraces {
   /** A position on the sensor at a time of the events. */
@@ -26,46 +26,46 @@ final class MarkTraces {
   /** The n-th mark of a style at a moment. */
   private record Key(MarkStyle style, int number) {}
 
-  /** A trace that goes on, or has been kept. */
-  private record Kept(MarkStyle style, Deque<Position> positions) {
-    void forgetBefore(long timeUs) {
+  /** A trace that continues, or has ended. */
+  private record MarkTrace(MarkStyle style, Deque<Position> positions) {
+    void removeBefore(long timeUs) {
       while (!positions.isEmpty() && positions.getFirst().timeUs() < timeUs) {
         positions.removeFirst();
       }
     }
   }
 
-  private final List<Kept> traces = new ArrayList<>();
-  private Map<Key, Kept> open = new HashMap<>();
+  private final List<MarkTrace> traces = new ArrayList<>();
+  private Map<Key, MarkTrace> open = new HashMap<>();
 
   /** Adds the positions of all marks at a time. */
-  void add(long timeUs, List<LayerTaps.Marks<?>> marks) {
+  void add(long timeUs, List<OverlaySnapshots.Marks<?>> marks) {
     Collector collector = new Collector();
     marks.forEach(each -> each.draw(timeUs, collector));
-    Map<Key, Kept> now = new HashMap<>();
-    collector.places.forEach(
-        (key, place) -> {
-          Kept trace = open.get(key);
+    Map<Key, MarkTrace> now = new HashMap<>();
+    collector.positions.forEach(
+        (key, position) -> {
+          MarkTrace trace = open.get(key);
           if (trace == null) {
-            trace = new Kept(key.style(), new ArrayDeque<>());
+            trace = new MarkTrace(key.style(), new ArrayDeque<>());
             traces.add(trace);
           }
-          trace.positions().add(new Position(timeUs, place[0], place[1]));
+          trace.positions().add(new Position(timeUs, position[0], position[1]));
           now.put(key, trace);
         });
     open = now;
   }
 
-  /** Forgets positions of before a time. */
-  void forgetBefore(long timeUs) {
-    traces.forEach(trace -> trace.forgetBefore(timeUs));
+  /** Removes positions before a time. */
+  void removeBefore(long timeUs) {
+    traces.forEach(trace -> trace.removeBefore(timeUs));
     traces.removeIf(trace -> trace.positions().isEmpty());
     open.values().removeIf(trace -> trace.positions().isEmpty());
   }
 
-  /** Forgets all positions. */
+  /** Removes all positions. */
   void clear() {
-    forgetBefore(Long.MAX_VALUE);
+    removeBefore(Long.MAX_VALUE);
   }
 
   /** A copy of the traces. */
@@ -75,13 +75,13 @@ final class MarkTraces {
         .toList();
   }
 
-  /** Takes one position of each mark that stands for an object or a wing edge. */
+  /** Collects one position of each mark of an object or a wing edge. */
   private static final class Collector implements OverlayCanvas {
-    private final Map<Key, double[]> places = new HashMap<>();
+    private final Map<Key, double[]> positions = new HashMap<>();
 
     private void put(MarkStyle style, double x, double y) {
       int number = 0;
-      while (places.putIfAbsent(new Key(style, number), new double[] {x, y}) != null) {
+      while (positions.putIfAbsent(new Key(style, number), new double[] {x, y}) != null) {
         number++;
       }
     }
@@ -93,8 +93,8 @@ final class MarkTraces {
     @Override
     public void line(double x1, double y1, double x2, double y2, MarkStyle style) {
       if (style.role() == Role.LEFT || style.role() == Role.RIGHT) {
-        // one edge stands for the wing
-        places.putIfAbsent(new Key(MarkStyle.of(style.role()), 0), new double[] {x2, y2});
+        // one edge represents the wing
+        positions.putIfAbsent(new Key(MarkStyle.of(style.role()), 0), new double[] {x2, y2});
       }
     }
 
@@ -109,7 +109,7 @@ final class MarkTraces {
     @Override
     public void polyline(double[] x, double[] y, int points, MarkStyle style) {
       if (isObject(style)) {
-        // the first corner of an outline stands once more at its end
+        // the first corner of a closed line is repeated at its end
         put(style, mean(x, points - 1), mean(y, points - 1));
       }
     }
@@ -120,7 +120,7 @@ final class MarkTraces {
 
     @Override
     public void text(double x, double y, String text, MarkStyle style) {
-      // words have no trace
+      // text has no trace
     }
   }
 }

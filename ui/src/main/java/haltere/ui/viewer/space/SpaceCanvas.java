@@ -6,13 +6,13 @@ import haltere.ui.space.BodyFlight;
 import haltere.ui.space.BodyFlightDrawing;
 import haltere.ui.space.SpaceView;
 import haltere.ui.viewer.controls.PixelImage;
+import haltere.ui.viewer.controls.RotatablePane;
 import haltere.ui.viewer.controls.Theme;
-import haltere.ui.viewer.controls.TurnPane;
 import java.util.Arrays;
 import java.util.Locale;
 
-/** A body in space and the cameras that see it, at one time. */
-final class SpaceCanvas extends TurnPane {
+/** A body in space and the cameras, at one time. */
+final class SpaceCanvas extends RotatablePane {
   private static final double ZOOM_PER_NOTCH = 1.2;
 
   private final SpaceView view = new SpaceView();
@@ -42,7 +42,7 @@ final class SpaceCanvas extends TurnPane {
     redraw();
   }
 
-  /** Shows a moment of a flight; the view stays as it was turned. */
+  /** Shows a moment of a flight; the viewpoint is unchanged. */
   void show(BodyFlightDrawing newDrawing, int newIndex) {
     drawing = newDrawing;
     index = newIndex;
@@ -61,7 +61,7 @@ final class SpaceCanvas extends TurnPane {
     goBack();
   }
 
-  /** Looks at what is shown as if nothing had been shown before. */
+  /** Resets the viewpoint. */
   @Override
   protected void goBack() {
     fitted = false;
@@ -91,8 +91,8 @@ final class SpaceCanvas extends TurnPane {
     image.repaint();
   }
 
-  /** A moment in words. */
-  static String words(BodyFlight.Moment moment) {
+  /** A moment as text. */
+  static String label(BodyFlight.Moment moment) {
     var now = moment.estimate();
     return String.format(
         Locale.ROOT,

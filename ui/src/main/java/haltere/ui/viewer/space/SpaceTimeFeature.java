@@ -9,8 +9,8 @@ import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 
 /**
- * The view of events in space and time, beside the picture. Events are gathered for it only while
- * it is shown.
+ * The view of events in space and time, beside the picture. Events are accumulated only while it is
+ * shown.
  */
 public final class SpaceTimeFeature implements ViewerFeature {
   private SpaceTimePanel panel;

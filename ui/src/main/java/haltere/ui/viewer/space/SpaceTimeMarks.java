@@ -10,13 +10,13 @@ import haltere.ui.rendering.SpaceTimeProjection;
 import java.util.List;
 
 /**
- * Draws what lies over events in space and time: the box with its three axes, the marks of filters
- * in the plane of the newest events, and their traces through time.
+ * Draws marks over events in space and time: the box with three axes, filters' marks in the plane
+ * of the newest events, and their traces over time.
  *
  * @param projection where objects lie; (0, 0) of the canvas is the middle of the picture
  * @param sensor columns and rows
  * @param spanUs length of the time axis, microseconds
- * @param letters what words are drawn with
+ * @param letters draws text
  * @param density pixels of the picture per unit of the window
  * @param canvas receives the marks, in pixels of the picture
  */
@@ -47,7 +47,7 @@ record SpaceTimeMarks(
     ROW,
     TIME;
 
-    /** A corner of the box, or a point of the edge that begins there. */
+    /** A corner of the box, or a point of the edge from it. */
     double[] point(double along, double other, double third) {
       return switch (this) {
         case COLUMN -> new double[] {along, other, third};
@@ -83,7 +83,7 @@ record SpaceTimeMarks(
       for (double b : new double[] {0, end(third)}) {
         Edge edge = new Edge(axis, a, b, project(axis.point(0, a, b)), end(axis, a, b));
         canvas.line(edge.from[0], edge.from[1], edge.to[0], edge.to[1], BOX);
-        // rows are read at the left, columns and times below
+        // row labels at the left, column and time labels below
         int coordinate = axis == Axis.ROW ? 0 : 1;
         if (labelled == null || edge.middle(coordinate) < labelled.middle(coordinate)) {
           labelled = edge;
@@ -129,8 +129,8 @@ record SpaceTimeMarks(
     double unitUs = spanUs < 5_000 ? 1 : spanUs < 2_000_000 ? 1_000 : 1_000_000;
     double unit = isTime ? unitUs : 1;
     double end = end(edge.axis) / unit;
-    int most = (int) Math.max(2, edge.length() / (PER_TICK * density));
-    Ticks ticks = isTime ? Ticks.of(-end, 0, most) : Ticks.atLeastTwo(0, end, most);
+    int maxTicks = (int) Math.max(2, edge.length() / (PER_TICK * density));
+    Ticks ticks = isTime ? Ticks.of(-end, 0, maxTicks) : Ticks.atLeastTwo(0, end, maxTicks);
     double[] outward = edge.outward();
     canvas.line(edge.from[0], edge.from[1], edge.to[0], edge.to[1], AXIS);
     for (double value : ticks.values()) {
@@ -164,12 +164,12 @@ record SpaceTimeMarks(
   }
 
   /** Words beside a point, at a distance from it. */
-  private void text(String words, double[] at, double[] outward, double distance) {
-    double halfWidth = letters.width(words) / 2;
+  private void text(String label, double[] at, double[] outward, double distance) {
+    double halfWidth = letters.width(label) / 2;
     double halfHeight = letters.ascent() / 2;
     double x = at[0] + outward[0] * (distance * density + halfWidth);
     double y = at[1] + outward[1] * (distance * density + halfHeight);
-    canvas.text(x - halfWidth, y - halfHeight, words, AXIS);
+    canvas.text(x - halfWidth, y - halfHeight, label, AXIS);
   }
 
   /** Draws marks and traces of a moment. */

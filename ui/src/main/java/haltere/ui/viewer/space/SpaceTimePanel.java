@@ -11,8 +11,8 @@ import haltere.ui.rendering.SpaceTimeProjection;
 import haltere.ui.rendering.SpaceTimeView;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.PixelImage;
+import haltere.ui.viewer.controls.RotatablePane;
 import haltere.ui.viewer.controls.Texts;
-import haltere.ui.viewer.controls.TurnPane;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.DoubleConsumer;
@@ -25,9 +25,9 @@ import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
 
 /**
- * Events in space and time. A drag turns, the wheel enlarges, a double click goes back to the first
- * view; arrow keys, plus, minus and Home do the same, and sliders, which also choose the part of
- * the time that stands out.
+ * Events in space and time. A drag rotates, the wheel zooms, a double click restores the initial
+ * view; arrow keys, plus, minus, Home and sliders do the same. Sliders also select the highlighted
+ * slice.
  */
 final class SpaceTimePanel extends BorderPane {
   private static final double DOUBLINGS_PER_NOTCH = 0.2;
@@ -37,7 +37,7 @@ final class SpaceTimePanel extends BorderPane {
 
   private final SpaceTimePainter painter = new SpaceTimePainter();
   private final PixelImage image = new PixelImage();
-  private final TurnPane picture = Controls.named(new Picture(), "space-time-picture");
+  private final RotatablePane picture = Controls.named(new Picture(), "space-time-picture");
   private final Slider turn = slider("space-time-turn", "Turn, degrees", -180, 180);
   private final Slider tilt = slider("space-time-tilt", "Tilt, degrees", -90, 90);
   private final Slider size = slider("space-time-size", "Size, in doublings", -2, 4.5);
@@ -46,7 +46,7 @@ final class SpaceTimePanel extends BorderPane {
       slider("space-time-slice", "Where the highlighted slice begins", 0, 1);
   private final Slider thickness =
       slider("space-time-thickness", "Thickness of the highlighted slice", 0, 1);
-  private final Label words = Controls.label("", Styles.TEXT_SMALL, Styles.TEXT_MUTED);
+  private final Label text = Controls.label("", Styles.TEXT_SMALL, Styles.TEXT_MUTED);
   private final List<Runnable> values = new ArrayList<>();
   private final ReadOnlyBooleanProperty marksShown;
   private SpaceTimeSink.Frame frame = new SpaceTimeSink.Frame(1);
@@ -75,7 +75,7 @@ final class SpaceTimePanel extends BorderPane {
             named("Time", span, () -> Texts.duration(view().spanUs())),
             named("Slice", slice, () -> slice.getValue() == 0 ? "now" : "-" + ofSpan(slice)),
             named("Thickness", thickness, () -> ofSpan(thickness)),
-            words);
+            text);
     controls.getStyleClass().addAll("space-time-controls");
     setBottom(controls);
     goBack();
@@ -93,7 +93,7 @@ final class SpaceTimePanel extends BorderPane {
     dirty = true;
   }
 
-  /** From where it is looked at. */
+  /** The viewpoint. */
   SpaceTimeView view() {
     double from = slice.getValue();
     return new SpaceTimeView(
@@ -105,12 +105,12 @@ final class SpaceTimePanel extends BorderPane {
         Math.min(1, from + thickness.getValue()));
   }
 
-  /** Calls something with the time that is shown, whenever that changes. */
+  /** Adds a listener to the shown time span. */
   void onSpan(DoubleConsumer listener) {
     span.valueProperty().subscribe((was, is) -> listener.accept(view().spanUs()));
   }
 
-  /** Shows newer events, or the same ones from elsewhere; null if there are no newer ones. */
+  /** Shows newer events, or the same ones from another viewpoint; null without newer ones. */
   void update(SpaceTimeSink.Frame newer) {
     if (newer != null) {
       frame = newer;
@@ -147,12 +147,12 @@ final class SpaceTimePanel extends BorderPane {
     image.repaint();
     values.forEach(Runnable::run);
     String steps = ", traces in steps of " + Texts.duration(SpaceTimeSink.stepUs(view.spanUs()));
-    words.setText(
+    text.setText(
         Texts.count(frame.points.count())
             + (frame.traces.isEmpty() ? " events" : " events" + steps));
   }
 
-  /** What a share of the time that is shown is. */
+  /** A share of the shown time span as text. */
   private String ofSpan(Slider share) {
     return Texts.duration(share.getValue() * view().spanUs());
   }
@@ -168,8 +168,8 @@ final class SpaceTimePanel extends BorderPane {
     dirty = true;
   }
 
-  /** The picture, by which hands turn it. */
-  private final class Picture extends TurnPane {
+  /** The picture, rotated by mouse and keys. */
+  private final class Picture extends RotatablePane {
     Picture() {
       super(image);
     }
@@ -192,16 +192,16 @@ final class SpaceTimePanel extends BorderPane {
     }
   }
 
-  private Slider slider(String id, String help, double least, double most) {
-    Slider slider = Controls.slider(id, help, least, most);
+  private Slider slider(String id, String help, double min, double max) {
+    Slider slider = Controls.slider(id, help, min, max);
     slider.getStyleClass().add(Styles.SMALL);
     slider.setPrefWidth(60);
-    slider.setBlockIncrement((most - least) / 50);
+    slider.setBlockIncrement((max - min) / 50);
     slider.valueProperty().subscribe((was, is) -> dirty = true);
     return slider;
   }
 
-  /** A slider between its name and its value, which is brought up to date with the picture. */
+  /** A slider between its name and its value, which is updated with the picture. */
   private HBox named(String name, Slider slider, Supplier<String> value) {
     Label shown = Controls.named(new Label(), slider.getId() + "-value", Styles.TEXT_SMALL);
     shown.setMinWidth(VALUE_WIDTH);

@@ -5,20 +5,20 @@ import haltere.core.event.EventPacket;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.rendering.FrameExchange;
-import haltere.ui.rendering.LayerTaps;
+import haltere.ui.rendering.OverlaySnapshots;
 import haltere.ui.rendering.SpaceTimeCloud;
 import haltere.ui.rendering.SpaceTimeView;
 import java.util.List;
 
 /**
- * Gathers the newest events for the view in space and time and hands over a copy whenever the last
- * one has been fetched.
+ * Accumulates the newest events for the view in space and time, and provides a copy whenever the
+ * last one has been fetched.
  *
  * <p>Thread rule: {@link #setSpan} and fetching on the JavaFX thread, the rest on the processing
  * thread.
  */
 final class SpaceTimeSink implements SliceSink {
-  /** What the view shows of one moment. */
+  /** The data of one picture. */
   static final class Frame {
     final SpaceTimeCloud.Points points;
 
@@ -26,9 +26,9 @@ final class SpaceTimeSink implements SliceSink {
     long nowUs;
 
     /** Marks of filters at that time. */
-    List<LayerTaps.Marks<?>> marks = List.of();
+    List<OverlaySnapshots.Marks<?>> marks = List.of();
 
-    /** Where marks were before. */
+    /** Earlier positions of marks. */
     List<MarkTraces.Trace> traces = List.of();
 
     Frame(int capacity) {
@@ -43,17 +43,17 @@ final class SpaceTimeSink implements SliceSink {
   private static final int MOMENTS = 400;
 
   private final SpaceTimeCloud cloud = new SpaceTimeCloud(MAX_EVENTS);
-  private final LayerTaps taps;
+  private final OverlaySnapshots snapshots;
   private final MarkTraces traces = new MarkTraces();
   private final FrameExchange<Frame> exchange = new FrameExchange<>(() -> new Frame(MAX_EVENTS));
   private volatile long spanUs = SpaceTimeView.DEFAULT.spanUs();
-  private List<LayerTaps.Marks<?>> marks = List.of();
+  private List<OverlaySnapshots.Marks<?>> marks = List.of();
   private long nowUs;
   private long tracedUs;
 
   /** A sink that has no events yet, and shows the marks of a chain. */
   SpaceTimeSink(FilterChain chain) {
-    taps = new LayerTaps(chain);
+    snapshots = new OverlaySnapshots(chain);
   }
 
   /** Time from one position of a trace to the next, microseconds. */
@@ -78,7 +78,7 @@ final class SpaceTimeSink implements SliceSink {
     }
   }
 
-  /** Follows the marks, which move on from what was known of them before. */
+  /** Extrapolates the marks to a time. */
   private void advanceTo(long timeUs) {
     long stepUs = stepUs(spanUs);
     tracedUs = Math.max(tracedUs, timeUs - spanUs);
@@ -87,14 +87,14 @@ final class SpaceTimeSink implements SliceSink {
       traces.add(tracedUs, marks);
     }
     nowUs = timeUs;
-    traces.forgetBefore(nowUs - spanUs);
-    marks = taps.marks();
+    traces.removeBefore(nowUs - spanUs);
+    marks = snapshots.marks();
   }
 
   @Override
   public void notified(StreamNotification notification) {
     cloud.notified(notification);
-    if (taps.notified(notification)) {
+    if (snapshots.notified(notification)) {
       traces.clear();
       marks = List.of();
       tracedUs = 0;
@@ -108,7 +108,7 @@ final class SpaceTimeSink implements SliceSink {
 
   @Override
   public void runUpBegins(long sliceUs) {
-    taps.followChain();
+    snapshots.followChain();
   }
 
   @Override
@@ -132,6 +132,6 @@ final class SpaceTimeSink implements SliceSink {
 
   /** Ends all subscriptions; processing thread. */
   void close() {
-    taps.close();
+    snapshots.close();
   }
 }

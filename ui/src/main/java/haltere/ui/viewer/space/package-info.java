@@ -1,2 +1,2 @@
-/** Views in space: bodies with the cameras that see them, and events over time. */
+/** Views in space: bodies with cameras, and events over time. */
 package haltere.ui.viewer.space;

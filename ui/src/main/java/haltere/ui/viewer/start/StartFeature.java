@@ -7,8 +7,8 @@ import haltere.ui.viewer.feature.ViewerFeature;
 import java.util.Optional;
 
 /**
- * The start page: shown where nothing is open, and on request over what is open. What it offers are
- * the actions of the menus of recent files, scenes and cameras.
+ * The start page: shown while nothing is open, and on request. Its entries are the actions of the
+ * menus of recent files, scenes and cameras.
  */
 public final class StartFeature implements ViewerFeature {
   private static final String RECENT = "File/Open recent";
@@ -34,7 +34,7 @@ public final class StartFeature implements ViewerFeature {
             });
   }
 
-  /** The reason without the file's name, which stands above it. */
+  /** The reason without the file's name, which is shown above it. */
   private static String reason(String name, Exception problem) {
     String line = Texts.oneLine(problem);
     return Texts.capital(line.startsWith(name + ": ") ? line.substring(name.length() + 2) : line);
@@ -55,7 +55,7 @@ public final class StartFeature implements ViewerFeature {
     page.get().setBack(window.sessions().session().map(open -> open.player().playable().name()));
   }
 
-  /** The other links stay while cameras are looked for, so that a click on them is not lost. */
+  /** The other links remain while cameras are listed, so that a click on them is not lost. */
   private void offerCameras(StartPage made) {
     ViewerActions actions = window.actions();
     made.setCameras(actions.inMenu(CAMERAS), () -> actions.run("list-cameras"));

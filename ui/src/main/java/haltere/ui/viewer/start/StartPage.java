@@ -23,8 +23,8 @@ import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 
 /**
- * What can be opened: a recording, recent ones, scenes with a picture and a sentence each, cameras.
- * Above that stands why something could not be opened.
+ * The start page: recordings, scenes with pictures and descriptions, cameras; above them, the
+ * problem of a failed opening.
  */
 final class StartPage extends ScrollPane {
   private static final double PICTURE_WIDTH = 160;
@@ -39,7 +39,7 @@ final class StartPage extends ScrollPane {
   private final FlowPane scenes = new FlowPane(12, 12);
   private final VBox cameras = new VBox(4);
 
-  /** A page that offers nothing yet but to open a recording and to go back to what is open. */
+  /** A page with buttons to open a recording and to go back only. */
   StartPage(Runnable open, Runnable close) {
     Controls.named(this, "start-page", "start-page");
     Label title = Controls.label("Haltere", Styles.TITLE_2);
@@ -73,13 +73,13 @@ final class StartPage extends ScrollPane {
     Controls.scrolling(this, page);
   }
 
-  /** Says why something could not be opened; nothing if the words are empty. */
-  void setProblem(String words) {
-    problem.setText(words);
-    Controls.show(!words.isEmpty(), problem);
+  /** Shows the problem of a failed opening; empty text hides it. */
+  void setProblem(String text) {
+    problem.setText(text);
+    Controls.show(!text.isEmpty(), problem);
   }
 
-  /** Offers to go back to what is open, or not. */
+  /** Shows or hides the button back to the open source. */
   void setBack(Optional<String> name) {
     name.ifPresent(open -> back.setText("Back to " + open));
     Controls.show(name.isPresent(), back);
@@ -92,7 +92,8 @@ final class StartPage extends ScrollPane {
         .getChildren()
         .setAll(
             lines.isEmpty()
-                ? List.of(Controls.label("Recordings that you open stand here.", Styles.TEXT_MUTED))
+                ? List.of(
+                    Controls.label("Recordings that you open are listed here.", Styles.TEXT_MUTED))
                 : lines);
   }
 
@@ -105,7 +106,7 @@ final class StartPage extends ScrollPane {
   }
 
   private static Hyperlink link(ViewerAction action, String accessible) {
-    Hyperlink link = Controls.named(new Hyperlink(action.words()), "start-" + action.id());
+    Hyperlink link = Controls.named(new Hyperlink(action.label()), "start-" + action.id());
     link.setAccessibleText(accessible);
     link.setMnemonicParsing(false);
     link.setOnAction(event -> action.work().run());
@@ -118,14 +119,14 @@ final class StartPage extends ScrollPane {
   }
 
   private static Node tile(ViewerAction action) {
-    Label name = Controls.label(action.words(), Styles.TEXT_BOLD);
+    Label name = Controls.label(action.label(), Styles.TEXT_BOLD);
     Label sentence = Controls.paragraph(action.help(), Styles.TEXT_MUTED, Styles.TEXT_SMALL);
     sentence.setPrefSize(PICTURE_WIDTH, SENTENCE_HEIGHT);
     sentence.setAlignment(Pos.TOP_LEFT);
     VBox content = new VBox(4, picture(action.id()), name, sentence);
     content.setPrefWidth(PICTURE_WIDTH);
     Button tile = Controls.named(new Button(), "start-" + action.id(), "start-tile");
-    tile.setAccessibleText(action.words() + ". " + action.help());
+    tile.setAccessibleText(action.label() + ". " + action.help());
     tile.setContentDisplay(ContentDisplay.GRAPHIC_ONLY);
     tile.setGraphic(content);
     tile.setOnAction(event -> action.work().run());
@@ -153,7 +154,7 @@ final class StartPage extends ScrollPane {
         actions.stream()
             .<Node>map(
                 action -> {
-                  Hyperlink link = link(action, "Open the camera " + action.words());
+                  Hyperlink link = link(action, "Open the camera " + action.label());
                   Controls.help(link, action.help());
                   return link;
                 })

@@ -1,2 +1,2 @@
-/** The page that a window without a recording begins with. */
+/** The start page of a window without a recording. */
 package haltere.ui.viewer.start;

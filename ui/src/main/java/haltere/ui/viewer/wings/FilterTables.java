@@ -30,11 +30,9 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 
 /**
- * The state x with its standard deviations, the process noise Q, the noise R of a measurement and
- * the covariance P of one Kalman filter, as it uses them now. Of P the column of one state is
- * shown, with the name of each row. An entry that is being edited stands still until Enter takes it
- * over or Escape gives it up. A button beside a noise says whether the estimator adapts it or a
- * person has set it; a click changes that.
+ * State x with standard deviations, process noise Q, measurement noise R and covariance P of one
+ * Kalman filter, live. Of P, the column of one state is shown. An edited entry is fixed until Enter
+ * applies it or Escape discards it. A button beside a noise switches between adaptive and manual.
  */
 final class FilterTables extends VBox {
   private static final MathContext FOUR_DIGITS = new MathContext(4);
@@ -48,11 +46,11 @@ final class FilterTables extends VBox {
   private static final double MAX_PLAIN = 1e6;
 
   private static final Map<Source, String> SOURCES =
-      Map.of(Source.SETTINGS, "", Source.ESTIMATOR, "adaptive", Source.BY_HAND, "by hand");
+      Map.of(Source.SETTINGS, "", Source.ESTIMATOR, "adaptive", Source.MANUAL, "manual");
 
   private final Consumer<WingFilterEdit> edited;
 
-  /** What shows a number; those of the column of P that is chosen come last. */
+  /** Updaters of the numbers; those of the selected column of P come last. */
   private final List<Consumer<WingFilterState>> numbers = new ArrayList<>();
 
   private final int fixedNumbers;
@@ -61,7 +59,7 @@ final class FilterTables extends VBox {
       Controls.named(new Label(), "filter-summary", Styles.TEXT_SMALL, Styles.TEXT_MUTED);
   private WingFilterState shown;
 
-  /** Tables of a filter as it is now; hands over what a person changes. */
+  /** Tables of a filter; the consumer gets manual changes. */
   FilterTables(WingFilterState first, Consumer<WingFilterEdit> edited) {
     this.edited = edited;
     setSpacing(6);
@@ -74,7 +72,7 @@ final class FilterTables extends VBox {
             "State whose column of the covariance is shown",
             first.names(),
             name -> name);
-    // its longest name would be wider than the tables
+    // its longest name is wider than the tables
     column.setPrefWidth(2 * NUMBER_WIDTH);
     column.getSelectionModel().select(0);
     column.setOnAction(event -> showColumn());
@@ -86,19 +84,19 @@ final class FilterTables extends VBox {
     show(first);
   }
 
-  private static Label heading(String words) {
-    return Controls.whole(words, Styles.TEXT_SMALL, Styles.TEXT_BOLD);
+  private static Label heading(String text) {
+    return Controls.whole(text, Styles.TEXT_SMALL, Styles.TEXT_BOLD);
   }
 
-  /** Columns of names, of entries and of what follows from them. */
+  /** Columns of names, entries and derived numbers. */
   private static List<ColumnConstraints> columns() {
     ColumnConstraints names = new ColumnConstraints(NAME_WIDTH, NAME_WIDTH, Double.MAX_VALUE);
     names.setHgrow(Priority.ALWAYS);
     return List.of(names, new ColumnConstraints(NUMBER_WIDTH), new ColumnConstraints());
   }
 
-  private static Label name(String words) {
-    return Controls.paragraph(words, Styles.TEXT_SMALL);
+  private static Label name(String text) {
+    return Controls.paragraph(text, Styles.TEXT_SMALL);
   }
 
   private Label derived(ToDoubleFunction<WingFilterState> number) {
@@ -145,24 +143,24 @@ final class FilterTables extends VBox {
     button.setAccessibleText("Source of " + name(table, row, 0));
     Controls.help(
         button,
-        "Adaptive: a click holds the present number. By hand: a click gives the number back to"
+        "Adaptive: a click fixes the present number. Manual: a click returns the number to"
             + " the estimator or to the settings.");
     button.setOnAction(
         event -> {
-          boolean byHand = shown.source(table, row) == Source.BY_HAND;
-          double value = byHand ? Double.NaN : shown.value(table, row, 0);
+          boolean manual = shown.source(table, row) == Source.MANUAL;
+          double value = manual ? Double.NaN : shown.value(table, row, 0);
           edited.accept(new WingFilterEdit(shown.part(), table, row, 0, value));
         });
     numbers.add(
         now -> {
-          String words = SOURCES.get(now.source(table, row));
-          button.setText(words);
-          Controls.show(!words.isEmpty(), button);
+          String text = SOURCES.get(now.source(table, row));
+          button.setText(text);
+          Controls.show(!text.isEmpty(), button);
         });
     return button;
   }
 
-  /** The column of P of the state that is chosen takes the place of the one before. */
+  /** Shows the column of P of the selected state. */
   private void showColumn() {
     numbers.subList(fixedNumbers, numbers.size()).clear();
     getChildren()
@@ -233,7 +231,7 @@ final class FilterTables extends VBox {
     return f.part() == shown.part() && f.names().equals(shown.names());
   }
 
-  /** Shows the numbers as they are now. */
+  /** Shows the present numbers. */
   void show(WingFilterState now) {
     shown = now;
     numbers.forEach(number -> number.accept(now));

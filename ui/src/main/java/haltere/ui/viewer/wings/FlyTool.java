@@ -14,16 +14,16 @@ import java.util.function.Supplier;
 import javafx.geometry.Point2D;
 
 /**
- * Says where the fly is: a click sets the body, a drag of the head turns the heading, a drag of the
- * circle sets the region of interest. What is said is an offset from what was found.
+ * Sets the fly manually: a click sets the body, a drag of the head rotates the heading, a drag of
+ * the circle sets the region of interest. Settings are offsets from the estimate.
  */
 final class FlyTool implements ViewTool {
-  /** Where the handle of the heading is, as a share of the fly's size. */
+  /** Position of the heading's handle, as a share of the fly's size. */
   private static final double HEAD_SHARE = 0.6;
 
   private static final double GRIP_SHARE = 0.15;
 
-  /** What is in the hand. */
+  /** The dragged part. */
   private enum Grip {
     NONE,
     BODY,
@@ -38,8 +38,8 @@ final class FlyTool implements ViewTool {
   private double atY;
 
   /**
-   * A tool that looks at the tracker as it was last seen, and hands over what makes new settings of
-   * it on the processing thread.
+   * A tool on the last seen state of the tracker; the consumer gets functions to new settings, for
+   * the processing thread.
    */
   FlyTool(
       Supplier<Optional<WingsView>> seen,
@@ -102,7 +102,7 @@ final class FlyTool implements ViewTool {
       case HEADING -> consumer.accept(tracker -> tracker.withHeading(heading));
       case REGION -> consumer.accept(tracker -> tracker.withRegion(radius));
       case NONE -> {
-        // nothing is tracked, so there is nothing to say of it
+        // no fly is tracked
       }
     }
   }

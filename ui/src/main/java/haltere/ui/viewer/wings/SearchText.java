@@ -4,11 +4,11 @@ import haltere.filters.wing.WingTrackerState;
 import java.util.List;
 import java.util.Locale;
 
-/** Says in lines what a wing tracker does, and how it has found the fly. */
+/** Describes the state of a wing tracker and the steps of its search. */
 final class SearchText {
   private SearchText() {}
 
-  /** A line for what it does now, then one for each step of its last search. */
+  /** A line for its present state, then one for each step of its last search. */
   static String of(WingsView now) {
     List<WingTrackerState> steps = now.steps();
     StringBuilder text =

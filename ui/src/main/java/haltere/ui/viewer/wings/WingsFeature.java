@@ -11,7 +11,7 @@ import haltere.filters.wing.tracker.WingTrackerFilter;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.PanelLayout;
-import haltere.ui.viewer.feature.PlayedOutput;
+import haltere.ui.viewer.feature.PlaybackOutput;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.wing.WingLogFormat;
@@ -28,30 +28,30 @@ import javafx.beans.property.SimpleObjectProperty;
 import javafx.scene.control.Button;
 
 /**
- * What a person can do with the wing tracker: see and change its filters while they run, say where
- * the fly is, exchange head and tail, keep a log.
+ * Controls of the wing tracker: its filters live, the manual position of the fly, exchange of head
+ * and tail, logs.
  */
 public final class WingsFeature implements ViewerFeature {
   private static final String MENU = "Wings";
-  private static final long LOOK_NANOS = 200_000_000;
+  private static final long POLL_NANOS = 200_000_000;
 
   private final BooleanProperty placing = new SimpleBooleanProperty();
   private final ObjectProperty<WingLogFormat> logFormat =
       new SimpleObjectProperty<>(
           new WingLogFormat(WingLogFormat.Rows.TICK, WingLogFormat.Layout.TABLE));
   private ViewerContext window;
-  private PlayedOutput<WrittenLog> log;
+  private PlaybackOutput<WingLogOutput> log;
   private BooleanProperty shown;
   private WingsPanel panel;
   private Optional<WingsView> seen = Optional.empty();
-  private boolean looking;
+  private boolean isReading;
 
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    log = new PlayedOutput<>(window);
+    log = new PlaybackOutput<>(window);
     shown = window.addPanel("wings", PanelLayout.Position.SIDE, this::panel);
-    window.panels().every(LOOK_NANOS, this::pulse);
+    window.panels().every(POLL_NANOS, this::pulse);
     window
         .sessions()
         .sessionProperty()
@@ -68,10 +68,10 @@ public final class WingsFeature implements ViewerFeature {
     actions.add("wings-search", this::search, obstacle);
     actions.add("wings-log", log.runningProperty(), () -> log.toggle(this::askForLog), obstacle);
     actions.addChoices(
-        "wings-log-", MENU + "/Rows of the log", logFormat, formats(), WingsFeature::words);
+        "wings-log-", MENU + "/Rows of the log", logFormat, formats(), WingsFeature::label);
   }
 
-  /** Why there is nothing to do with wings, in a few words; empty if there is. */
+  /** The reason why wing commands are unavailable; empty if they are available. */
   private String obstacle() {
     boolean hasTracker =
         window.sessions().session().stream()
@@ -89,7 +89,7 @@ public final class WingsFeature implements ViewerFeature {
         new WingLogFormat(WingLogFormat.Rows.EVENT, WingLogFormat.Layout.ORIGINAL));
   }
 
-  private static String words(WingLogFormat format) {
+  private static String label(WingLogFormat format) {
     String rows = "Each " + Parameter.text(format.rows());
     return format.layout() == WingLogFormat.Layout.ORIGINAL
         ? rows + ", layout of the original"
@@ -102,27 +102,27 @@ public final class WingsFeature implements ViewerFeature {
             List.of(
                 button("flip", "Flip", "Exchanges head and tail"),
                 button("place", "Place", "Click the body, drag the head or the circle"),
-                button("search", "Search", "Searches the fly anew"),
+                button("search", "Search", "Searches the fly again"),
                 button("log", "Log\u2026", "Starts or ends a log")),
             this);
     return panel;
   }
 
   /** A button of the panel that does a command of the menu. */
-  private Button button(String command, String words, String help) {
+  private Button button(String command, String text, String help) {
     Runnable work = () -> window.actions().run("wings-" + command);
-    return Controls.button("wings-panel-" + command, words, help, work, Styles.SMALL);
+    return Controls.button("wings-panel-" + command, text, help, work, Styles.SMALL);
   }
 
   private void pulse() {
-    if ((!shown.get() && !placing.get()) || looking) {
+    if ((!shown.get() && !placing.get()) || isReading) {
       return;
     }
-    looking = true;
+    isReading = true;
     window.read(
         WingsView::of,
         view -> {
-          looking = false;
+          isReading = false;
           seen = view;
           if (panel != null) {
             panel.show(view);
@@ -134,7 +134,7 @@ public final class WingsFeature implements ViewerFeature {
     window.editor().change(settling(change), window.status()::showError);
   }
 
-  /** Gives the tracker settings that say where the fly is that it sees now. */
+  /** Sets the manual position of the fly in the tracker's settings. */
   private void place(Function<WingTracker, WingTrackerSettings> change) {
     window.editor().adjust(settling(change), window.status()::showError);
   }
@@ -162,7 +162,7 @@ public final class WingsFeature implements ViewerFeature {
     change((chain, view) -> view.filter().tracker().edit(edit));
   }
 
-  /** Begins a filter anew. */
+  /** Restarts a filter. */
   void restart(WingPart part) {
     change((chain, view) -> view.filter().tracker().restart(part));
   }
@@ -192,10 +192,10 @@ public final class WingsFeature implements ViewerFeature {
     window.dialogs().save("Log wings to", "wings.txt", "Logs", "*.txt").ifPresent(this::log);
   }
 
-  /** Starts a log; a file that is there is replaced. */
+  /** Starts a log; replaces an existing file. */
   void log(Path file) {
     WingLogFormat format = logFormat.get();
-    log.start(open -> WrittenLog.begin(file, format, open.player()));
+    log.start(open -> WingLogOutput.begin(file, format, open.player()));
   }
 
   /** The fly and its filters as they were seen last. */

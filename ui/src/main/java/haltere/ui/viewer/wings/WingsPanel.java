@@ -15,7 +15,7 @@ import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.VBox;
 
-/** The wing tracker's filters: which edges they take, and the numbers of each filter, live. */
+/** The wing tracker's filters: their edges, and the numbers of each filter, live. */
 final class WingsPanel extends ScrollPane {
   private static final List<WingPart> EDGES =
       List.of(
@@ -38,7 +38,7 @@ final class WingsPanel extends ScrollPane {
   private final VBox body = new VBox(8);
   private Optional<FilterTables> tables = Optional.empty();
 
-  /** A panel that shows nothing yet, below some buttons; hands over what a person asks for. */
+  /** A panel without filters, below some buttons; the feature gets the user's requests. */
   WingsPanel(List<Button> buttons, WingsFeature wings) {
     this.wings = wings;
     setId("wings-panel");
@@ -50,7 +50,7 @@ final class WingsPanel extends ScrollPane {
         Controls.button(
             "wings-restart",
             "Reset filter",
-            "Begins the filter anew: where it is, but unsure, with the noise of the settings",
+            "Restarts the filter at its state, with the initial covariance and the noise of the settings",
             () -> Optional.ofNullable(choice.getValue()).ifPresent(wings::restart),
             Styles.SMALL);
     FlowPane head = new FlowPane(6, 6);
@@ -60,7 +60,7 @@ final class WingsPanel extends ScrollPane {
     FlowPane chosen = new FlowPane(6, 6, choice, restart);
     body.getStyleClass().add("settings");
     search.setWrapText(true);
-    // the tables may be wider than the panel, lines of text never are
+    // tables may be wider than the panel, text wraps
     search.maxWidthProperty().bind(widthProperty().subtract(MARGIN));
     body.getChildren().addAll(head, search, taken, chosen, empty);
     setContent(body);
@@ -74,7 +74,7 @@ final class WingsPanel extends ScrollPane {
     return box;
   }
 
-  /** Shows the tracker as it is now. */
+  /** Shows the present state of the tracker. */
   void show(Optional<WingsView> now) {
     List<WingFilterState> filters = now.map(WingsView::filters).orElse(List.of());
     now.ifPresent(view -> showEdges(view.settings().output()));
@@ -89,7 +89,7 @@ final class WingsPanel extends ScrollPane {
     empty.setText(
         now.isEmpty()
             ? "There is no wing tracker in the chain. Press Track wings beside the picture."
-                + " Then the state, the covariance and the noise of each wing stand here."
+                + " Then the state, the covariance and the noise of each wing are shown here."
             : filters.isEmpty() ? "No Kalman filter tracks a wing now." : "");
     Optional<WingFilterState> chosen =
         filters.stream().filter(filter -> filter.part() == choice.getValue()).findFirst();
@@ -120,7 +120,7 @@ final class WingsPanel extends ScrollPane {
     }
   }
 
-  /** The tables are made anew when there is a filter again. */
+  /** Rebuilds the tables for a new filter. */
   private void rebuild() {
     tables.ifPresent(shown -> body.getChildren().remove(shown));
     tables = Optional.empty();

@@ -12,7 +12,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The first wing tracker of a chain as it is now, read off on the processing thread for the window.
+ * The present state of the first wing tracker of a chain, read on the processing thread for the
+ * window.
  *
  * @param stage its stage
  * @param filter the stage's filter
@@ -20,8 +21,8 @@ import java.util.Optional;
  * @param filters its Kalman filters
  * @param geometry of the fly, empty while there is none
  * @param regionPx radius of the region of interest, pixels
- * @param steps how the fly was searched for last, and what became of it
- * @param status what the filter says of itself
+ * @param steps the last search and its outcome
+ * @param status the filter's status
  */
 record WingsView(
     ChainStage stage,

@@ -1,2 +1,2 @@
-/** Tracked wings: where the fly is, the numbers of the wing's filters, logs. */
+/** Tracked wings: position of the fly, numbers of the filters, logs. */
 package haltere.ui.viewer.wings;

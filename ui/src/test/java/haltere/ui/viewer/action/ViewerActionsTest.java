@@ -21,8 +21,8 @@ import org.junit.jupiter.api.Test;
 class ViewerActionsTest {
   private final List<String> done = new ArrayList<>();
 
-  private ViewerAction action(String id, String words) {
-    return ViewerAction.of(id, words, "Tools", () -> done.add(id));
+  private ViewerAction action(String id, String text) {
+    return ViewerAction.of(id, text, "Tools", () -> done.add(id));
   }
 
   private ViewerAction keyed(String id, String key) {
@@ -73,7 +73,7 @@ class ViewerActionsTest {
     assertFalse(keyed("a", "Shortcut+O").hasPlainKey());
     assertFalse(keyed("a", "F11").hasPlainKey());
     assertFalse(action("a", "A").hasPlainKey());
-    assertEquals("Shift+,", ViewerKeys.words("Shift+Comma"));
+    assertEquals("Shift+,", ViewerKeys.label("Shift+Comma"));
   }
 
   @Test

@@ -60,12 +60,12 @@ class EditHistoryTest {
     set(1, 0);
     Object refused = new Object();
     history.made("refused", refused, () -> value = -1, () -> value = -2, 10_000_000_000L);
-    history.forget(refused);
+    history.remove(refused);
     assertEquals("the value", history.undo());
     assertEquals(0, value);
     history.made("refused", refused, () -> value = -1, () -> value = -2, 20_000_000_000L);
     history.undo();
-    history.forget(refused);
+    history.remove(refused);
     assertEquals("", history.redo());
   }
 }

@@ -46,9 +46,9 @@ class SettingWordsTest {
 
   @Test
   void limitsAreCalledMinimumAndMaximum() {
-    assertEquals("Minimum events", label("body-line", "leastEvents"));
-    assertEquals("Maximum half axis", label("body-line", "greatestRadiusPx"));
-    assertEquals("Maximum frequency", label("wing-tracker", "search.mostFrequencyHz"));
+    assertEquals("Minimum events", label("body-line", "minEvents"));
+    assertEquals("Maximum half axis", label("body-line", "maxRadiusPx"));
+    assertEquals("Maximum frequency", label("wing-tracker", "search.maxFrequencyHz"));
     assertEquals("Minimum rate", label("hot-pixels", "rateHz"));
     assertEquals("Maximum clusters", label("cluster-tracker", "output.maxClusters"));
   }

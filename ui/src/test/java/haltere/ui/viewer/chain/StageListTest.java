@@ -28,7 +28,7 @@ class StageListTest {
             () -> {
               ChainEditor editor = new ChainEditor(problem -> {});
               StageList made = new StageList(editor, new Label("none"));
-              made.startAnew(List.of(), steps::add);
+              made.reset(List.of(), steps::add);
               steps.remove().run();
               return made;
             });
@@ -65,7 +65,7 @@ class StageListTest {
   @Test
   void cardsOfANewChainAppearOneByOneInOrder() {
     List<StageState> stages = chain("background-activity", "hot-pixels", "refractory");
-    assertEquals(List.of(), shownAfter(() -> list.startAnew(stages, steps::add)));
+    assertEquals(List.of(), shownAfter(() -> list.reset(stages, steps::add)));
     assertEquals(List.of("background-activity"), shownAfter(() -> steps.remove().run()));
     assertEquals(
         List.of("background-activity", "hot-pixels"), shownAfter(() -> steps.remove().run()));

@@ -59,10 +59,10 @@ class TextsTest {
 
   @Test
   void labelsOmitTheUnit() {
-    assertEquals("Minimum speed", Texts.words("life.minSpeedPxS", "px/s"));
-    assertEquals("Hinge", Texts.words("noise.hingePx2PerS", "px^2/s"));
-    assertEquals("Body offset x", Texts.words("position.bodyOffsetXPx", "px"));
-    assertEquals("Maximum clusters", Texts.words("output.maxClusters", "clusters"));
-    assertEquals("Aspect ratio", Texts.words("shape.aspectRatio", "1"));
+    assertEquals("Minimum speed", Texts.label("life.minSpeedPxS", "px/s"));
+    assertEquals("Hinge", Texts.label("noise.hingePx2PerS", "px^2/s"));
+    assertEquals("Body offset x", Texts.label("position.bodyOffsetXPx", "px"));
+    assertEquals("Maximum clusters", Texts.label("output.maxClusters", "clusters"));
+    assertEquals("Aspect ratio", Texts.label("shape.aspectRatio", "1"));
   }
 }

@@ -96,9 +96,9 @@ class FrameLayerTest {
   void seekRequestsTheFrameBeforeItsTimeUntilOneArrives() {
     opacity = 1;
     layer.take(lowerRow(1, 2));
-    assertFalse(layer.isSought());
+    assertFalse(layer.isFrameRequested());
     layer.jump();
-    assertTrue(layer.isSought());
+    assertTrue(layer.isFrameRequested());
     assertEquals(BACKGROUND, painted(BACKGROUND, BACKGROUND, BACKGROUND, BACKGROUND)[2]);
     assertTrue(layer.give(lowerRow(0x40, 0x50)));
     assertEquals(0x404040, painted(BACKGROUND, BACKGROUND, BACKGROUND, BACKGROUND)[2]);

@@ -16,7 +16,7 @@ import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.DefaultChain;
 import haltere.filters.frequency.PixelRegion;
-import haltere.filters.frequency.RegionReading;
+import haltere.filters.frequency.RegionMeasurement;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.rendering.Gradient;
@@ -136,7 +136,8 @@ class GoldenPicturesTest {
     tape.dragged(70, 60);
     RegionMarks region =
         new RegionMarks(
-            PixelRegion.between(60, 80, 100, 110), new RegionReading(12_340, 0.5, 187.3, 800_000));
+            PixelRegion.between(60, 80, 100, 110),
+            new RegionMeasurement(12_340, 0.5, 187.3, 800_000));
     int[] argb = new int[SENSOR.pixels()];
     Arrays.fill(argb, ColourMap.DARK.background());
     GoldenPictures.check(

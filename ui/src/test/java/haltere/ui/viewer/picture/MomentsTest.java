@@ -10,7 +10,7 @@ import haltere.core.chain.Filters;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.Recordings;
-import haltere.core.playback.KeptPlayable;
+import haltere.core.playback.BufferedPlayable;
 import haltere.core.playback.Loop;
 import haltere.core.playback.Playable;
 import haltere.core.playback.Player;
@@ -60,7 +60,7 @@ class MomentsTest {
   }
 
   private static Playable scene() {
-    return new KeptPlayable(
+    return new BufferedPlayable(
         new ScenePlayable(() -> new FlyScene(FlySceneSettings.defaults()), "Fly scene"), 6_000_000);
   }
 
@@ -78,7 +78,7 @@ class MomentsTest {
 
     Shown(Playable playable, Function<SensorGeometry, FilterChain> chains, DisplayMode mode) {
       chain = chains.apply(playable.geometry());
-      display = DisplaySink.apart(playable.geometry(), chain, shownAs(mode));
+      display = DisplaySink.onOwnThread(playable.geometry(), chain, shownAs(mode));
       PlayerOptions options =
           PlayerOptions.defaults()
               .withSlicing(new Slicing.ByTime(8_333))
@@ -239,11 +239,11 @@ class MomentsTest {
     try (Shown shown = new Shown(recording(), CLUSTERS, DisplayMode.POLARITY);
         Shown counts = new Shown(recording(), CLUSTERS, DisplayMode.COUNTS)) {
       int[] polarity = shown.seek(350_000).picture();
-      shown.display.maker().setOptions(shownAs(DisplayMode.COUNTS));
+      shown.display.renderer().setOptions(shownAs(DisplayMode.COUNTS));
       shown.player.refresh();
       shown.awaitPicture(counts.seek(350_000).picture(), "events counted");
       shown.player.edit(chain -> chain.setEnabled(chain.stages().get(0), false));
-      shown.display.maker().setOptions(shownAs(DisplayMode.POLARITY));
+      shown.display.renderer().setOptions(shownAs(DisplayMode.POLARITY));
       shown.player.refresh();
       try (Shown raw =
           new Shown(
@@ -295,7 +295,7 @@ class MomentsTest {
       held.acquire();
       for (DisplayMode mode : new DisplayMode[] {DisplayMode.FREQUENCY, DisplayMode.POLARITY}) {
         begun.set(0);
-        shown.display.maker().setOptions(shownAs(mode));
+        shown.display.renderer().setOptions(shownAs(mode));
         shown.player.refresh();
         held.acquire();
         // each waits for what has begun

@@ -60,9 +60,10 @@ class PlotPanelTest {
     viewer = ViewerHarness.withBlob();
     plot(X);
     viewer.waitFor("samples", () -> lastUs() > 100_000);
-    viewer.waitFor("a curve on the screen", () -> hasCurve(PlotInk.DARK));
+    viewer.waitFor("a curve on the screen", () -> hasCurve(PlotColours.DARK));
     viewer.run(() -> viewer.window.context().display().themeProperty().set(Theme.LIGHT));
-    viewer.waitFor("the curve in the colours of the light theme", () -> hasCurve(PlotInk.LIGHT));
+    viewer.waitFor(
+        "the curve in the colours of the light theme", () -> hasCurve(PlotColours.LIGHT));
   }
 
   @Test
@@ -150,7 +151,7 @@ class PlotPanelTest {
         () -> {
           // within one pulse, so that the window's own updates do not count
           long nanos = System.nanoTime() + 1_000_000_000;
-          plots().startAnew(new InertialFeed());
+          plots().reset(new InertialFeed());
           plots().update(paused(1_000_000, 111), nanos);
           plots().update(paused(1_000_100, 222), nanos + 1_000_000);
           plots().update(paused(1_000_100, 222), nanos + 40_000_000);
@@ -161,10 +162,10 @@ class PlotPanelTest {
         });
   }
 
-  private boolean hasCurve(PlotInk ink) {
+  private boolean hasCurve(PlotColours colours) {
     WritableImage image = plots().snapshot(null, null);
     PixelReader pixels = image.getPixelReader();
-    Color colour = ink.curve(plots().lanes().get(0).curves().get(0));
+    Color colour = colours.curve(plots().lanes().get(0).curves().get(0));
     int like = 0;
     for (int y = 0; y < image.getHeight(); y++) {
       for (int x = 70; x < image.getWidth(); x++) {

@@ -17,7 +17,7 @@ import haltere.ui.export.Mp4Writer;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.rendering.FontLetters;
 import haltere.ui.rendering.Gradient;
-import haltere.ui.viewer.SeeingFeature;
+import haltere.ui.viewer.InspectionFeature;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.picture.MeasuredLine;
 import java.awt.image.BufferedImage;
@@ -205,7 +205,7 @@ class ExportTest {
                   film.add(picture);
                 }
               });
-      assertTrue(problem.getMessage().startsWith("ffmpeg has taken no picture"));
+      assertTrue(problem.getMessage().startsWith("ffmpeg has accepted no picture"));
     }
     viewer.waitFor("the program is gone", () -> !isAlive(number));
     assertFalse(Files.exists(folder.resolve(".part.mp4.part")));
@@ -247,7 +247,7 @@ class ExportTest {
     savePicture(bare);
     viewer.run(
         () -> {
-          viewer.window.feature(SeeingFeature.class).setRegion(Optional.of(REGION));
+          viewer.window.feature(InspectionFeature.class).setRegion(Optional.of(REGION));
           viewer.window.context().display().tapeProperty().set(Optional.of(TAPE));
         });
     savePicture(marked);

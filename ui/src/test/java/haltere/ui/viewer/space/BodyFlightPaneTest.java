@@ -35,15 +35,15 @@ class BodyFlightPaneTest {
                 made.show();
                 return made;
               });
-      Label words = viewer.onFx(() -> (Label) pane.lookup("#flight-words"));
-      String first = viewer.onFx(words::getText);
+      Label text = viewer.onFx(() -> (Label) pane.lookup("#flight-words"));
+      String first = viewer.onFx(text::getText);
       WritableImage before = viewer.onFx(() -> pane.snapshot(null, null));
       viewer.onFx(
           () -> {
             ((Slider) pane.lookup("#flight-time")).setValue(60);
             return null;
           });
-      assertNotEquals(first, viewer.onFx(words::getText));
+      assertNotEquals(first, viewer.onFx(text::getText));
       WritableImage after = viewer.onFx(() -> pane.snapshot(null, null));
       Set<Integer> colours = new HashSet<>();
       int changed = 0;

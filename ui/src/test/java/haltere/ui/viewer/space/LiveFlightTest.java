@@ -149,33 +149,33 @@ class LiveFlightTest {
     assertRefused(List.of(first, unknown), "no camera left; seen are camera-0");
   }
 
-  private static void assertRefused(List<CameraModel> calibrated, String words) {
+  private static void assertRefused(List<CameraModel> calibrated, String text) {
     Cameras cameras = new Cameras(List.of(new FlightCameras(SETTINGS)));
     IOException why =
         assertThrows(IOException.class, () -> CameraRig.live(calibrated, cameras).close());
-    assertTrue(why.getMessage().contains(words), why.getMessage());
+    assertTrue(why.getMessage().contains(text), why.getMessage());
   }
 
   private static void waitForAnAxis(ViewerHarness viewer) {
     viewer.waitFor(
         "an orientation",
         () ->
-            viewer.stage.getScene().lookup("#live-flight-words") instanceof Label words
-                && words.getText().contains("axis"));
+            viewer.stage.getScene().lookup("#live-flight-words") instanceof Label text
+                && text.getText().contains("axis"));
   }
 
   /** Pauses at a time with an observation of each of three cameras; plays on where one has none. */
   private static void pauseWhereEachCameraSeesTheBody(ViewerHarness viewer) {
     Pattern allThree = Pattern.compile("used (3, rejected 0|2, rejected 1)");
-    Supplier<String> words =
+    Supplier<String> text =
         () -> viewer.onFx(() -> viewer.node("live-flight-words", Label.class).getText());
     waitForAnAxis(viewer);
     do {
       viewer.run(() -> viewer.session().player().play());
-      viewer.waitFor("a line of each camera", () -> allThree.matcher(words.get()).find());
+      viewer.waitFor("a line of each camera", () -> allThree.matcher(text.get()).find());
       viewer.run(() -> viewer.session().player().pause());
       viewer.waitFor("a pause", () -> viewer.status().state() == PlayerStatus.State.PAUSED);
-    } while (!allThree.matcher(words.get()).find());
+    } while (!allThree.matcher(text.get()).find());
   }
 
   /** The last events before a pause are drawn at one of the next pulses. */
@@ -229,10 +229,10 @@ class LiveFlightTest {
       LiveFlightFeature feature = viewer.window.feature(LiveFlightFeature.class);
       viewer.run(feature::openScene);
       waitForAnAxis(viewer);
-      String words = viewer.onFx(() -> viewer.node("live-flight-words", Label.class).getText());
+      String text = viewer.onFx(() -> viewer.node("live-flight-words", Label.class).getText());
       viewer.waitFor(
           "another one",
-          () -> !viewer.node("live-flight-words", Label.class).getText().equals(words));
+          () -> !viewer.node("live-flight-words", Label.class).getText().equals(text));
     }
   }
 }

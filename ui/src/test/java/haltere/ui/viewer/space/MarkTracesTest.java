@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.Overlay;
-import haltere.ui.rendering.LayerTaps;
+import haltere.ui.rendering.OverlaySnapshots;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -26,7 +26,7 @@ class MarkTracesTest {
   private final MarkTraces traces = new MarkTraces();
 
   private void add(long timeUs, Overlay<Double> overlay, double x) {
-    traces.add(timeUs, List.of(new LayerTaps.Marks<>(x, overlay)));
+    traces.add(timeUs, List.of(new OverlaySnapshots.Marks<>(x, overlay)));
   }
 
   @Test
@@ -55,7 +55,7 @@ class MarkTracesTest {
     traces.add(20, List.of());
     add(30, OBJECT, 2);
     assertEquals(2, traces.copy().size());
-    traces.forgetBefore(15);
+    traces.removeBefore(15);
     assertEquals(List.of(new MarkTraces.Position(30, 2, 5)), traces.copy().get(0).positions());
     traces.clear();
     assertEquals(List.of(), traces.copy());

@@ -7,8 +7,8 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.OverlayCanvas;
-import haltere.ui.rendering.LayerTaps;
 import haltere.ui.rendering.Letters;
+import haltere.ui.rendering.OverlaySnapshots;
 import haltere.ui.rendering.SpaceTimeProjection;
 import haltere.ui.rendering.SpaceTimeView;
 import java.util.ArrayList;
@@ -109,7 +109,7 @@ class SpaceTimeMarksTest {
     frame.nowUs = 500_000;
     frame.marks =
         List.of(
-            new LayerTaps.Marks<>(
+            new OverlaySnapshots.Marks<>(
                 0, (snapshot, canvas) -> canvas.text(50, 50, "1", MarkStyle.of(Role.LABEL))));
     frame.traces =
         List.of(

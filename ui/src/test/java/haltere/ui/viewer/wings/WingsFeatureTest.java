@@ -16,7 +16,7 @@ import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.picture.ViewTool;
-import haltere.ui.viewer.session.FirstView;
+import haltere.ui.viewer.session.InitialView;
 import haltere.ui.viewer.session.SessionRequest;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -59,7 +59,7 @@ class WingsFeatureTest {
                       Optional.empty(),
                       haltere.core.format.ReadOptions.DEFAULT,
                       "fly",
-                      FirstView.FLY));
+                      InitialView.FLY));
           viewer.window.context().actions().run("show-wings");
         });
     viewer.waitFor("a filter of the left wing", () -> filter().isPresent());
@@ -99,7 +99,7 @@ class WingsFeatureTest {
         "Q of the frequency", () -> filter().get().value(Table.PROCESS_NOISE, 3, 0) == 77);
     enter("measurement-noise-0-0", "0.0123");
     viewer.waitFor(
-        "R", () -> filter().get().r() == 0.0123 && filter().get().rSource() == Source.BY_HAND);
+        "R", () -> filter().get().r() == 0.0123 && filter().get().rSource() == Source.MANUAL);
     viewer.pause();
     enter("state-1-0", "0.5");
     viewer.waitFor("x", () -> filter().get().value(Table.STATE, 1, 0) == 0.5);
@@ -128,14 +128,14 @@ class WingsFeatureTest {
         () -> viewer.isThere(id) && viewer.node(id, Hyperlink.class).getText().equals("adaptive"));
     Hyperlink source = viewer.node(id, Hyperlink.class);
     viewer.run(source::fire);
-    viewer.waitFor("by hand", () -> source.getText().equals("by hand"));
-    assertEquals(Source.BY_HAND, viewer.onFx(() -> filter().get().source(Table.PROCESS_NOISE, 3)));
+    viewer.waitFor("manual", () -> source.getText().equals("manual"));
+    assertEquals(Source.MANUAL, viewer.onFx(() -> filter().get().source(Table.PROCESS_NOISE, 3)));
     viewer.run(source::fire);
     viewer.waitFor("adaptive again", () -> source.getText().equals("adaptive"));
     Hyperlink settings = viewer.node("source-process-noise-4", Hyperlink.class);
     assertFalse(viewer.onFx(settings::isVisible), "that of the width follows from the settings");
     enter("process-noise-4-0", "0.002");
-    viewer.waitFor("its own", () -> settings.isVisible() && settings.getText().equals("by hand"));
+    viewer.waitFor("its own", () -> settings.isVisible() && settings.getText().equals("manual"));
     viewer.run(settings::fire);
     viewer.waitFor("as before", () -> !settings.isVisible());
     for (int i = 0; i < viewer.onFx(() -> filter().get().names().size()); i++) {

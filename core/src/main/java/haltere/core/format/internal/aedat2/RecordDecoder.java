@@ -148,7 +148,7 @@ final class RecordDecoder implements StreamDecoder {
 
   @Override
   public RecordingClock clock() {
-    return RecordingClock.turning(RecordingClock.Zero.CAMERA_START, 1L << 32);
+    return RecordingClock.wrapping(RecordingClock.Zero.CAMERA_START, 1L << 32);
   }
 
   @Override

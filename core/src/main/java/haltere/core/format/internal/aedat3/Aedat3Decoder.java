@@ -91,7 +91,7 @@ final class Aedat3Decoder implements StreamDecoder {
     long bytesLeft = fileBytes - offset - PacketHeader.BYTES;
     if (!header.isPossible() || lost && !header.canFollowDamage(bytesLeft)) {
       if (!lost) {
-        violations.add(Violation.LYING_LENGTH, offset);
+        violations.add(Violation.IMPOSSIBLE_LENGTH, offset);
       }
       lost = true;
       return 1;
@@ -147,7 +147,7 @@ final class Aedat3Decoder implements StreamDecoder {
 
   @Override
   public RecordingClock clock() {
-    return RecordingClock.wide(RecordingClock.Zero.CAMERA_START);
+    return RecordingClock.continuous(RecordingClock.Zero.CAMERA_START);
   }
 
   @Override

@@ -309,7 +309,7 @@ final class Aedat4Cursor implements EventCursor {
 
   @Override
   public RecordingClock clock() {
-    return RecordingClock.wide(RecordingClock.Zero.WRITERS_CHOICE);
+    return RecordingClock.continuous(RecordingClock.Zero.WRITERS_CHOICE);
   }
 
   @Override

@@ -130,7 +130,7 @@ public final class Aedat4Format implements RecordingFormat {
         if (DataTable.isThere(file, table)) {
           end = table;
         } else {
-          violations.add(Violation.LYING_LENGTH, Aedat4Header.TABLE_POSITION_OFFSET);
+          violations.add(Violation.IMPOSSIBLE_LENGTH, Aedat4Header.TABLE_POSITION_OFFSET);
         }
       }
       Map<String, String> metadata = new TreeMap<>();

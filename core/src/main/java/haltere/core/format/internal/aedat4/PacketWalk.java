@@ -109,7 +109,7 @@ final class PacketWalk {
       if (ends) {
         violations.addOnce(Violation.CUT_OFF, position);
       } else {
-        violations.add(Violation.LYING_LENGTH, position);
+        violations.add(Violation.IMPOSSIBLE_LENGTH, position);
       }
       position = next < 0 ? end : next;
       violations.reached(position);

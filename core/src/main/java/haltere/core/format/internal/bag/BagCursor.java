@@ -111,7 +111,7 @@ final class BagCursor implements EventCursor {
       number = message.number();
     }
     if (message.oversized()) {
-      violations.add(Violation.LYING_LENGTH, offset);
+      violations.add(Violation.IMPOSSIBLE_LENGTH, offset);
     }
     if (!encoding.word().equals(message.encoding())) {
       if (message.encoding().equals(Encoding.TRIGGER.word())) {
@@ -163,7 +163,7 @@ final class BagCursor implements EventCursor {
       }
       if (!body.more()) {
         // less than an event remains
-        violations.add(Violation.LYING_LENGTH, walk.offset(body.used()));
+        violations.add(Violation.IMPOSSIBLE_LENGTH, walk.offset(body.used()));
         pass();
         return false;
       }

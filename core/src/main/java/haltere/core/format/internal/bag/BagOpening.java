@@ -208,10 +208,10 @@ final class BagOpening {
       SensorGeometry given = options.sensor().get();
       return SensorGuess.top(given.width(), given.height());
     }
-    SensorGeometry guess = SensorGuess.USUAL_SIZES.get(0);
+    SensorGeometry guess = SensorGuess.COMMON_SIZES.get(0);
     if (found) {
       BagCursor any = cursor(first, SensorGuess.square(ANY_SIDE), new ViolationCounts());
-      guess = SensorGuess.smallest(any, ANY_SIDE, SensorGuess.USUAL_SIZES).orElse(guess);
+      guess = SensorGuess.smallest(any, ANY_SIDE, SensorGuess.COMMON_SIZES).orElse(guess);
     }
     remarks.add(SensorGuess.remark(guess));
     return guess;

@@ -157,7 +157,7 @@ abstract class ChunkWalk implements MessageWalk {
     if (next >= chunks.end() && chunks.cutOff()) {
       violations.addOnce(Violation.CUT_OFF, at);
     } else {
-      violations.add(Violation.LYING_LENGTH, at);
+      violations.add(Violation.IMPOSSIBLE_LENGTH, at);
     }
     violations.reached(Math.min(next, file.size()));
   }
@@ -220,7 +220,7 @@ abstract class ChunkWalk implements MessageWalk {
     if (cut && next >= file.size()) {
       violations.addOnce(Violation.CUT_OFF, at);
     } else {
-      violations.add(cut ? Violation.LYING_LENGTH : Violation.DAMAGED_PACKET, at);
+      violations.add(cut ? Violation.IMPOSSIBLE_LENGTH : Violation.DAMAGED_PACKET, at);
     }
     inChunk = false;
     // an excessive length would skip chunks that the index lists

@@ -150,6 +150,6 @@ final class EventArrayDecoder extends MessageDecoder {
 
   @Override
   public RecordingClock clock() {
-    return RecordingClock.wide(RecordingClock.Zero.YEAR_1970);
+    return RecordingClock.continuous(RecordingClock.Zero.YEAR_1970);
   }
 }

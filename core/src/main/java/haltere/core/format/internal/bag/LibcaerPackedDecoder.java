@@ -115,6 +115,6 @@ final class LibcaerPackedDecoder extends MessageDecoder {
 
   @Override
   public RecordingClock clock() {
-    return RecordingClock.wide(RecordingClock.Zero.YEAR_1970);
+    return RecordingClock.continuous(RecordingClock.Zero.YEAR_1970);
   }
 }

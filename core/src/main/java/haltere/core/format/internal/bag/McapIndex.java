@@ -23,7 +23,7 @@ final class McapIndex implements ChunkList {
   /** The footer with kind and length. */
   static final int FOOTER_BYTES = McapRecord.HEAD_BYTES + 20;
 
-  private final ChunkPlaces chunks = new ChunkPlaces();
+  private final ChunkPositions chunks = new ChunkPositions();
   private final McapSchemas schemas;
   private final long end;
   private boolean cutOff = true;
@@ -80,7 +80,7 @@ final class McapIndex implements ChunkList {
       payload.open(summaryAt, footerAt - summaryAt);
       index.readSummary(new McapRecord(payload), summaryAt);
     } catch (DamagedPacketException e) {
-      violations.add(Violation.LYING_LENGTH, footerAt);
+      violations.add(Violation.IMPOSSIBLE_LENGTH, footerAt);
     }
     return index;
   }
@@ -93,11 +93,11 @@ final class McapIndex implements ChunkList {
         case McapRecord.CHUNK_INDEX -> {
           record.takeLong();
           record.takeLong();
-          long place = record.takeLong();
-          if (place < FIRST_RECORD || place >= summaryAt) {
+          long position = record.takeLong();
+          if (position < FIRST_RECORD || position >= summaryAt) {
             throw new DamagedPacketException("a chunk outside of the file");
           }
-          chunks.add(place);
+          chunks.add(position);
           record.pass();
         }
         default -> record.pass();

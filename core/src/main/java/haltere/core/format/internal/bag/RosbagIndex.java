@@ -27,7 +27,7 @@ final class RosbagIndex implements ChunkList {
   private final long fileBytes;
   private long end;
   private boolean cutOff;
-  private final ChunkPlaces chunks = new ChunkPlaces();
+  private final ChunkPositions chunks = new ChunkPositions();
 
   private RosbagIndex(long fileBytes) {
     this.fileBytes = fileBytes;
@@ -51,21 +51,21 @@ final class RosbagIndex implements ChunkList {
     RosbagIndex index = new RosbagIndex(file.size());
     StoredPayload payload = new StoredPayload(new FileWindow(file));
     payload.open(FIRST_RECORD, file.size() - FIRST_RECORD);
-    long place = -1;
+    long position = -1;
     try {
       RosbagRecord bag = RosbagRecord.read(payload);
       if (bag != null && bag.kind() == RosbagRecord.BAG) {
-        place = bag.fields().getLong("index_pos");
+        position = bag.fields().getLong("index_pos");
       }
     } catch (DamagedPacketException e) {
       // counted during the walk through the records
     }
-    if (place > FIRST_RECORD && place <= file.size()) {
-      index.readRecords(payload, place, topics, violations);
+    if (position > FIRST_RECORD && position <= file.size()) {
+      index.readRecords(payload, position, topics, violations);
     } else {
       // 0: the bag was not closed
-      if (place > 0) {
-        violations.add(Violation.LYING_LENGTH, FIRST_RECORD);
+      if (position > 0) {
+        violations.add(Violation.IMPOSSIBLE_LENGTH, FIRST_RECORD);
       }
       index.cutOff = true;
     }
@@ -73,11 +73,11 @@ final class RosbagIndex implements ChunkList {
   }
 
   private void readRecords(
-      Payload payload, long place, BagTopics topics, ViolationCounts violations)
+      Payload payload, long position, BagTopics topics, ViolationCounts violations)
       throws IOException {
     try {
-      payload.open(place, fileBytes - place);
-      long at = place;
+      payload.open(position, fileBytes - position);
+      long at = position;
       for (RosbagRecord record; (record = RosbagRecord.read(payload)) != null; ) {
         at += record.headerBytes() + record.dataBytes();
         if (record.kind() == RosbagRecord.CONNECTION) {
@@ -88,16 +88,16 @@ final class RosbagIndex implements ChunkList {
           throw new DamagedPacketException("no record of an index");
         }
         long chunk = record.fields().getLong("chunk_pos");
-        if (chunk < FIRST_RECORD || chunk >= place) {
+        if (chunk < FIRST_RECORD || chunk >= position) {
           throw new DamagedPacketException("a chunk outside of the file");
         }
         chunks.add(chunk);
         payload.skip(record.dataBytes());
       }
-      end = place;
+      end = position;
     } catch (DamagedPacketException e) {
-      violations.add(Violation.LYING_LENGTH, place);
-      cutOff = place >= fileBytes;
+      violations.add(Violation.IMPOSSIBLE_LENGTH, position);
+      cutOff = position >= fileBytes;
     }
   }
 

@@ -100,7 +100,7 @@ final class WordDecoder extends MessageDecoder {
   @Override
   public RecordingClock clock() {
     return libcaer
-        ? RecordingClock.wide(RecordingClock.Zero.YEAR_1970)
-        : RecordingClock.wide(RecordingClock.Zero.CAMERA_START);
+        ? RecordingClock.continuous(RecordingClock.Zero.YEAR_1970)
+        : RecordingClock.continuous(RecordingClock.Zero.CAMERA_START);
   }
 }

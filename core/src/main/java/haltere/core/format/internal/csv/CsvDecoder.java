@@ -143,7 +143,7 @@ final class CsvDecoder implements StreamDecoder {
 
   @Override
   public RecordingClock clock() {
-    return RecordingClock.wide(RecordingClock.Zero.WRITERS_CHOICE);
+    return RecordingClock.continuous(RecordingClock.Zero.WRITERS_CHOICE);
   }
 
   @Override

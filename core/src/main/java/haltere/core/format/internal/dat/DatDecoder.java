@@ -181,7 +181,7 @@ final class DatDecoder implements StreamDecoder {
 
   @Override
   public RecordingClock clock() {
-    return RecordingClock.turning(RecordingClock.Zero.WRITERS_CHOICE, 1L << 32);
+    return RecordingClock.wrapping(RecordingClock.Zero.WRITERS_CHOICE, 1L << 32);
   }
 
   @Override

@@ -32,7 +32,7 @@ public abstract class RowCursor implements EventCursor {
 
   @Override
   public RecordingClock clock() {
-    return RecordingClock.wide(RecordingClock.Zero.WRITERS_CHOICE);
+    return RecordingClock.continuous(RecordingClock.Zero.WRITERS_CHOICE);
   }
 
   @Override

@@ -13,7 +13,7 @@ public final class SensorGuess {
   private static final int PACKET_EVENTS = 8192;
 
   /** Usual sensor sizes, the smallest first. Rows count from the top. */
-  public static final List<SensorGeometry> USUAL_SIZES =
+  public static final List<SensorGeometry> COMMON_SIZES =
       List.of(
           top(128, 128),
           top(240, 180),
@@ -134,7 +134,8 @@ public final class SensorGuess {
    */
   public static SensorGeometry usual(Opening events, int side, List<String> remarks)
       throws IOException {
-    SensorGeometry guess = smallest(events.open(square(side)), side, USUAL_SIZES).orElse(top(1, 1));
+    SensorGeometry guess =
+        smallest(events.open(square(side)), side, COMMON_SIZES).orElse(top(1, 1));
     remarks.add(remark(guess));
     return guess;
   }

@@ -205,7 +205,7 @@ final class EventStreamDecoder implements StreamDecoder {
         break;
       }
       timeUs += first;
-      violations.add(more ? Violation.LYING_LENGTH : Violation.OTHER_DATA, from + position);
+      violations.add(more ? Violation.IMPOSSIBLE_LENGTH : Violation.OTHER_DATA, from + position);
       position += 1 + bytes;
       skip = length;
     }
@@ -219,7 +219,7 @@ final class EventStreamDecoder implements StreamDecoder {
 
   @Override
   public RecordingClock clock() {
-    return RecordingClock.wide(RecordingClock.Zero.RECORDING_START);
+    return RecordingClock.continuous(RecordingClock.Zero.RECORDING_START);
   }
 
   @Override

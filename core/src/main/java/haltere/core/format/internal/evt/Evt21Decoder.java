@@ -162,17 +162,17 @@ final class Evt21Decoder extends EvtDecoder {
       if ((address | timeUs - beforeUs) < 0 || mask == 0) {
         break;
       }
-      int place = (int) address;
-      int column = place & COLUMN;
+      int base = (int) address;
+      int column = base & COLUMN;
       int last = Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT;
       timesUs[size] = timeUs;
-      addresses[size] = place + last;
+      addresses[size] = base + last;
       int next = size + 1;
       mask &= mask - 1;
       while (mask != 0) {
         last = Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT;
         timesUs[next] = timeUs;
-        addresses[next++] = place + last;
+        addresses[next++] = base + last;
         mask &= mask - 1;
       }
       if (column + last >= right) {

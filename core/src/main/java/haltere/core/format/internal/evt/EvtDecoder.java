@@ -55,7 +55,7 @@ abstract sealed class EvtDecoder implements StreamDecoder
 
   @Override
   public RecordingClock clock() {
-    return RecordingClock.turning(RecordingClock.Zero.CAMERA_START, clock.turnLengthUs());
+    return RecordingClock.wrapping(RecordingClock.Zero.CAMERA_START, clock.turnLengthUs());
   }
 
   @Override

@@ -149,7 +149,7 @@ final class EventSearch {
     EventTable.StoredColumn third = new EventTable.StoredColumn(dataset, 2 * step, dataset.type());
     ColumnSample one = sample(first);
     ColumnSample other = sample(third);
-    requireWhole(one, "its columns");
+    requireComplete(one, "its columns");
     boolean timesFirst =
         one.isAscending() == other.isAscending()
             ? one.largest() > other.largest()
@@ -202,7 +202,7 @@ final class EventSearch {
     return new ColumnSample(largest, fractions, ascending, false);
   }
 
-  private void requireWhole(ColumnSample sample, String what) throws RecordingProblem {
+  private void requireComplete(ColumnSample sample, String what) throws RecordingProblem {
     if (sample.isCutOff() && file.isCutOff()) {
       throw new RecordingProblem(
           file.bytes().path(),
@@ -230,7 +230,7 @@ final class EventSearch {
     }
     ColumnSample sample = sample(time);
     if (time.type().kind() == 'f' && !sample.hasFractions()) {
-      requireWhole(sample, "the unit of its times");
+      requireComplete(sample, "the unit of its times");
     }
     return sample.hasFractions() ? 6 : sample.largest() >= MIN_NS ? -3 : 0;
   }

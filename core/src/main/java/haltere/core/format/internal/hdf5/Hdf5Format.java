@@ -76,7 +76,7 @@ public final class Hdf5Format implements RecordingFormat {
     Origin origin = SensorGuess.origin(table.origin(), options, remarks);
     ViolationCounts found = new ViolationCounts();
     if (table.inconsistent()) {
-      found.add(Violation.LYING_LENGTH, 0);
+      found.add(Violation.IMPOSSIBLE_LENGTH, 0);
     }
     if (table.container().isCutOff()) {
       found.add(Violation.CUT_OFF, file.size());

@@ -166,7 +166,7 @@ final class Hdf5Structure {
   }
 
   private Member number(String name, long value) {
-    long place = bytes.position();
+    long position = bytes.position();
     bytes.u8(value);
     int start = startHeader();
     int message = startMessage(ObjectHeader.DATASPACE);
@@ -174,7 +174,7 @@ final class Hdf5Structure {
     endMessage(message);
     typeAndFill(ElementType.whole(8, true));
     message = startMessage(ObjectHeader.LAYOUT);
-    bytes.u1(3).u1(1).u8(place).u8(8);
+    bytes.u1(3).u1(1).u8(position).u8(8);
     endMessage(message);
     endHeader(start, 4);
     return new Member(name, start, null);

@@ -125,7 +125,7 @@ final class NmnistDecoder implements StreamDecoder {
 
   @Override
   public RecordingClock clock() {
-    return RecordingClock.turning(RecordingClock.Zero.RECORDING_START, TURN_US);
+    return RecordingClock.wrapping(RecordingClock.Zero.RECORDING_START, TURN_US);
   }
 
   @Override

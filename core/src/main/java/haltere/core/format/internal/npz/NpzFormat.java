@@ -81,7 +81,7 @@ public final class NpzFormat implements RecordingFormat {
     List<String> remarks = new ArrayList<>();
     ViolationCounts found = new ViolationCounts();
     if (layout.inconsistent()) {
-      found.add(Violation.LYING_LENGTH, 0);
+      found.add(Violation.IMPOSSIBLE_LENGTH, 0);
     }
     if (layout.cutOff()) {
       found.add(Violation.CUT_OFF, file.size());

@@ -64,22 +64,22 @@ public final class BackgroundNoise {
   }
 
   private NoisyPixels draw() {
-    SeededRandom places = new SeededRandom(seed, "noisy pixels");
+    SeededRandom positions = new SeededRandom(seed, "noisy pixels");
     double[] leakUpTo = new double[pixels];
     double sum = 0;
     for (int i = 0; i < pixels; i++) {
-      sum += StrictMath.pow(10, settings.leakSpreadDecades() * places.gaussian());
+      sum += StrictMath.pow(10, settings.leakSpreadDecades() * positions.gaussian());
       leakUpTo[i] = sum;
     }
     int[] hot = new int[Math.min(settings.hotPixels(), pixels)];
     boolean[] taken = new boolean[pixels];
     for (int i = 0; i < hot.length; i++) {
-      int place = places.below(pixels);
-      while (taken[place]) {
-        place = places.below(pixels);
+      int pixel = positions.below(pixels);
+      while (taken[pixel]) {
+        pixel = positions.below(pixels);
       }
-      taken[place] = true;
-      hot[i] = place;
+      taken[pixel] = true;
+      hot[i] = pixel;
     }
     return new NoisyPixels(leakUpTo, hot);
   }

@@ -36,7 +36,7 @@ public final class EventMerger {
   private int waiting;
   private long[] sortedUs = new long[1024];
   private int[] sortedAddress = new int[1024];
-  private int[] places = new int[1025];
+  private int[] positions = new int[1025];
   private long releasedUs;
   private double busFreeUs;
   private long lost;
@@ -106,20 +106,20 @@ public final class EventMerger {
    */
   public void release(long untilUs, EventPacket out) {
     int span = (int) (untilUs - releasedUs);
-    if (places.length < span + 1) {
-      places = new int[span + 1];
+    if (positions.length < span + 1) {
+      positions = new int[span + 1];
     }
-    Arrays.fill(places, 0, span + 1, 0);
+    Arrays.fill(positions, 0, span + 1, 0);
     int due = 0;
     for (int i = 0; i < waiting; i++) {
       long offset = waitingUs[i] - releasedUs;
       if (offset < span) {
-        places[(int) offset + 1]++;
+        positions[(int) offset + 1]++;
         due++;
       }
     }
     for (int i = 1; i <= span; i++) {
-      places[i] += places[i - 1];
+      positions[i] += positions[i - 1];
     }
     if (sortedUs.length < due) {
       sortedUs = new long[waitingUs.length];
@@ -129,9 +129,9 @@ public final class EventMerger {
     for (int i = 0; i < waiting; i++) {
       long offset = waitingUs[i] - releasedUs;
       if (offset < span) {
-        int place = places[(int) offset]++;
-        sortedUs[place] = waitingUs[i];
-        sortedAddress[place] = waitingAddress[i];
+        int position = positions[(int) offset]++;
+        sortedUs[position] = waitingUs[i];
+        sortedAddress[position] = waitingAddress[i];
       } else {
         waitingUs[count] = waitingUs[i];
         waitingAddress[count++] = waitingAddress[i];

@@ -234,8 +234,8 @@ class Aedat3FormatTest extends RecordingFormatContract {
     StreamRecorder recorder = new StreamRecorder();
     try (RecordingReader reader = Recordings.open(file)) {
       reader.drainTo(new StreamGrammar(recorder));
-      assertEquals(1, reader.violations().count(Violation.LYING_LENGTH));
-      assertEquals(second, reader.violations().firstOffset(Violation.LYING_LENGTH));
+      assertEquals(1, reader.violations().count(Violation.IMPOSSIBLE_LENGTH));
+      assertEquals(second, reader.violations().firstOffset(Violation.IMPOSSIBLE_LENGTH));
     }
     EventPacket expected = EventPackets.part(events, 0, 100);
     expected.append(events, 200, 300);

@@ -213,7 +213,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
         StreamRecorder recorder = new StreamRecorder();
         try (RecordingReader reader = Recordings.open(file)) {
           reader.drainTo(recorder);
-          long lying = reader.violations().count(Violation.LYING_LENGTH);
+          long lying = reader.violations().count(Violation.IMPOSSIBLE_LENGTH);
           long damage = reader.violations().count(Violation.DAMAGED_PACKET);
           long other = reader.violations().count(Violation.OTHER_DATA);
           assertEquals(damaged[second] == 0x77 ? 1 : 0, other, "a stream of its own");

@@ -93,7 +93,7 @@ class DecodeAheadTest {
       StreamRecorder recorder = new StreamRecorder();
       try (RecordingReader reader = Recordings.open(path)) {
         reader.drainTo(recorder);
-        Violation kind = inHeader ? Violation.LYING_LENGTH : Violation.DAMAGED_PACKET;
+        Violation kind = inHeader ? Violation.IMPOSSIBLE_LENGTH : Violation.DAMAGED_PACKET;
         assertEquals(1, reader.violations().count(kind), "packet " + packet);
       }
       EventPacket expected = EventPackets.part(events, 0, packet * EVENTS);

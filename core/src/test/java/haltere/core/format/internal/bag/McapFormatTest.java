@@ -116,7 +116,7 @@ class McapFormatTest extends RecordingFormatContract {
       try (RecordingReader reader = Recordings.open(file)) {
         reader.drainTo(new StreamGrammar(recorder));
         assertTrue(
-            reader.violations().count(Violation.LYING_LENGTH)
+            reader.violations().count(Violation.IMPOSSIBLE_LENGTH)
                     + reader.violations().count(Violation.UNKNOWN_WORD)
                     + reader.violations().count(Violation.DAMAGED_PACKET)
                 > 0);

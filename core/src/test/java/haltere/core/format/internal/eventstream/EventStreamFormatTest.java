@@ -173,7 +173,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
       assertEquals(List.of(), reader.segments());
       assertEquals(70, reader.violations().count(Violation.OTHER_DATA));
       assertEquals(1, reader.remarks().size());
-      assertEquals(0, reader.violations().count(Violation.LYING_LENGTH));
+      assertEquals(0, reader.violations().count(Violation.IMPOSSIBLE_LENGTH));
       assertEquals(0, reader.violations().count(Violation.CUT_OFF));
     }
   }
@@ -188,7 +188,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
       {5, 0xff, 0xff}
     };
     Violation[] found = {
-      Violation.OTHER_DATA, Violation.CUT_OFF, Violation.LYING_LENGTH, Violation.CUT_OFF
+      Violation.OTHER_DATA, Violation.CUT_OFF, Violation.IMPOSSIBLE_LENGTH, Violation.CUT_OFF
     };
     for (int i = 0; i < messages.length; i++) {
       Path file = folder.resolve("generic-" + i);

@@ -239,7 +239,7 @@ class NpzFormatTest extends RecordingFormatContract {
       assertTrue(got.size() > 500 && got.size() < 1000, got.toString());
       assertEquals(EventPackets.part(events, 0, got.size()), got);
       assertEquals(1, reader.violations().count(Violation.CUT_OFF));
-      assertEquals(1, reader.violations().count(Violation.LYING_LENGTH));
+      assertEquals(1, reader.violations().count(Violation.IMPOSSIBLE_LENGTH));
     }
   }
 
@@ -279,7 +279,7 @@ class NpzFormatTest extends RecordingFormatContract {
     Path file = Files.write(folder.resolve("short.npz"), zipped(arrays));
     try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withSensor(SENSOR))) {
       assertEquals(EventPackets.part(events, 0, 700), read(reader).events());
-      assertEquals(1, reader.violations().count(Violation.LYING_LENGTH));
+      assertEquals(1, reader.violations().count(Violation.IMPOSSIBLE_LENGTH));
     }
   }
 

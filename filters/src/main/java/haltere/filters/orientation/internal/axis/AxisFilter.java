@@ -78,7 +78,7 @@ public sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
   Axis axis();
 
   /** {@return whether all numbers are finite} */
-  boolean isSound();
+  boolean isValid();
 
   /** Records each step for a smoother; this allocates. */
   default void record() {}

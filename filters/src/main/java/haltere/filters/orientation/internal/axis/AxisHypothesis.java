@@ -109,7 +109,6 @@ final class AxisHypothesis {
     predicted = null;
   }
 
-  /** Sets a state. */
   void set(AxisState state) {
     System.arraycopy(state.u(), 0, u, 0, 3);
     System.arraycopy(state.e1(), 0, e1, 0, 3);
@@ -332,8 +331,8 @@ final class AxisHypothesis {
     return error.covariance(0, 0) + error.covariance(2, 2);
   }
 
-  boolean isSound() {
-    return error.isSound()
+  boolean isValid() {
+    return error.isValid()
         && Double.isFinite(u[0] + u[1] + u[2])
         && error.covariance(0, 0) > 0
         && error.covariance(2, 2) > 0;

@@ -22,7 +22,6 @@ public record AxisModel(
     double updateNoise,
     double gateRad,
     double outlierShare) {
-  /** Share of the time in saccades. */
   double saccadeShare() {
     return saccadesPerS * saccadeS / (1 + saccadesPerS * saccadeS);
   }

@@ -26,14 +26,14 @@ public final class AxisSmoother {
       AxisStep next = k + 1 < steps.size() ? steps.get(k + 1) : null;
       boolean isLinked = next != null && next.predicted() != null;
       AxisState at = steps.get(k).updated();
-      later = isLinked ? back(at, next, later) : at;
+      later = isLinked ? smoothStep(at, next, later) : at;
       smoothed.add(later);
     }
     Collections.reverse(smoothed);
     return smoothed;
   }
 
-  private static AxisState back(AxisState at, AxisStep next, AxisState later) {
+  private static AxisState smoothStep(AxisState at, AxisStep next, AxisState later) {
     AxisHypothesis expected = hypothesis(next.predicted());
     AxisHypothesis found = hypothesis(later);
     AxisHypothesis moved = hypothesis(at);
@@ -41,14 +41,14 @@ public final class AxisSmoother {
     difference.between(expected, found, 1);
     DMatrixRMaj change = DMatrixRMaj.wrap(4, 1, difference.d);
     boolean isDone =
-        RtsSmoother.back(
+        RtsSmoother.smoothStep(
             moved.error.covariance(),
             next.transition(),
             expected.error.covariance(),
             found.error.covariance(),
             change);
     moved.move(change.data);
-    return isDone && moved.isSound() ? moved.state() : at;
+    return isDone && moved.isValid() ? moved.state() : at;
   }
 
   private static AxisHypothesis hypothesis(AxisState state) {

@@ -74,7 +74,6 @@ final class LineComparison {
     return spread + noise;
   }
 
-  /** Normalised innovation squared. */
   double nis() {
     return innovation * innovation / (spread + noise);
   }

@@ -204,7 +204,7 @@ public final class QuaternionFilter implements AxisFilter {
   }
 
   @Override
-  public boolean isSound() {
+  public boolean isValid() {
     return Double.isFinite(CommonOps_DDRM.elementSum(state.covariance()) + x[0] + x[1] + x[2])
         && x[3] * x[3] + x[4] * x[4] + x[5] * x[5] + x[6] * x[6] > 0.5;
   }

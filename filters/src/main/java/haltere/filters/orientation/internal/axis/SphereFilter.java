@@ -309,8 +309,8 @@ public final class SphereFilter implements AxisFilter {
   }
 
   @Override
-  public boolean isSound() {
-    return hypotheses.size() > 0 && hypotheses.get(0).isSound();
+  public boolean isValid() {
+    return hypotheses.size() > 0 && hypotheses.get(0).isValid();
   }
 
   @Override

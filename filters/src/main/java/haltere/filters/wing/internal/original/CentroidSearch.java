@@ -70,7 +70,7 @@ public final class CentroidSearch implements FlySearch {
 
   @Override
   public FoundFly look(long timeUs, WingSearchSettings settings) {
-    if (timeUs < fromUs || ++events < settings.leastEvents()) {
+    if (timeUs < fromUs || ++events < settings.minEvents()) {
       return null;
     }
     FoundFly found = find(timeUs, settings);

@@ -37,7 +37,6 @@ final class BeatSpectrum {
   /** Direction of the oscillation, radians, modulo pi. */
   double axisRad;
 
-  /** Removes all events. */
   void clear() {
     bins = 0;
     Arrays.fill(weight, 0);

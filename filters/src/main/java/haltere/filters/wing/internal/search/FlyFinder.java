@@ -18,7 +18,7 @@ import org.apache.commons.statistics.distribution.TDistribution;
  */
 final class FlyFinder {
   private static final int MIN_SUPPORTED = 80;
-  private static final int LOOKS = 3;
+  private static final int MAX_SEARCHES = 3;
   private static final double MIN_EXPLAINED = 0.03;
   private static final double MIN_SHARE = 0.32;
   private static final double OTHER_AXIS_RAD = 0.35;
@@ -65,7 +65,7 @@ final class FlyFinder {
     if (sample.supportedCount < MIN_SUPPORTED) {
       return null;
     }
-    for (int look = 0; look < LOOKS; look++) {
+    for (int look = 0; look < MAX_SEARCHES; look++) {
       if (look > 0) {
         sample.requireBeat(2 * Math.PI * spectrum.frequencyHz);
       }
@@ -119,8 +119,8 @@ final class FlyFinder {
     if (!means.divide(px, py, n, geometry.width(), geometry.height())) {
       return false;
     }
-    double minHz = Math.min(settings.leastFrequencyHz(), settings.mostFrequencyHz());
-    double maxHz = Math.max(settings.leastFrequencyHz(), settings.mostFrequencyHz());
+    double minHz = Math.min(settings.minFrequencyHz(), settings.maxFrequencyHz());
+    double maxHz = Math.max(settings.minFrequencyHz(), settings.maxFrequencyHz());
     double givenHz = settings.startFrequencyHz();
     boolean found = spectrum.search(minHz, maxHz);
     if (givenHz == 0 || !found) {

@@ -67,8 +67,8 @@ public final class FrequencyWatch {
     if (BeatSpectrum.SIGNIFICANT_RATIO * min < 1) {
       max =
           spectrum.maxExplained(
-              Math.min(settings.leastFrequencyHz(), settings.mostFrequencyHz()),
-              Math.max(settings.leastFrequencyHz(), settings.mostFrequencyHz()));
+              Math.min(settings.minFrequencyHz(), settings.maxFrequencyHz()),
+              Math.max(settings.minFrequencyHz(), settings.maxFrequencyHz()));
     }
     if (max < MIN_EXPLAINED) {
       disagreements = 0;

@@ -28,7 +28,6 @@ final class NormalEquations {
     b = new double[n];
   }
 
-  /** Sets all information to 0. */
   void clear() {
     Arrays.fill(a.data, 0);
     Arrays.fill(b, 0);

@@ -8,7 +8,6 @@ public final class RecentEvents {
   /** Least time between two stored events. */
   static final int MIN_GAP_US = 5;
 
-  /** Number of stored events. */
   static final int CAPACITY = 16384;
 
   /** Twice the capacity, so that old events are removed in one copy. */

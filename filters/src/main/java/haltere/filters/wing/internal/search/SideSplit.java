@@ -71,7 +71,6 @@ final class SideSplit {
     return Math.min(sorted[n * 9 / 10] + 4, sorted[n / 2] * 2);
   }
 
-  /** Assigns all events to one side. */
   void classifyAll(int side) {
     Arrays.fill(classes, 0, sample.size, (byte) side);
   }
@@ -86,12 +85,10 @@ final class SideSplit {
     }
   }
 
-  /** Whether an event is on a side. */
   boolean isOn(int side, int event) {
     return classes[event] == side;
   }
 
-  /** Events of a side. */
   int count(int side) {
     int all = 0;
     for (int i = 0; i < sample.size; i++) {

@@ -13,7 +13,6 @@ import java.util.Arrays;
  * 1, clockwise for turn -1.
  */
 final class StrokeFit {
-  /** Harmonics in the fit. */
   static final int HARMONICS = 4;
 
   static final int CENTRE = 0;

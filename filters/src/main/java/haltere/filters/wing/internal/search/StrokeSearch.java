@@ -49,7 +49,7 @@ public final class StrokeSearch implements FlySearch {
       return null;
     }
     int inWindow = recent.size() - recent.indexAtOrAfter(timeUs - settings.windowUs());
-    if (inWindow < settings.leastEvents()) {
+    if (inWindow < settings.minEvents()) {
       nextUs = timeUs + FIRST_WAIT_US;
       return null;
     }

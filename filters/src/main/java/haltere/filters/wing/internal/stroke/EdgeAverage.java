@@ -39,7 +39,7 @@ final class EdgeAverage extends EdgeEstimator {
   }
 
   private void adapt() {
-    hysteresis = Math.max(settings.leastHysteresisRad(), settings.hysteresis() * amplitude);
+    hysteresis = Math.max(settings.minHysteresisRad(), settings.hysteresis() * amplitude);
   }
 
   @Override

@@ -30,7 +30,6 @@ abstract class EdgeEstimator {
   /** Normalised innovation squared of the last event, NaN if the method has none. */
   double nis = Double.NaN;
 
-  /** Starts with a stroke. */
   void launch(long atUs, StrokeSeed seed) {
     taken = 0;
     lastEventUs = atUs;

@@ -86,7 +86,7 @@ final class EdgeFilter extends EdgeEstimator {
 
   /** Sets the variance of a measurement; 0 for that of the settings. */
   private void setMeasurement(double variance) {
-    rSource = variance > 0 ? Source.BY_HAND : Source.SETTINGS;
+    rSource = variance > 0 ? Source.MANUAL : Source.SETTINGS;
     r = variance > 0 ? variance : settings.measurement();
     r = r > 0 ? r : DEFAULT_VARIANCE;
   }
@@ -255,10 +255,10 @@ final class EdgeFilter extends EdgeEstimator {
       }
       case COVARIANCE -> belief.edit(row, edit.column(), edit.value());
       case PROCESS_NOISE -> {
-        q[row] = edit.givesBack() ? noise.of(settings)[row] : edit.notNegative();
-        qSources[row] = edit.givesBack() ? Source.SETTINGS : Source.BY_HAND;
+        q[row] = edit.restoresAutomatic() ? noise.of(settings)[row] : edit.notNegative();
+        qSources[row] = edit.restoresAutomatic() ? Source.SETTINGS : Source.MANUAL;
       }
-      case MEASUREMENT_NOISE -> setMeasurement(edit.givesBack() ? 0 : edit.notNegative());
+      case MEASUREMENT_NOISE -> setMeasurement(edit.restoresAutomatic() ? 0 : edit.notNegative());
     }
   }
 }

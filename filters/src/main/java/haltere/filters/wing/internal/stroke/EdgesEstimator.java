@@ -60,7 +60,7 @@ public final class EdgesEstimator implements SideEstimator {
   public final void apply(WingTrackerSettings settings) {
     latencyUs = filters ? settings.filter().latencyUs() : 0;
     for (int edge = 0; edge < 2; edge++) {
-      taken[edge] = settings.output().takes(WingPart.edge(side.sideNumber(), edge));
+      taken[edge] = settings.output().uses(WingPart.edge(side.sideNumber(), edge));
       edges[edge].apply(settings);
     }
   }

@@ -109,7 +109,6 @@ final class EventNoise {
     return Math.sqrt(scale * timing);
   }
 
-  /** Recent mean normalised innovation squared. */
   double nis() {
     return nis;
   }

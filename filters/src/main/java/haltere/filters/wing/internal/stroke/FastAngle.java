@@ -26,10 +26,10 @@ final class FastAngle {
     if (large == 0) {
       return 0;
     }
-    double place = Math.min(ax, ay) / large * STEPS;
-    int step = (int) place;
+    double position = Math.min(ax, ay) / large * STEPS;
+    int step = (int) position;
     double from = ARCTANGENT[step];
-    double angle = from + (place - step) * (ARCTANGENT[step + 1] - from);
+    double angle = from + (position - step) * (ARCTANGENT[step + 1] - from);
     if (ay > ax) {
       angle = Math.PI / 2 - angle;
     }

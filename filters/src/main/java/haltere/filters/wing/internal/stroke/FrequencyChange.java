@@ -25,8 +25,10 @@ final class FrequencyChange {
   /** Excess of the squared change over the usual one, squared radians a squared second. */
   double excess;
 
-  /** Update about once a millisecond; in calm flight the change counts as usual. Other: or null. */
-  void update(FrequencyHistory history, boolean calm, FrequencyChange other) {
+  /**
+   * Update about once a millisecond; in steady flight the change counts as usual. Other: or null.
+   */
+  void update(FrequencyHistory history, boolean steady, FrequencyChange other) {
     if (weight == 0) {
       baseline = FIRST_SHARE * history.variance[history.ago(0)];
       weight = FIRST_WEIGHT;
@@ -35,7 +37,7 @@ final class FrequencyChange {
     double mean = other == null ? change : (change + other.change) / 2;
     double threshold = BASELINE_FACTOR * baseline;
     excess = Math.max(0, mean * mean - threshold);
-    if (calm && change != 0) {
+    if (steady && change != 0) {
       weight = Math.min(MAX_WEIGHT, weight + 1);
       baseline += (Math.min(mean * mean, threshold) - baseline) / weight;
     }

@@ -28,8 +28,8 @@ final class FrequencyHindsight {
   private double weight = FIRST_WEIGHT;
 
   /** Update, about once a millisecond. */
-  void update(double dtS, FrequencyHistory history, boolean calm) {
-    steady = !calm ? 0 : dtS > GAP_S ? 1 : steady + 1;
+  void update(double dtS, FrequencyHistory history, boolean steadyFlight) {
+    steady = !steadyFlight ? 0 : dtS > GAP_S ? 1 : steady + 1;
     if (steady >= SAMPLES) {
       compare(history);
     }

@@ -2,7 +2,6 @@ package haltere.filters.wing.internal.stroke;
 
 /** Last estimates of phase and frequency of a wing, about a millisecond apart. */
 final class FrequencyHistory {
-  /** Number of samples. */
   static final int SAMPLES = 51;
 
   final double[] timeS = new double[SAMPLES];

@@ -7,7 +7,7 @@ package haltere.filters.wing.internal.stroke;
  * detections).
  */
 final class FrequencyNoise {
-  private static final double CALM_SHARE = 0.02;
+  private static final double STEADY_SHARE = 0.02;
 
   /** Factor for the part of the error that hindsight shares with the filter. */
   private static final double HINDSIGHT_FACTOR = 1.05;
@@ -33,7 +33,7 @@ final class FrequencyNoise {
   private FrequencyNoise other;
 
   /** Variance of the angular frequency in steady flight, in the filter. */
-  private double calmVariance = Double.MAX_VALUE;
+  private double steadyVariance = Double.MAX_VALUE;
 
   /** Mean squared change at detections, over the last seconds. */
   private double detectedChange;
@@ -54,20 +54,20 @@ final class FrequencyNoise {
   void update(double dtS, StrokeEkf filter, double maxDensity) {
     double omega = filter.x[StrokeEkf.OMEGA];
     detector.update(dtS, omega, maxDensity, other == null ? null : other.detector);
-    boolean calm = isCalm();
+    boolean steady = isSteady();
     history.add(dtS, filter);
     // manoeuvres come in series
-    double change = calm ? 0 : history.change(DETECTION_SAMPLES);
+    double change = steady ? 0 : history.change(DETECTION_SAMPLES);
     sinceS = Math.min(DETECTION_MEMORY_S, sinceS + dtS);
     detectedChange += dtS / sinceS * (change * change - detectedChange);
-    hindsight.update(dtS, history, calm);
+    hindsight.update(dtS, history, steady);
     double p = filter.belief.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
-    boolean isCalmFly = calm && (other == null || other.isCalm());
-    changes.update(history, isCalmFly, other == null ? null : other.changes);
-    if (p < calmVariance) {
-      calmVariance = p;
-    } else if (calm) {
-      calmVariance += CALM_SHARE * (p - calmVariance);
+    boolean isSteadyFly = steady && (other == null || other.isSteady());
+    changes.update(history, isSteadyFly, other == null ? null : other.changes);
+    if (p < steadyVariance) {
+      steadyVariance = p;
+    } else if (steady) {
+      steadyVariance += STEADY_SHARE * (p - steadyVariance);
     }
   }
 
@@ -76,14 +76,13 @@ final class FrequencyNoise {
     return detector.density();
   }
 
-  /** Whether the flight is steady. */
-  private boolean isCalm() {
+  private boolean isSteady() {
     return detector.density() == 0;
   }
 
   /** Variance of the angular frequency, from that of the filter. */
   double variance(double p) {
-    double manoeuvre = isCalm() ? 0 : Math.max(0, p - calmVariance);
+    double manoeuvre = isSteady() ? 0 : Math.max(0, p - steadyVariance);
     double share = HINDSIGHT_FACTOR * hindsight.share(other == null ? null : other.hindsight);
     return share * (p - manoeuvre)
         + MANOEUVRE_SHARE * manoeuvre

@@ -92,10 +92,10 @@ final class HingeTracker {
   /**
    * Estimates the shift since the last time; false if there is none.
    *
-   * @param byHand whether the hinge was set manually; its initial offset from the events is then
+   * @param manual whether the hinge was set manually; its initial offset from the events is then
    *     subtracted from all shifts
    */
-  boolean solve(double dtS, double walkPx2PerS, double inflation, boolean byHand) {
+  boolean solve(double dtS, double walkPx2PerS, double inflation, boolean manual) {
     p.add(0, 0, walkPx2PerS * dtS);
     p.add(1, 1, walkPx2PerS * dtS);
     CommonOps_DDRM.symmUpperToFull(sums);
@@ -113,12 +113,12 @@ final class HingeTracker {
     solver.solve(coupled, taken);
     CommonOps_DDRM.multAddTransA(-1, coupled, taken, seen);
     CommonOps_DDRM.scale(1 / inflation, seen);
-    if (byHand && offsetSamples < OFFSET_SAMPLES) {
+    if (manual && offsetSamples < OFFSET_SAMPLES) {
       offsetSamples++;
       CommonOps_DDRM.addEquals(offsetSums, seen);
       return false;
     }
-    if (byHand) {
+    if (manual) {
       split(offsetSums);
       if (CommonOps_DDRM.det(information) > 0 && CommonOps_DDRM.invert(information)) {
         CommonOps_DDRM.mult(information, right, shift);

@@ -15,7 +15,7 @@ public final class StrokeFrame {
   private double headingSin;
   private double innerSquare = MIN_RADIUS_PX;
   double outerSquare;
-  boolean isByHand;
+  boolean isManual;
 
   /** Offset of the last event from the hinge, and its squared distance. */
   double dx;
@@ -59,10 +59,10 @@ public final class StrokeFrame {
   /**
    * Sets whether the hinge was set manually.
    *
-   * @param byHand true if it was
+   * @param manual true if it was
    */
-  public void setByHand(boolean byHand) {
-    isByHand = byHand;
+  public void setManual(boolean manual) {
+    isManual = manual;
   }
 
   /**

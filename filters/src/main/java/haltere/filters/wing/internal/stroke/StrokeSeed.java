@@ -80,7 +80,6 @@ public record StrokeSeed(
         timeUs, changed, amplitude, phase, omega, halfWidth, lagS, cosines, sines);
   }
 
-  /** The stroke angle at a time. */
   double angleAt(long atUs) {
     double at = phase + omega * (atUs - timeUs) * 1e-6;
     double sum = centre + amplitude * Math.sin(at);

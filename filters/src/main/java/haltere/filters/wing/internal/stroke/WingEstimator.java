@@ -66,7 +66,7 @@ public final class WingEstimator implements SideEstimator {
   /** Process noise of each entry, from the settings or edited. */
   private final double[] q;
 
-  private final boolean[] byHand;
+  private final boolean[] manual;
   private boolean measurementByHand;
   private final double[] density = new double[StrokeEkf.OMEGA + 1];
   private double averagingS;
@@ -96,7 +96,7 @@ public final class WingEstimator implements SideEstimator {
     filter = new StrokeEkf(settings.filter().harmonics());
     noise = new WingEventNoise(settings.filter().gateSd(), settings.noise().measurement());
     q = new double[filter.size];
-    byHand = new boolean[filter.size];
+    manual = new boolean[filter.size];
     apply(settings);
   }
 
@@ -106,7 +106,7 @@ public final class WingEstimator implements SideEstimator {
     options = changed.filter();
     followsHinge = changed.position().followsHinges();
     for (int edge = 0; edge < 2; edge++) {
-      takes[edge] = changed.output().takes(WingPart.edge(side.sideNumber(), edge));
+      takes[edge] = changed.output().uses(WingPart.edge(side.sideNumber(), edge));
     }
     averagingS = options.averagingUs() * 1e-6;
     if (settings.equals(appliedNoise)) {
@@ -115,7 +115,7 @@ public final class WingEstimator implements SideEstimator {
     }
     appliedNoise = settings;
     releaseNoise();
-    Arrays.fill(byHand, false);
+    Arrays.fill(manual, false);
     setProcessNoise();
   }
 
@@ -133,7 +133,7 @@ public final class WingEstimator implements SideEstimator {
     set[StrokeEkf.OMEGA] = settings.frequency();
     StrokeMemory.setDensities(set, settings.rateSd());
     for (int i = 0; i < q.length; i++) {
-      q[i] = byHand[i] ? q[i] : set[i];
+      q[i] = manual[i] ? q[i] : set[i];
     }
     System.arraycopy(q, 0, density, 0, density.length);
   }
@@ -286,7 +286,7 @@ public final class WingEstimator implements SideEstimator {
   private void followHinge() {
     double dtS = (timeUs - hingeUs) * 1e-6;
     hingeUs = timeUs;
-    if (followsHinge && hinge.solve(dtS, settings.hingePx2PerS(), REPEATING, frame.isByHand)) {
+    if (followsHinge && hinge.solve(dtS, settings.hingePx2PerS(), REPEATING, frame.isManual)) {
       frame.shift(hinge.shift.get(0), hinge.shift.get(1));
       filter.x[StrokeEkf.CENTRE] += hinge.stroke.get(0);
       filter.x[StrokeEkf.AMPLITUDE] += hinge.stroke.get(1);
@@ -303,7 +303,7 @@ public final class WingEstimator implements SideEstimator {
     slowUs = timeUs;
     frequencyNoise.update(dtS, filter, settings.manoeuvre());
     density[StrokeEkf.OMEGA] =
-        q[StrokeEkf.OMEGA] + (byHand[StrokeEkf.OMEGA] ? 0 : frequencyNoise.added());
+        q[StrokeEkf.OMEGA] + (manual[StrokeEkf.OMEGA] ? 0 : frequencyNoise.added());
     boolean both = hasBothEdges();
     StrokeMemory.forget(filter, dtS, q, both);
     boolean spread = CameraLatency.isWide(noise.of(LEADING).timingSdS(), fullSpeed());
@@ -529,14 +529,14 @@ public final class WingEstimator implements SideEstimator {
     System.arraycopy(density, 0, present, 0, density.length);
     Source[] sources = new Source[q.length];
     for (int i = 0; i < q.length; i++) {
-      sources[i] = byHand[i] ? Source.BY_HAND : Source.SETTINGS;
+      sources[i] = manual[i] ? Source.MANUAL : Source.SETTINGS;
     }
-    if (settings.manoeuvre() > 0 && !byHand[StrokeEkf.OMEGA]) {
+    if (settings.manoeuvre() > 0 && !manual[StrokeEkf.OMEGA]) {
       sources[StrokeEkf.OMEGA] = Source.ESTIMATOR;
     }
     Source measurement =
         measurementByHand
-            ? Source.BY_HAND
+            ? Source.MANUAL
             : noise.of(LEADING).fixed() == 0 ? Source.ESTIMATOR : Source.SETTINGS;
     return List.of(
         new WingFilterState(
@@ -562,12 +562,12 @@ public final class WingEstimator implements SideEstimator {
       case STATE -> filter.set(row, edit.value());
       case COVARIANCE -> filter.belief.edit(row, edit.column(), edit.value());
       case PROCESS_NOISE -> {
-        byHand[row] = !edit.givesBack();
+        manual[row] = !edit.restoresAutomatic();
         q[row] = edit.notNegative();
         setProcessNoise();
       }
       case MEASUREMENT_NOISE -> {
-        if (edit.givesBack()) {
+        if (edit.restoresAutomatic()) {
           releaseNoise();
         } else {
           noise.apply(options.gateSd(), edit.notNegative());

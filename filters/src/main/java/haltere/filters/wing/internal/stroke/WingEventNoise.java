@@ -39,7 +39,6 @@ final class WingEventNoise {
     return edges[edge];
   }
 
-  /** Counts an event of an edge. */
   void count(int edge, double y, boolean taken) {
     counted[edge]++;
     rejected += FOLLOW * ((taken || Math.abs(y) >= NEAR_RAD ? 0 : 1) - rejected);

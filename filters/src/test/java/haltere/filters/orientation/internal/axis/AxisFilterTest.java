@@ -275,7 +275,7 @@ class AxisFilterTest {
         }
         filter.update(lines, 3);
         assertEquals(1, Vectors.length(filter.axis().u()), 1e-12);
-        assertTrue(filter.isSound(), "step " + step);
+        assertTrue(filter.isValid(), "step " + step);
       }
     }
   }

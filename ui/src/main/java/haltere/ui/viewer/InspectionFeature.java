@@ -1,0 +1,117 @@
+package haltere.ui.viewer;
+
+import haltere.core.event.SensorGeometry;
+import haltere.filters.frequency.PixelRegion;
+import haltere.filters.frequency.RegionMeasurement;
+import haltere.ui.viewer.action.ViewerActions;
+import haltere.ui.viewer.controls.Icons;
+import haltere.ui.viewer.feature.DisplayControl;
+import haltere.ui.viewer.feature.ViewBar;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.picture.EventView;
+import haltere.ui.viewer.picture.MeasuringTape;
+import haltere.ui.viewer.picture.RegionMarks;
+import haltere.ui.viewer.picture.RegionTool;
+import java.util.Optional;
+import java.util.function.Supplier;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+
+/** Inspection: the pixel under the mouse, a region of interest, the measuring tape, zoom. */
+public final class InspectionFeature implements ViewerFeature {
+  private static final double ZOOM_STEP = 1.5;
+  private static final double PAN_STEP = 0.1;
+
+  private final BooleanProperty measuring = new SimpleBooleanProperty();
+  private final BooleanProperty drawingRegion = new SimpleBooleanProperty();
+  private final BooleanProperty pointing = new SimpleBooleanProperty();
+  private RegionMeasurement reading = RegionMeasurement.NOTHING;
+  private ViewerContext window;
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    EventView view = window.panels().view();
+    view.setPointerListener(
+        (x, y, over) -> window.ifOpen(open -> open.display().renderer().point(x, y, over)));
+    view.addLayer(canvas -> region().ifPresent(marks -> marks.draw(canvas)));
+    view.onFrame(frame -> reading = frame.region().orElse(reading));
+    followLegend(view);
+    window.onSession(made -> setRegion(Optional.empty()));
+    RegionTool regionTool = new RegionTool(this::sensor, this::setRegion);
+    window.bindTool(measuring, new MeasuringTape(window.display().tapeProperty()));
+    window.bindTool(drawingRegion, regionTool);
+    // pixels are selected by keys, for users without a mouse
+    window.bindTool(pointing, () -> "The pixel at the cross is described below the picture.");
+    ViewerActions actions = window.actions();
+    actions.add("measure", measuring);
+    actions.add("region", drawingRegion);
+    actions.add("point", pointing);
+    actions.add("put-aside", this::dismiss);
+    Supplier<String> noRegion = () -> region().isEmpty() ? "no region is drawn" : "";
+    actions.add("clear-region", () -> setRegion(Optional.empty()), noRegion);
+    actions.add(
+        "zoom-region",
+        () -> region().map(RegionMarks::region).ifPresent(view.viewpoint()::zoomTo),
+        noRegion);
+    addZoom(view);
+    ViewBar bar = window.panels().viewBar();
+    bar.tool("tool-measure", Icons.TAPE, "Measure a length and an angle (T)", measuring);
+    bar.tool("tool-region", Icons.REGION, "Draw the region of interest (G)", drawingRegion);
+  }
+
+  private void dismiss() {
+    EventView view = window.panels().view();
+    if (view.tool().isPresent()) {
+      view.setTool(Optional.empty());
+    } else {
+      window.status().clearError();
+    }
+  }
+
+  private void addZoom(EventView view) {
+    ViewerActions actions = window.actions();
+    actions.add("zoom-in", () -> view.viewpoint().zoomBy(ZOOM_STEP));
+    actions.add("zoom-out", () -> view.viewpoint().zoomBy(1 / ZOOM_STEP));
+    actions.add("zoom-pixels", view::zoomToPixels);
+    actions.add("pan-left", () -> view.viewpoint().pan(-PAN_STEP, 0));
+    actions.add("pan-right", () -> view.viewpoint().pan(PAN_STEP, 0));
+    actions.add("pan-up", () -> view.viewpoint().pan(0, PAN_STEP));
+    actions.add("pan-down", () -> view.viewpoint().pan(0, -PAN_STEP));
+  }
+
+  private void followLegend(EventView view) {
+    DisplayControl display = window.display();
+    Runnable follow =
+        () ->
+            view.legend().configure(display.modeProperty().get(), display.gradientProperty().get());
+    display.onChange(follow);
+    follow.run();
+  }
+
+  private SensorGeometry sensor() {
+    return window
+        .sessions()
+        .session()
+        .map(open -> open.player().playable().geometry())
+        .orElse(new SensorGeometry(1, 1));
+  }
+
+  /** Watches a region, or none. */
+  public void setRegion(Optional<PixelRegion> region) {
+    reading = RegionMeasurement.NOTHING;
+    window.display().regionProperty().set(region);
+    window.ifOpen(
+        open -> {
+          open.display().renderer().setRegion(region);
+          open.player().refresh();
+        });
+    window.panels().view().redraw();
+  }
+
+  /** The shown region of interest. */
+  Optional<RegionMarks> region() {
+    return window.display().regionProperty().get().map(pixels -> new RegionMarks(pixels, reading));
+  }
+}
