@@ -18,7 +18,7 @@ import java.util.function.Function;
  * @param reading properties of all recordings stated by the user
  * @param strict whether a recording that is cut off or damaged is a failure
  * @param program name and version of the program, a part of what makes a result valid
- * @param tables ending of the tables, one of {@link haltere.core.sink.Tables#endings}
+ * @param tables extension of the tables, one of {@link haltere.core.sink.Tables#extensions}
  * @param outlets names of the outlets whose tables are written; all if empty
  * @since 0.1
  */
