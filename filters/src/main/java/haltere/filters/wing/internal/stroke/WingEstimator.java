@@ -492,14 +492,19 @@ public final class WingEstimator implements SideEstimator {
   @Override
   public double[][] beat(int steps) {
     double[][] angles = new double[2][steps];
-    double ahead = ahead();
     double width = filter.x[StrokeEkf.WIDTH];
+    double stepCos = Math.cos(2 * Math.PI / steps);
+    double stepSin = Math.sin(2 * Math.PI / steps);
+    double c = Math.cos(filter.x[StrokeEkf.PHASE] + ahead());
+    double s = Math.sin(filter.x[StrokeEkf.PHASE] + ahead());
     for (int step = 0; step < steps; step++) {
-      double turn = ahead + 2 * Math.PI * step / steps;
-      double angle = filter.angleAfter(turn);
+      double angle = filter.angle(c, s);
       double leading = filter.slopeThere >= 0 ? width : -width;
       angles[LEADING][step] = angle + leading;
       angles[TRAILING][step] = angle - leading;
+      double next = c * stepCos - s * stepSin;
+      s = s * stepCos + c * stepSin;
+      c = next;
     }
     return angles;
   }
