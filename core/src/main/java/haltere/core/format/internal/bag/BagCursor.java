@@ -10,7 +10,6 @@ import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.decoding.EventCursor;
 import haltere.core.format.internal.decoding.StreamDecoder;
 import java.io.IOException;
-import java.io.InterruptedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Optional;
@@ -87,10 +86,7 @@ final class BagCursor implements EventCursor {
 
   /** Opens the next readable message; false at the end. */
   private boolean nextMessage() throws IOException {
-    if (Thread.currentThread().isInterrupted()) {
-      throw new InterruptedIOException("interrupted while reading a bag");
-    }
-    if (!walk.find()) {
+    if (!walk.findUnlessInterrupted()) {
       return false;
     }
     try {

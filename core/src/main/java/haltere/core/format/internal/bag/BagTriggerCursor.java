@@ -6,7 +6,6 @@ import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.decoding.SampleCursor;
 import haltere.core.format.internal.evt.TriggerWords;
 import java.io.IOException;
-import java.io.InterruptedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
@@ -56,10 +55,7 @@ final class BagTriggerCursor implements SampleCursor {
 
   /** Opens the next message; false at the end. */
   private boolean nextMessage() throws IOException, DamagedPacketException {
-    if (Thread.currentThread().isInterrupted()) {
-      throw new InterruptedIOException("interrupted while reading a bag");
-    }
-    if (!walk.find()) {
+    if (!walk.findUnlessInterrupted()) {
       return false;
     }
     body.open(walk.payload(), walk.size());

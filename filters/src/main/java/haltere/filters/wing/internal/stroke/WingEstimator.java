@@ -495,8 +495,9 @@ public final class WingEstimator implements SideEstimator {
     double width = filter.x[StrokeEkf.WIDTH];
     double stepCos = Math.cos(2 * Math.PI / steps);
     double stepSin = Math.sin(2 * Math.PI / steps);
-    double c = Math.cos(filter.x[StrokeEkf.PHASE] + ahead());
-    double s = Math.sin(filter.x[StrokeEkf.PHASE] + ahead());
+    double phase = filter.x[StrokeEkf.PHASE] + ahead();
+    double c = Math.cos(phase);
+    double s = Math.sin(phase);
     for (int step = 0; step < steps; step++) {
       double angle = filter.angle(c, s);
       double leading = filter.slopeThere >= 0 ? width : -width;
