@@ -42,7 +42,7 @@ final class RowWriter<R extends Record> extends WriteSupport<R> implements RowFi
     schema = new MessageType("row", columns);
   }
 
-  private static Types.PrimitiveBuilder<PrimitiveType> type(RowFields.Kind kind) {
+  private static Types.PrimitiveBuilder<PrimitiveType> type(RowFields.FieldKind kind) {
     return switch (kind) {
       case LONG -> Types.optional(PrimitiveTypeName.INT64);
       case INTEGER -> Types.optional(PrimitiveTypeName.INT32);
@@ -106,7 +106,7 @@ final class RowWriter<R extends Record> extends WriteSupport<R> implements RowFi
   @Override
   public void number(long value) {
     start();
-    if (fields.kinds().get(index) == RowFields.Kind.LONG) {
+    if (fields.kinds().get(index) == RowFields.FieldKind.LONG) {
       out.addLong(value);
     } else {
       out.addInteger((int) value);

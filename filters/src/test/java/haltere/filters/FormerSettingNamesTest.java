@@ -11,6 +11,7 @@ import haltere.filters.noise.HotPixelsSettings;
 import haltere.filters.object.ObjectTrackerSettings;
 import haltere.filters.orientation.OrientationSettings;
 import haltere.filters.orientation.line.BodyLineSettings;
+import haltere.filters.road.CountingLineSettings;
 import haltere.filters.wing.WingTrackerSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -91,6 +92,14 @@ class FormerSettingNamesTest {
                 "greatestRadiusPx", 70,
                 "forgetUs", 300_000)));
     assertNoted("turns", "eventsPerOutlinePx");
+  }
+
+  @Test
+  void formerNameOfTheDistanceOfCountingLinesIsRead() {
+    assertEquals(
+        new CountingLineSettings(2, 20, 12),
+        read(CountingLineSettings.class, Map.<String, Object>of("lines", 2, "apartM", 12)));
+    assertNoted("apartM", "spacingM");
   }
 
   @Test

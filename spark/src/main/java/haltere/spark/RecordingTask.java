@@ -53,14 +53,14 @@ final class RecordingTask implements FlatMapFunction<SparkRecording, Row> {
     Path scratch = made.folder();
     try {
       run(stage(recording, scratch), scratch);
-      return new Rows(recording.name(), scratch);
+      return new RowIterator(recording.name(), scratch);
     } catch (InterruptedIOException stop) {
       throw stop;
     } catch (Exception | OutOfMemoryError | StackOverflowError thrown) {
       if (TaskContext.get().isInterrupted()) {
         throw thrown;
       }
-      BatchFailure.Kind kind = BatchFailure.Kind.of(thrown);
+      BatchFailure.FailureKind kind = BatchFailure.FailureKind.of(thrown);
       String cause = thrown.getMessage() == null ? thrown.toString() : thrown.getMessage();
       return List.of(RowFactory.create(FAILED, recording.name(), kind.toString(), cause))
           .iterator();
@@ -101,14 +101,14 @@ final class RecordingTask implements FlatMapFunction<SparkRecording, Row> {
   }
 
   /** Iterator over the rows of all tables; one file is open at a time. */
-  private final class Rows implements Iterator<Row> {
+  private final class RowIterator implements Iterator<Row> {
     private final String recording;
     private final Path scratch;
     private int table = -1;
     private DataInputStream in;
     private Row next;
 
-    Rows(String recording, Path scratch) {
+    RowIterator(String recording, Path scratch) {
       this.recording = recording;
       this.scratch = scratch;
       advance();

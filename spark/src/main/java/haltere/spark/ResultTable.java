@@ -51,7 +51,7 @@ record ResultTable(String name, StructType schema) implements Serializable {
     return schema;
   }
 
-  private static DataType type(RowFields.Kind kind) {
+  private static DataType type(RowFields.FieldKind kind) {
     return switch (kind) {
       case LONG -> DataTypes.LongType;
       case INTEGER -> DataTypes.IntegerType;

@@ -45,7 +45,7 @@ public final class RowsFormat implements TableFormat {
   @Override
   public <R extends Record> TableSink<R> open(
       AtomicFile file, Class<R> type, TableMetadata metadata) {
-    return new Rows<>(file, new RowFields(type));
+    return new RowsSink<>(file, new RowFields(type));
   }
 
   /** Reads the values of the next row; returns false at the end of the file. */
@@ -79,14 +79,14 @@ public final class RowsFormat implements TableFormat {
    *
    * @param <R> type of the rows
    */
-  private static final class Rows<R extends Record> implements TableSink<R>, RowFields.Values {
+  private static final class RowsSink<R extends Record> implements TableSink<R>, RowFields.Values {
     private final AtomicFile file;
     private final RowFields fields;
     private final DataOutputStream out;
     private int column;
     private long rows;
 
-    Rows(AtomicFile file, RowFields fields) {
+    RowsSink(AtomicFile file, RowFields fields) {
       this.file = file;
       this.fields = fields;
       out = new DataOutputStream(new BufferedOutputStream(file.stream(), 1 << 16));
@@ -116,7 +116,7 @@ public final class RowsFormat implements TableFormat {
 
     @Override
     public void number(long value) {
-      if (fields.kinds().get(column) == RowFields.Kind.INTEGER) {
+      if (fields.kinds().get(column) == RowFields.FieldKind.INTEGER) {
         write(INTEGER, () -> out.writeInt((int) value));
       } else {
         write(LONG, () -> out.writeLong(value));

@@ -25,13 +25,13 @@ import org.junit.jupiter.api.io.TempDir;
 class LauncherTest {
   @TempDir Path folder;
 
-  private Process start(String... text) throws IOException {
+  private Process start(String... arguments) throws IOException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-XX:+UseSerialGC", "-Xmx64m"));
     command.addAll(List.of("-cp", System.getProperty("java.class.path")));
     command.add(Launcher.class.getName());
-    command.addAll(List.of(text));
+    command.addAll(List.of(arguments));
     ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
     builder.environment().remove("DISPLAY");
     builder.environment().remove("JAVA_TOOL_OPTIONS");

@@ -39,9 +39,10 @@ class StartScriptTest {
     script = Path.of(System.getProperty("haltere.installed"), "bin", "haltere");
   }
 
-  private Run run(Path program, Map<String, String> environment, String... text) throws Exception {
+  private Run run(Path program, Map<String, String> environment, String... arguments)
+      throws Exception {
     List<String> command = new ArrayList<>(List.of(program.toString()));
-    command.addAll(List.of(text));
+    command.addAll(List.of(arguments));
     Path out = folder.resolve("stdout.txt");
     Path err = folder.resolve("stderr.txt");
     ProcessBuilder builder =
@@ -160,8 +161,8 @@ class StartScriptTest {
     Map<String, String> environment = Map.of("JAVA_HOME", jdk.toString());
     Files.writeString(folder.resolve("in.csv"), "t_us,x,y,on\n1,2,3,1\n");
     // Zstandard, libusb and the window toolkit
-    String[] text = "--quiet convert --sensor 8x8 --rows top in.csv out.aedat4".split(" ");
-    assertEquals(new Run(0, "", ""), run(script, environment, text));
+    String[] arguments = "--quiet convert --sensor 8x8 --rows top in.csv out.aedat4".split(" ");
+    assertEquals(new Run(0, "", ""), run(script, environment, arguments));
     Run devices = run(script, environment, "devices");
     assertEquals("", devices.err());
     Run view = run(script, environment, "view");

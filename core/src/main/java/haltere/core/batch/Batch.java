@@ -227,14 +227,14 @@ public final class Batch {
         step.run();
       } catch (Exception | Error thrown) {
         if (!stopped) {
-          fail(new BatchFailure(item, BatchFailure.Kind.of(thrown), words.apply(thrown)));
+          fail(new BatchFailure(item, BatchFailure.FailureKind.of(thrown), words.apply(thrown)));
         }
       }
     }
 
     private void work(BatchItem item) throws IOException {
       Path path = folder(item);
-      Progress progress = new Progress(item.bytes());
+      RecordingProgress progress = new RecordingProgress(item.bytes());
       if (options.existing() == BatchOptions.Existing.RESUME && results.isValid(item, path)) {
         progress.finish();
         update(() -> kept++);
@@ -313,11 +313,11 @@ public final class Batch {
     }
 
     /** Bytes of one recording. */
-    private final class Progress {
+    private final class RecordingProgress {
       private final long size;
       private long reached;
 
-      Progress(long size) {
+      RecordingProgress(long size) {
         this.size = size;
       }
 

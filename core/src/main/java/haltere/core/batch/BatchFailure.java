@@ -18,9 +18,9 @@ import java.util.Objects;
  * @param cause one line for users
  * @since 0.1
  */
-public record BatchFailure(BatchItem item, Kind kind, String cause) {
+public record BatchFailure(BatchItem item, FailureKind kind, String cause) {
   /** Kinds of failures. */
-  public enum Kind {
+  public enum FailureKind {
     /** The recording cannot be understood, or is damaged and has to be whole. */
     RECORDING,
     /** The chain does not fit the recording. */
@@ -40,7 +40,7 @@ public record BatchFailure(BatchItem item, Kind kind, String cause) {
      * @param thrown by a job
      * @return never null
      */
-    public static Kind of(Throwable thrown) {
+    public static FailureKind of(Throwable thrown) {
       if (thrown instanceof UncheckedIOException wrapped) {
         return of(wrapped.getCause());
       }

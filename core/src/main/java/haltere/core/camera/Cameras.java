@@ -39,7 +39,7 @@ public final class Cameras {
    * @return physical cameras first
    */
   public List<CameraInfo> list() {
-    return seen().stream().map(Seen::info).toList();
+    return seen().stream().map(FoundCamera::info).toList();
   }
 
   /**
@@ -76,8 +76,8 @@ public final class Cameras {
    *     cannot be opened
    */
   public Camera open(String id, CameraOptions options) throws CameraProblem {
-    List<Seen> seen = seen();
-    for (Seen camera : seen) {
+    List<FoundCamera> seen = seen();
+    for (FoundCamera camera : seen) {
       boolean wanted =
           id.isEmpty()
               ? camera.provider.isPhysical() && camera.info.canOpen()
@@ -94,24 +94,24 @@ public final class Cameras {
             + obstacles().stream().map(why -> "; " + why).collect(Collectors.joining()));
   }
 
-  private static String words(List<Seen> seen) {
+  private static String words(List<FoundCamera> seen) {
     return seen.stream()
-        .map(Seen::info)
+        .map(FoundCamera::info)
         .map(info -> info.id() + (info.note().isEmpty() ? "" : " (" + info.note() + ")"))
         .collect(Collectors.joining(", "));
   }
 
-  private List<Seen> seen() {
-    List<Seen> seen = new ArrayList<>();
+  private List<FoundCamera> seen() {
+    List<FoundCamera> seen = new ArrayList<>();
     for (boolean physical : new boolean[] {true, false}) {
       for (CameraProvider provider : providers) {
         if (provider.isPhysical() == physical) {
-          provider.list().forEach(info -> seen.add(new Seen(provider, info)));
+          provider.list().forEach(info -> seen.add(new FoundCamera(provider, info)));
         }
       }
     }
     return seen;
   }
 
-  private record Seen(CameraProvider provider, CameraInfo info) {}
+  private record FoundCamera(CameraProvider provider, CameraInfo info) {}
 }

@@ -9,7 +9,7 @@ package haltere.core.camera;
  */
 public interface Led {
   /** State of the light. */
-  enum State {
+  enum LedState {
     /** Off. */
     OFF,
     /** On. */
@@ -24,5 +24,5 @@ public interface Led {
    * @param state the new state
    * @throws CameraProblem if the camera rejects it or is lost
    */
-  void setLed(State state) throws CameraProblem;
+  void setLed(LedState state) throws CameraProblem;
 }

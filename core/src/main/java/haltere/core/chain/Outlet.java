@@ -25,7 +25,7 @@ public final class Outlet<T> {
   private final String name;
   private final Class<T> type;
   private final Optional<ResultOrder<T>> order;
-  private final CopyOnWriteArrayList<Listener> listeners = new CopyOnWriteArrayList<>();
+  private final CopyOnWriteArrayList<OutletSubscription> listeners = new CopyOnWriteArrayList<>();
   private boolean runUp;
 
   /**
@@ -122,8 +122,8 @@ public final class Outlet<T> {
 
   private Subscription listen(
       Consumer<? super T> subscriber, Consumer<? super RuntimeException> failed, boolean inRunUps) {
-    Listener listener =
-        new Listener(
+    OutletSubscription listener =
+        new OutletSubscription(
             Objects.requireNonNull(subscriber, "subscriber"),
             Objects.requireNonNull(failed, "failed"),
             inRunUps);
@@ -149,7 +149,7 @@ public final class Outlet<T> {
    * @param result immutable
    */
   public void publish(T result) {
-    for (Listener listener : listeners) {
+    for (OutletSubscription listener : listeners) {
       if (listener.inRunUps || !runUp) {
         listener.take(result);
       }
@@ -157,12 +157,12 @@ public final class Outlet<T> {
   }
 
   /** One subscription; the same subscriber may have several. */
-  private final class Listener implements Subscription {
+  private final class OutletSubscription implements Subscription {
     final Consumer<? super T> subscriber;
     final Consumer<? super RuntimeException> failed;
     final boolean inRunUps;
 
-    Listener(
+    OutletSubscription(
         Consumer<? super T> subscriber,
         Consumer<? super RuntimeException> failed,
         boolean inRunUps) {

@@ -27,7 +27,7 @@ final class PartsReader implements RecordingReader {
   private record Piece(int part, int segment, TimeSegment times) {}
 
   /** State of the stream of a part. */
-  private enum State {
+  private enum PartState {
     FRESH,
     RUNNING,
     ENDED
@@ -51,7 +51,7 @@ final class PartsReader implements RecordingReader {
   private final Path folder;
   private final List<RecordingReader> parts;
   private final Relay relay = new Relay();
-  private final State[] states;
+  private final PartState[] states;
   private List<List<Piece>> segments;
   private int current;
   private boolean started;
@@ -77,8 +77,8 @@ final class PartsReader implements RecordingReader {
   PartsReader(Path folder, List<RecordingReader> parts) throws IOException {
     this.folder = folder;
     this.parts = List.copyOf(parts);
-    states = new State[parts.size()];
-    Arrays.fill(states, State.FRESH);
+    states = new PartState[parts.size()];
+    Arrays.fill(states, PartState.FRESH);
     SensorGeometry first = geometry();
     for (RecordingReader part : parts) {
       if (!part.geometry().equals(first)) {
@@ -135,7 +135,7 @@ final class PartsReader implements RecordingReader {
     @Override
     public void notified(StreamNotification notification) {
       if (notification instanceof EndOfStream) {
-        states[current] = State.ENDED;
+        states[current] = PartState.ENDED;
         if (current == parts.size() - 1) {
           ended = true;
           deliver(new EndOfStream(lastUs));
@@ -171,9 +171,9 @@ final class PartsReader implements RecordingReader {
     relay.out = handler;
     relay.given = false;
     while (!relay.given && !ended) {
-      states[current] = State.RUNNING;
+      states[current] = PartState.RUNNING;
       parts.get(current).next(relay);
-      if (states[current] == State.ENDED && !ended) {
+      if (states[current] == PartState.ENDED && !ended) {
         enter(current + 1);
       }
     }
@@ -184,11 +184,11 @@ final class PartsReader implements RecordingReader {
   private void enter(int part) throws IOException {
     current = part;
     entering = true;
-    if (states[part] != State.FRESH) {
+    if (states[part] != PartState.FRESH) {
       parts.get(part).seek(0, Long.MIN_VALUE);
     }
     parts.get(part).next(PASSED_OVER);
-    states[part] = State.RUNNING;
+    states[part] = PartState.RUNNING;
   }
 
   @Override
@@ -253,10 +253,10 @@ final class PartsReader implements RecordingReader {
       lastUs = StreamNotification.NO_TIME_US;
     }
     parts.get(current).seek(position.segment, fromUs);
-    if (started && states[current] != State.RUNNING) {
+    if (started && states[current] != PartState.RUNNING) {
       parts.get(current).next(PASSED_OVER);
       parts.get(current).seek(position.segment, fromUs);
-      states[current] = State.RUNNING;
+      states[current] = PartState.RUNNING;
     }
   }
 

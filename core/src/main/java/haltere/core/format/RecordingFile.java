@@ -118,7 +118,7 @@ public final class RecordingFile implements Closeable {
 
   /** Creates a reader of a file; closing the reader closes the file. */
   @FunctionalInterface
-  public interface Opening {
+  public interface ReaderFactory {
     /**
      * Creates the reader.
      *
@@ -138,7 +138,7 @@ public final class RecordingFile implements Closeable {
    * @throws RecordingProblem if the file does not exist or may not be read
    * @throws IOException if the reader cannot be created
    */
-  public static RecordingReader reading(Path path, Opening opening) throws IOException {
+  public static RecordingReader reading(Path path, ReaderFactory opening) throws IOException {
     RecordingFile file = new RecordingFile(path);
     try {
       return opening.open(file);

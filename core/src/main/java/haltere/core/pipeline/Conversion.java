@@ -110,7 +110,7 @@ public final class Conversion {
     if (reader.isSeekable() && fromUs != Long.MIN_VALUE) {
       reader.seek(fromUs);
     }
-    Copy copy = new Copy(writer, last);
+    ConversionSink copy = new ConversionSink(writer, last);
     long reported = 0;
     try {
       while (!copy.past && reader.next(copy)) {
@@ -141,7 +141,7 @@ public final class Conversion {
         copy.eventsRead, copy.eventsWritten, copy.samplesWritten, copy.samplesLeftOut, warnings);
   }
 
-  private final class Copy implements StreamHandler {
+  private final class ConversionSink implements StreamHandler {
     private final RecordingWriter writer;
     private final boolean lastSegment;
     private final EventPacket part = new EventPacket(0);
@@ -153,7 +153,7 @@ public final class Conversion {
     private boolean past;
     private boolean ended;
 
-    Copy(RecordingWriter writer, boolean lastSegment) {
+    ConversionSink(RecordingWriter writer, boolean lastSegment) {
       this.writer = writer;
       this.lastSegment = lastSegment;
     }

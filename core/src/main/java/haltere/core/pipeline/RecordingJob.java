@@ -232,7 +232,7 @@ public final class RecordingJob {
         reader.segments();
       }
       PipelineCounters counters = new PipelineCounters();
-      Watch watch = new Watch(reader, counters);
+      JobSink watch = new JobSink(reader, counters);
       ChainRunner runner = new ChainRunner(filters, counters, OnFailure.STOP, failure -> {});
       written.rawSinks().forEach(sink -> runner.addSink(sink, true));
       written.sinks().forEach(sink -> runner.addSink(sink, false));
@@ -306,12 +306,12 @@ public final class RecordingJob {
   }
 
   /** A sink that counts samples and reports the progress. */
-  private final class Watch implements StreamHandler {
+  private final class JobSink implements StreamHandler {
     private final RecordingReader reader;
     private final PipelineCounters counters;
     private SampleCounts samples = SampleCounts.NONE;
 
-    Watch(RecordingReader reader, PipelineCounters counters) {
+    JobSink(RecordingReader reader, PipelineCounters counters) {
       this.reader = reader;
       this.counters = counters;
     }

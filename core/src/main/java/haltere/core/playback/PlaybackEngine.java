@@ -33,12 +33,12 @@ final class PlaybackEngine {
   private final StatusBoard board;
   private final ChainRunner runner;
   private final SliceRunner stream;
-  private final List<Waiting> waiting = new ArrayList<>();
+  private final List<WaitingCommand> waiting = new ArrayList<>();
   private double speed;
   private boolean live;
 
   /** A command for the chain that waits for the end of a run-up. */
-  private record Waiting(PlaybackCommand command, CompletableFuture<Void> done) {}
+  private record WaitingCommand(PlaybackCommand command, CompletableFuture<Void> done) {}
 
   PlaybackEngine(Playable playable, FilterChain chain, PlayerOptions options) {
     if (chain.geometry().width() != playable.geometry().width()
@@ -97,7 +97,7 @@ final class PlaybackEngine {
   long turn() {
     followSource();
     if (!waiting.isEmpty() && !stream.isLeading()) {
-      List<Waiting> now = List.copyOf(waiting);
+      List<WaitingCommand> now = List.copyOf(waiting);
       waiting.clear();
       now.forEach(each -> apply(each.command(), each.done()));
     }
@@ -134,7 +134,7 @@ final class PlaybackEngine {
     boolean isForChain =
         command instanceof PlaybackCommand.Edit || command instanceof PlaybackCommand.Read;
     if (isForChain && stream.isLeading()) {
-      waiting.add(new Waiting(command, done));
+      waiting.add(new WaitingCommand(command, done));
       return;
     }
     // The status is published first, because code that waits for the future may read it at once.

@@ -70,7 +70,7 @@ public final class RowFields {
   }
 
   /** Type of the values of a component. */
-  public enum Kind {
+  public enum FieldKind {
     /** 64-bit integers. */
     LONG,
     /** Integers of at most 32 bits. */
@@ -84,7 +84,7 @@ public final class RowFields {
     /** Texts, characters and constants of enumerations. */
     TEXT;
 
-    private static Kind of(Class<?> type) {
+    private static FieldKind of(Class<?> type) {
       if (type == double.class || type == Double.class || type == OptionalDouble.class) {
         return DOUBLE;
       }
@@ -106,7 +106,7 @@ public final class RowFields {
   }
 
   /** Passes on one component of a row. */
-  private interface Field {
+  private interface FieldWriter {
     void write(Object row, Values values) throws Throwable;
   }
 
@@ -136,8 +136,8 @@ public final class RowFields {
       Pattern.compile("(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])|(?<=[a-z][XYZ])(?=[A-Z])");
 
   private final List<String> names;
-  private final List<Kind> kinds = new ArrayList<>();
-  private final Field[] fields;
+  private final List<FieldKind> kinds = new ArrayList<>();
+  private final FieldWriter[] fields;
   private final MethodHandle[] getters;
 
   /**
@@ -153,7 +153,7 @@ public final class RowFields {
     }
     List<Leaf> leaves = leaves(type);
     names = leaves.stream().map(Leaf::name).toList();
-    fields = new Field[leaves.size()];
+    fields = new FieldWriter[leaves.size()];
     getters = new MethodHandle[leaves.size()];
     for (int i = 0; i < fields.length; i++) {
       Leaf leaf = leaves.get(i);
@@ -161,7 +161,7 @@ public final class RowFields {
         throw new IllegalArgumentException(
             leaf.name + " cannot have " + leaf.decimals + " digits behind the decimal point");
       }
-      kinds.add(Kind.of(leaf.get.type().returnType()));
+      kinds.add(FieldKind.of(leaf.get.type().returnType()));
       fields[i] = field(leaf.get, leaf.decimals);
       getters[i] = leaf.get.asType(MethodType.methodType(Object.class, Object.class));
     }
@@ -239,7 +239,7 @@ public final class RowFields {
    *
    * @return in order
    */
-  public List<Kind> kinds() {
+  public List<FieldKind> kinds() {
     return kinds;
   }
 
@@ -282,7 +282,7 @@ public final class RowFields {
         : new IllegalStateException("cannot read a row of " + row.getClass(), thrown);
   }
 
-  private static Field field(MethodHandle get, int decimals) {
+  private static FieldWriter field(MethodHandle get, int decimals) {
     Class<?> type = get.type().returnType();
     if (type == double.class) {
       MethodHandle exact = get.asType(MethodType.methodType(double.class, Object.class));

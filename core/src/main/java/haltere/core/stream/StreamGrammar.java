@@ -12,7 +12,7 @@ import java.util.Objects;
  * @since 0.1
  */
 public final class StreamGrammar implements StreamHandler {
-  private enum State {
+  private enum GrammarState {
     BEFORE_START,
     RUNNING,
     DEVICE_LOST,
@@ -20,7 +20,7 @@ public final class StreamGrammar implements StreamHandler {
   }
 
   private final StreamHandler next;
-  private State state = State.BEFORE_START;
+  private GrammarState state = GrammarState.BEFORE_START;
   private SensorGeometry geometry;
   private long lastUs = Long.MIN_VALUE;
 
@@ -39,12 +39,12 @@ public final class StreamGrammar implements StreamHandler {
    * @return true after {@link EndOfStream}
    */
   public boolean ended() {
-    return state == State.ENDED;
+    return state == GrammarState.ENDED;
   }
 
   @Override
   public void packet(EventPacket packet) {
-    require(state == State.RUNNING, "a packet came " + where());
+    require(state == GrammarState.RUNNING, "a packet came " + where());
     for (int i = 0; i < packet.size(); i++) {
       long timeUs = packet.timeUs(i);
       if (timeUs < lastUs) {
@@ -63,25 +63,27 @@ public final class StreamGrammar implements StreamHandler {
   /** {@inheritDoc} Its time is not checked: sources order samples as near as they can. */
   @Override
   public void sample(SensorSample sample) {
-    require(state == State.RUNNING, "a sample came " + where());
+    require(state == GrammarState.RUNNING, "a sample came " + where());
     next.sample(sample);
   }
 
   @Override
   public void notified(StreamNotification notification) {
     if (notification instanceof StreamStarted started) {
-      require(state == State.BEFORE_START || state == State.ENDED, "the stream started " + where());
+      require(
+          state == GrammarState.BEFORE_START || state == GrammarState.ENDED,
+          "the stream started " + where());
       geometry = started.geometry();
-      state = State.RUNNING;
+      state = GrammarState.RUNNING;
     } else if (notification instanceof EndOfStream) {
       require(
-          state == State.RUNNING || state == State.DEVICE_LOST,
+          state == GrammarState.RUNNING || state == GrammarState.DEVICE_LOST,
           "the end of stream came " + where());
-      state = State.ENDED;
+      state = GrammarState.ENDED;
     } else {
-      require(state == State.RUNNING, notification + " came " + where());
+      require(state == GrammarState.RUNNING, notification + " came " + where());
       if (notification instanceof DeviceLost) {
-        state = State.DEVICE_LOST;
+        state = GrammarState.DEVICE_LOST;
       }
     }
     if (notification.endsContinuity()) {

@@ -14,7 +14,7 @@ import java.util.Map;
  * <p>Thread rule: all methods may be called from any thread.
  */
 final class DavisSettings implements Configuration {
-  static final String EARLY_DELAY = "usb.longestDelayUs";
+  static final String EARLY_DELAY = "usb.maxDelayUs";
 
   /** USB counts delays in steps of 125 us. */
   static final int DELAY_STEP_US = 125;

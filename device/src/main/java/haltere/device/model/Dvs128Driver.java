@@ -48,7 +48,7 @@ final class Dvs128Driver
   private final Dvs128Settings settings = new Dvs128Settings(this, biases);
   private volatile boolean master = true;
   private volatile boolean holding;
-  private volatile Led.State led = Led.State.ON;
+  private volatile Led.LedState led = Led.LedState.ON;
 
   Dvs128Driver(CameraInfo info, int firmware) {
     this.info = info;
@@ -67,7 +67,7 @@ final class Dvs128Driver
     return holding;
   }
 
-  Led.State led() {
+  Led.LedState led() {
     return led;
   }
 
@@ -165,7 +165,7 @@ final class Dvs128Driver
 
   /** {@inheritDoc} Firmware from 13 on then sends a false trigger. */
   @Override
-  public void setLed(Led.State state) throws CameraProblem {
+  public void setLed(Led.LedState state) throws CameraProblem {
     if (firmware < FIRMWARE_OF_LED) {
       throw unsupported("switch its LED", FIRMWARE_OF_LED);
     }

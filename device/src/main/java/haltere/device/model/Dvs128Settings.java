@@ -30,9 +30,9 @@ final class Dvs128Settings implements Configuration {
         Settings.choice(
             LED,
             "Mode of the LED.",
-            Led.State.class,
-            Led.State.ON,
-            Arrays.stream(Led.State.values()).map(Enum::name).toList()));
+            Led.LedState.class,
+            Led.LedState.ON,
+            Arrays.stream(Led.LedState.values()).map(Enum::name).toList()));
   }
 
   @Override
@@ -51,7 +51,7 @@ final class Dvs128Settings implements Configuration {
     switch (name) {
       case MASTER -> driver.setMaster((Boolean) converted);
       case HOLD -> driver.holdPixels((Boolean) converted);
-      default -> driver.setLed((Led.State) converted);
+      default -> driver.setLed((Led.LedState) converted);
     }
   }
 

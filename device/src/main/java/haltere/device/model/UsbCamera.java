@@ -28,7 +28,7 @@ final class UsbCamera implements Camera {
     Optional<UsbTransport> find() throws CameraProblem;
   }
 
-  private enum State {
+  private enum CameraState {
     READY,
     STREAMING,
     AWAY,
@@ -60,7 +60,7 @@ final class UsbCamera implements Camera {
 
   // state of the consumer
   private final ArrayDeque<StreamNotification> notifications = new ArrayDeque<>();
-  private State state = State.READY;
+  private CameraState state = CameraState.READY;
   private StreamAssembly assembly;
   private ReceivedBuffers streaming;
 
@@ -113,7 +113,7 @@ final class UsbCamera implements Camera {
       handler.notified(notifications.remove());
       return true;
     }
-    if (state == State.OVER) {
+    if (state == CameraState.OVER) {
       return false;
     }
     int handed = assembly.handOver(handler);
@@ -129,12 +129,12 @@ final class UsbCamera implements Camera {
   /** Decodes until a packet, notification or sample is pending; false after a timeout. */
   private boolean prepare(long nanos) throws CameraProblem, InterruptedIOException {
     long end = System.nanoTime() + Math.min(nanos, Long.MAX_VALUE / 4);
-    while (notifications.isEmpty() && state != State.OVER) {
-      if (closing && state != State.STREAMING) {
-        state = State.OVER;
-      } else if (state == State.READY) {
+    while (notifications.isEmpty() && state != CameraState.OVER) {
+      if (closing && state != CameraState.STREAMING) {
+        state = CameraState.OVER;
+      } else if (state == CameraState.READY) {
         begin();
-      } else if (state == State.AWAY) {
+      } else if (state == CameraState.AWAY) {
         if (!searchAgain(end - System.nanoTime())) {
           return false;
         }
@@ -162,7 +162,7 @@ final class UsbCamera implements Camera {
     assembly.drainTo(notifications);
     if (streaming.isEnded()) {
       notifications.add(new EndOfStream(assembly.lastUs()));
-      state = State.OVER;
+      state = CameraState.OVER;
     } else {
       endAfterLoss();
     }
@@ -177,10 +177,10 @@ final class UsbCamera implements Camera {
     notifications.add(new EndOfStream(assembly.lastUs()));
     closeLink();
     if (options.reconnect()) {
-      state = State.AWAY;
+      state = CameraState.AWAY;
       schedule.begin();
     } else {
-      state = State.OVER;
+      state = CameraState.OVER;
     }
   }
 
@@ -204,7 +204,7 @@ final class UsbCamera implements Camera {
       started.start();
       streams++;
     }
-    state = State.STREAMING;
+    state = CameraState.STREAMING;
     notifications.add(new StreamStarted(geometry(), info().model() + " " + info().serial()));
   }
 
@@ -272,8 +272,8 @@ final class UsbCamera implements Camera {
   public CameraStatistics statistics() {
     Connection now = connection;
     CameraStatistics earlier = now.earlier;
-    ReceivedBuffers.Counts counts =
-        now.link == null ? ReceivedBuffers.Counts.NONE : now.link.buffers().counts();
+    ReceivedBuffers.BufferCounts counts =
+        now.link == null ? ReceivedBuffers.BufferCounts.NONE : now.link.buffers().counts();
     return new CameraStatistics(
         earlier.transfers() + counts.transfers(),
         earlier.bytes() + counts.bytes(),

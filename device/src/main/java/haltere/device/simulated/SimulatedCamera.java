@@ -191,7 +191,7 @@ final class SimulatedCamera implements Camera, TimestampReset, RegionOfInterest,
       handler.notified(notification);
     }
 
-    synchronized CameraStatistics with(SimulatedTransfers.Counts counts) {
+    synchronized CameraStatistics with(SimulatedTransfers.TransferCounts counts) {
       return new CameraStatistics(
           counts.transfers(),
           counts.events() * BYTES_OF_EVENT,

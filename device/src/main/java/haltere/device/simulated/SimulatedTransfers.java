@@ -88,7 +88,7 @@ final class SimulatedTransfers {
    * @param streams started streams
    * @param timesBehind number of pauses of the scene because the simulation was too slow
    */
-  record Counts(
+  record TransferCounts(
       long transfers,
       long events,
       long lost,
@@ -234,7 +234,7 @@ final class SimulatedTransfers {
 
   // ---- State and settings
 
-  Counts counts() {
+  TransferCounts counts() {
     return read(
         () -> {
           int waiting = 0;
@@ -245,7 +245,7 @@ final class SimulatedTransfers {
             maxWaiting = Math.max(maxWaiting, counts.maxWaitingPackets());
             lost += counts.lost();
           }
-          return new Counts(
+          return new TransferCounts(
               transfers, events, lost, waiting, maxWaiting, streamsBegun, timesBehind);
         });
   }

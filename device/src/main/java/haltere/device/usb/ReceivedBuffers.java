@@ -342,7 +342,7 @@ public final class ReceivedBuffers {
    * @param waiting waiting buffers
    * @param maxWaiting largest number of waiting buffers
    */
-  public record Counts(
+  public record BufferCounts(
       long transfers,
       long bytes,
       long lostTransfers,
@@ -351,7 +351,7 @@ public final class ReceivedBuffers {
       int waiting,
       int maxWaiting) {
     /** Counts before the first data. */
-    public static final Counts NONE = new Counts(0, 0, 0, 0, 0, 0, 0);
+    public static final BufferCounts NONE = new BufferCounts(0, 0, 0, 0, 0, 0, 0);
   }
 
   /**
@@ -359,10 +359,10 @@ public final class ReceivedBuffers {
    *
    * @return a consistent snapshot
    */
-  public Counts counts() {
+  public BufferCounts counts() {
     lock.lock();
     try {
-      return new Counts(
+      return new BufferCounts(
           transfers, bytes, lostTransfers, lostEvents, brokenTransfers, waiting.size(), maxWaiting);
     } finally {
       lock.unlock();

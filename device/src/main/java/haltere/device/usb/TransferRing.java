@@ -18,7 +18,7 @@ import java.util.concurrent.locks.ReentrantLock;
  * <p>Thread rule: all methods may be called from any thread that is not within a listener.
  */
 public final class TransferRing {
-  private enum State {
+  private enum RingState {
     RUNNING,
     RECOVERING,
     GONE,
@@ -38,7 +38,7 @@ public final class TransferRing {
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition ended = lock.newCondition();
   private final List<Slot> slots = new ArrayList<>();
-  private State state = State.STOPPED;
+  private RingState state = RingState.STOPPED;
   private int underWay;
   private int failures;
 
@@ -60,16 +60,16 @@ public final class TransferRing {
         busy = false;
         underWay--;
         boolean whole = end == TransferEnd.COMPLETED;
-        if (whole || bytes > 0 || state == State.RUNNING) {
+        if (whole || bytes > 0 || state == RingState.RUNNING) {
           received.filled(end, bytes, nanos);
           received = buffers.arrived(received);
         }
-        if (state == State.RUNNING) {
+        if (state == RingState.RUNNING) {
           resubmit(this, end);
         }
         if (underWay == 0) {
           ended.signalAll();
-          if (state == State.GONE) {
+          if (state == RingState.GONE) {
             buffers.endOfDeviceWithin(0);
           }
         }
@@ -101,7 +101,7 @@ public final class TransferRing {
   public void start() {
     lock.lock();
     try {
-      state = State.RUNNING;
+      state = RingState.RUNNING;
       startAll();
     } finally {
       lock.unlock();
@@ -116,7 +116,7 @@ public final class TransferRing {
 
   /** The only place where a transfer starts. The caller holds the lock. */
   private void start(Slot slot) {
-    if (state != State.RUNNING || slot.busy) {
+    if (state != RingState.RUNNING || slot.busy) {
       return;
     }
     if (slot.transfer.submit(slot.received.buffer())) {
@@ -149,7 +149,7 @@ public final class TransferRing {
 
   /** Gives up a lost device; arrived data are still being processed by the bus. */
   private void abandonDevice() {
-    state = State.GONE;
+    state = RingState.GONE;
     buffers.endOfDeviceWithin(LAST_ARRIVALS_NANOS);
   }
 
@@ -168,10 +168,10 @@ public final class TransferRing {
   public void recover() {
     lock.lock();
     try {
-      if (state != State.RUNNING || underWay == slots.size()) {
+      if (state != RingState.RUNNING || underWay == slots.size()) {
         return;
       }
-      state = State.RECOVERING;
+      state = RingState.RECOVERING;
       cancelAll();
       if (!awaitAllEnded(RECOVERY_NANOS) || ++failures > MAX_FAILURES) {
         abandonDevice();
@@ -183,9 +183,9 @@ public final class TransferRing {
     boolean lifted = clearHalt();
     lock.lock();
     try {
-      if (state == State.RECOVERING) {
+      if (state == RingState.RECOVERING) {
         if (lifted) {
-          state = State.RUNNING;
+          state = RingState.RUNNING;
           startAll();
         } else {
           abandonDevice();
@@ -214,7 +214,7 @@ public final class TransferRing {
   public boolean stop() {
     lock.lock();
     try {
-      state = State.STOPPED;
+      state = RingState.STOPPED;
       cancelAll();
       if (!awaitAllEnded(STOP_NANOS)) {
         return false;

@@ -180,7 +180,7 @@ abstract class CameraScenarios extends CameraBench {
   @Test
   void ledAndClockSyncAreSetAndReadBack() throws IOException {
     try (Camera camera = open(SMALL)) {
-      camera.facet(Led.class).orElseThrow().setLed(Led.State.BLINKING);
+      camera.facet(Led.class).orElseThrow().setLed(Led.LedState.BLINKING);
       camera.facet(ClockSync.class).orElseThrow().setMaster(false);
 
       assertFalse(camera.facet(ClockSync.class).orElseThrow().isMaster());

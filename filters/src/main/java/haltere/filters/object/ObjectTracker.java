@@ -388,11 +388,11 @@ final class ObjectTracker {
         TrackedObject b = objects.get(j);
         if (relations.areOne(a, b)) {
           boolean isFirst = a.isDecided() && (!b.isDecided() || a.id < b.id) || !b.isDecided();
-          TrackedObject clamp = isFirst ? a : b;
-          clamp.absorb(isFirst ? b : a);
+          TrackedObject survivor = isFirst ? a : b;
+          survivor.absorb(isFirst ? b : a);
           objects.remove(j);
-          objects.set(i, clamp);
-          a = clamp;
+          objects.set(i, survivor);
+          a = survivor;
         }
       }
     }
@@ -408,10 +408,10 @@ final class ObjectTracker {
           Component b = parts.get(j);
           if (relations.areFused(a, b)) {
             boolean isFirst = a.rate * a.age() >= b.rate * b.age();
-            Component clamp = isFirst ? a : b;
+            Component survivor = isFirst ? a : b;
             Component from = isFirst ? b : a;
-            clamp.absorb(from);
-            parts.set(i, clamp);
+            survivor.absorb(from);
+            parts.set(i, survivor);
             parts.remove(j);
             end(from);
           }

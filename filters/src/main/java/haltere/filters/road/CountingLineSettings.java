@@ -4,6 +4,7 @@ import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
+import java.util.Map;
 
 /** Lines across a road at which vehicles are counted, at equal distances. */
 public record CountingLineSettings(
@@ -18,10 +19,14 @@ public record CountingLineSettings(
     @Help("Distance from one counting line to the next.")
         @Range(min = 0.1, max = 10_000, logarithmic = true)
         @Unit("m")
-        double apartM) {
+        double spacingM) {
   /** Checks the ranges. */
   public CountingLineSettings {
-    SettingsSchema.validate(CountingLineSettings.class, lines, firstM, apartM);
+    SettingsSchema.validate(CountingLineSettings.class, lines, firstM, spacingM);
+  }
+
+  static Map<String, String> formerNames() {
+    return Map.of("apartM", "spacingM");
   }
 
   /** {@return the default settings: no lines; each 20 m once there are some} */
@@ -35,6 +40,6 @@ public record CountingLineSettings(
    * @param line from 0
    */
   public double distanceM(int line) {
-    return firstM + line * apartM;
+    return firstM + line * spacingM;
   }
 }

@@ -51,7 +51,7 @@ public final class Region {
     int bottom = settings.bottomPx();
     int right = left + settings.widthPx();
     int top = bottom + settings.heightPx();
-    int inside = settings.keep() == RegionSettings.Keep.INSIDE ? 1 : 0;
+    int inside = settings.keep() == RegionSettings.RegionSide.INSIDE ? 1 : 0;
     int passed = 0;
     for (int i = 0; i < packet.size(); i++) {
       int address = packet.address(i);

@@ -28,12 +28,12 @@ public record RegionSettings(
         @Unit("px")
         int heightPx,
     @Help(value = "Events inside or outside of the rectangle pass.", label = "Passing events")
-        Keep keep) {
+        RegionSide keep) {
   /** Largest size, above that of any sensor. */
   static final int MAX_PX = 32_768;
 
   /** Which events pass. */
-  public enum Keep {
+  public enum RegionSide {
     /** Those in the rectangle. */
     INSIDE,
     /** All others. */
@@ -51,6 +51,6 @@ public record RegionSettings(
    * @return the inside of a rectangle that contains any sensor
    */
   public static RegionSettings defaults() {
-    return new RegionSettings(0, 0, MAX_PX, MAX_PX, Keep.INSIDE);
+    return new RegionSettings(0, 0, MAX_PX, MAX_PX, RegionSide.INSIDE);
   }
 }

@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.format.internal.hdf5.Hdf5TableWriter;
-import haltere.core.format.internal.hdf5.Hdf5TableWriter.Column;
-import haltere.core.format.internal.hdf5.Hdf5TableWriter.Kind;
+import haltere.core.format.internal.hdf5.Hdf5TableWriter.Hdf5Column;
+import haltere.core.format.internal.hdf5.Hdf5TableWriter.NumberType;
 import haltere.core.json.internal.Json;
 import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.filters.orientation.camera.LineObservation;
@@ -140,7 +140,8 @@ class FlydraFileTest {
 
   private Path table(List<String> columns, double[]... rows) throws IOException {
     Path file = folder.resolve("table.h5");
-    List<Column> list = columns.stream().map(name -> new Column(name, Kind.F64)).toList();
+    List<Hdf5Column> list =
+        columns.stream().map(name -> new Hdf5Column(name, NumberType.F64)).toList();
     try (Hdf5TableWriter writer = Hdf5TableWriter.create(file, "data2d_distorted", list, true)) {
       for (double[] row : rows) {
         writer.append(row);
@@ -197,7 +198,8 @@ class FlydraFileTest {
     assertRefused(resource("text-slope.h5"), "slope", "no numbers");
     Path other = folder.resolve("other.h5");
     try (Hdf5TableWriter writer =
-        Hdf5TableWriter.create(other, "lines", List.of(new Column("x", Kind.F64)), true)) {
+        Hdf5TableWriter.create(
+            other, "lines", List.of(new Hdf5Column("x", NumberType.F64)), true)) {
       writer.finish();
     }
     assertRefused(other, "no table data2d_distorted", "lines");

@@ -5,20 +5,20 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import haltere.core.chain.EventFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.filters.selection.RegionSettings.Keep;
+import haltere.filters.selection.RegionSettings.RegionSide;
 import haltere.testing.EventFilterContract;
 import org.junit.jupiter.api.Test;
 
 class RegionFilterTest extends EventFilterContract {
   @Override
   protected EventFilter create(SensorGeometry geometry) {
-    return new RegionFilter(new RegionSettings(10, 20, 50, 30, Keep.INSIDE));
+    return new RegionFilter(new RegionSettings(10, 20, 50, 30, RegionSide.INSIDE));
   }
 
   @Test
   void rectangleIncludesItsFirstAndLastRowAndColumn() {
-    RegionSettings inside = new RegionSettings(2, 3, 4, 2, Keep.INSIDE);
-    RegionSettings outside = new RegionSettings(2, 3, 4, 2, Keep.OUTSIDE);
+    RegionSettings inside = new RegionSettings(2, 3, 4, 2, RegionSide.INSIDE);
+    RegionSettings outside = new RegionSettings(2, 3, 4, 2, RegionSide.OUTSIDE);
     for (int x = 0; x < 10; x++) {
       for (int y = 0; y < 10; y++) {
         boolean in = x >= 2 && x <= 5 && y >= 3 && y <= 4;
@@ -32,8 +32,8 @@ class RegionFilterTest extends EventFilterContract {
   void defaultsPassAllPixelsAndAnEmptyRectangleNone() {
     assertEquals(1, eventsLeft(RegionSettings.defaults(), 0, 0));
     assertEquals(1, eventsLeft(RegionSettings.defaults(), 32_767, 32_767));
-    assertEquals(0, eventsLeft(new RegionSettings(5, 5, 0, 9, Keep.INSIDE), 5, 5));
-    assertEquals(1, eventsLeft(new RegionSettings(5, 5, 0, 9, Keep.OUTSIDE), 5, 5));
+    assertEquals(0, eventsLeft(new RegionSettings(5, 5, 0, 9, RegionSide.INSIDE), 5, 5));
+    assertEquals(1, eventsLeft(new RegionSettings(5, 5, 0, 9, RegionSide.OUTSIDE), 5, 5));
   }
 
   private static int eventsLeft(RegionSettings settings, int x, int y) {

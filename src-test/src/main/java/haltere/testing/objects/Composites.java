@@ -18,7 +18,7 @@ import java.util.SplittableRandom;
  */
 final class Composites {
   /** Arrangement of the objects of a composite. */
-  enum Kind {
+  enum Arrangement {
     /** Never close to each other. */
     APART,
     /** Two of them slide across one another about the middle of the scene. */
@@ -41,13 +41,13 @@ final class Composites {
   /** Margin around the last known box of an object whose box is unknown, pixels. */
   private static final double UNKNOWN_PX = 12;
 
-  private final Kind kind;
+  private final Arrangement kind;
   private final SplittableRandom random;
   private final int factor;
   private final SensorGeometry geometry;
   private final List<CompositeSource> sources = new ArrayList<>();
 
-  private Composites(Kind kind, long seed) throws IOException {
+  private Composites(Arrangement kind, long seed) throws IOException {
     this.kind = kind;
     random = new SplittableRandom(seed * 3 + kind.ordinal());
     factor = random.nextInt(4) == 0 ? 2 : 1;
@@ -63,7 +63,7 @@ final class Composites {
   }
 
   /** Makes a composite. */
-  static ObjectScene scene(Kind kind, long seed) throws IOException {
+  static ObjectScene scene(Arrangement kind, long seed) throws IOException {
     for (long i = 0; ; i++) {
       // Some recordings do not fit together; others are drawn then.
       Composites composite = new Composites(kind, seed * 1000 + i);
@@ -109,8 +109,8 @@ final class Composites {
       double x = geometry.width() * random.nextDouble(0.25, 0.75);
       double y = geometry.height() * random.nextDouble(0.25, 0.75);
       for (int k = 0; k < OBJECTS; k++) {
-        boolean pair = k < 2 && kind != Kind.APART;
-        double sign = kind == Kind.CROSSING && k == 1 ? -1 : 1;
+        boolean pair = k < 2 && kind != Arrangement.APART;
+        double sign = kind == Arrangement.CROSSING && k == 1 ? -1 : 1;
         double own = pair ? speed : random.nextDouble(0, 15);
         double way = pair ? angle : random.nextDouble(2 * Math.PI);
         slides.add(
@@ -122,7 +122,7 @@ final class Composites {
                 sign * own * factor * Math.cos(way),
                 sign * own * factor * Math.sin(way)));
       }
-      if (kind == Kind.BESIDE) {
+      if (kind == Arrangement.BESIDE) {
         slides.set(1, beside(slides.get(0), slides.get(1)));
       }
       if (isAccepted(slides)) {
@@ -181,7 +181,7 @@ final class Composites {
     for (int k = 0; k < OBJECTS; k++) {
       gaps[k] = gaps(slides, k, (k + 1) % OBJECTS);
     }
-    int rest = kind == Kind.APART ? 0 : 1;
+    int rest = kind == Arrangement.APART ? 0 : 1;
     for (int k = rest; k < OBJECTS; k++) {
       if (minimum(gaps[k]) < MIN_APART_GAP_PX * factor) {
         return false;

@@ -187,17 +187,17 @@ final class Looks {
         switch (look) {
           case FILLED, TEXTURED -> filled(plain, a, b);
           case OUTLINE -> outline(plain, a, b, stroke);
-          case EDGES -> new Shape(Shape.Kind.EDGES, 1.3 * a, 0.7 * b, stroke);
+          case EDGES -> new Shape(Shape.ShapeKind.EDGES, 1.3 * a, 0.7 * b, stroke);
           case WALKER ->
               new Shape(
-                  Shape.Kind.WALKER,
+                  Shape.ShapeKind.WALKER,
                   1.3 * radius / Shape.WALKER_ASPECT,
                   1.3 * radius,
                   Math.max(1.5, 0.16 * radius));
           default ->
               switch (random.nextInt(3)) {
                 case 0 -> outline(plain, a, b, stroke);
-                case 1 -> new Shape(Shape.Kind.EDGES, 1.3 * a, 0.7 * b, stroke);
+                case 1 -> new Shape(Shape.ShapeKind.EDGES, 1.3 * a, 0.7 * b, stroke);
                 default -> filled(plain, a, b);
               };
         };
@@ -205,7 +205,7 @@ final class Looks {
         look == Look.SPARSE
             ? BrightnessSensor.THRESHOLD * random.nextDouble(0.85, 1.15)
             : random.nextDouble(0.35, 1.5);
-    boolean edges = shape.kind() == Shape.Kind.EDGES;
+    boolean edges = shape.kind() == Shape.ShapeKind.EDGES;
     boolean walker = look == Look.WALKER;
     Sprite sprite =
         new Sprite(
@@ -221,11 +221,11 @@ final class Looks {
   }
 
   private static Shape filled(boolean ellipse, double a, double b) {
-    return new Shape(ellipse ? Shape.Kind.ELLIPSE : Shape.Kind.RECTANGLE, a, b, 0);
+    return new Shape(ellipse ? Shape.ShapeKind.ELLIPSE : Shape.ShapeKind.RECTANGLE, a, b, 0);
   }
 
   private static Shape outline(boolean ellipse, double a, double b, double stroke) {
-    return new Shape(ellipse ? Shape.Kind.RING : Shape.Kind.FRAME, a, b, stroke);
+    return new Shape(ellipse ? Shape.ShapeKind.RING : Shape.ShapeKind.FRAME, a, b, stroke);
   }
 
   /**
@@ -360,7 +360,8 @@ final class Looks {
               amplitude,
               amplitude * random.nextDouble(0.2, 1),
               amplitude * random.nextDouble(2, 12));
-      Shape leaf = new Shape(Shape.Kind.ELLIPSE, reach * between(1, 2), reach * between(1, 2), 0);
+      Shape leaf =
+          new Shape(Shape.ShapeKind.ELLIPSE, reach * between(1, 2), reach * between(1, 2), 0);
       double level = random.nextDouble(0.3, 0.8) * (random.nextBoolean() ? 1 : -1);
       sprites.add(new Sprite(sway, leaf, false, random.nextDouble(Math.PI), level));
     }

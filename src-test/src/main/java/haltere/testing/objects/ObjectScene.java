@@ -16,9 +16,9 @@ import java.util.Set;
  * @param matching when a track is on an object
  */
 public record ObjectScene(
-    String name, String kind, Events events, List<TruthMoment> truth, Matching matching) {
+    String name, String kind, SceneSource events, List<TruthMoment> truth, Matching matching) {
   /** Source of the events. */
-  public interface Events {
+  public interface SceneSource {
     /**
      * Opens the events.
      *

@@ -27,7 +27,7 @@ final class Roads {
   }
 
   /** Number of events of an edge at a pixel. */
-  enum Events {
+  enum EdgeEvents {
     /** One in two passings. */
     HALF(0.5),
     /** About two. */
@@ -37,7 +37,7 @@ final class Roads {
 
     private final double mean;
 
-    Events(double mean) {
+    EdgeEvents(double mean) {
       this.mean = mean;
     }
   }
@@ -86,7 +86,7 @@ final class Roads {
   private final double across;
   private final List<Car> cars = new ArrayList<>();
 
-  private Roads(Traffic traffic, Events events, long seed) {
+  private Roads(Traffic traffic, EdgeEvents events, long seed) {
     random = new SplittableRandom((seed * 3 + traffic.ordinal()) * 3 + events.ordinal());
     int[] size = SENSORS[random.nextInt(SENSORS.length)];
     geometry = new SensorGeometry(size[0], size[1]);
@@ -151,7 +151,7 @@ final class Roads {
   }
 
   /** Makes a scene. */
-  static ObjectScene scene(Traffic traffic, Events edges, long seed) {
+  static ObjectScene scene(Traffic traffic, EdgeEvents edges, long seed) {
     Roads road = new Roads(traffic, edges, seed);
     EventList events = new EventList();
     for (Car car : road.cars) {

@@ -49,7 +49,7 @@ public final class SceneSets {
         }
       }
       case "composites" -> {
-        for (Composites.Kind kind : Composites.Kind.values()) {
+        for (Composites.Arrangement kind : Composites.Arrangement.values()) {
           for (long seed : range) {
             scenes.add(() -> Composites.scene(kind, seed));
           }
@@ -64,7 +64,7 @@ public final class SceneSets {
       }
       case "roads" -> {
         for (Roads.Traffic traffic : Roads.Traffic.values()) {
-          for (Roads.Events events : Roads.Events.values()) {
+          for (Roads.EdgeEvents events : Roads.EdgeEvents.values()) {
             for (long seed : range) {
               scenes.add(() -> Roads.scene(traffic, events, seed));
             }

@@ -8,9 +8,9 @@ package haltere.testing.objects;
  * @param b half extent along v, pixels
  * @param strokePx width of lines, pixels
  */
-record Shape(Kind kind, double a, double b, double strokePx) {
+record Shape(ShapeKind kind, double a, double b, double strokePx) {
   /** Kinds of forms. */
-  enum Kind {
+  enum ShapeKind {
     /** A filled ellipse. */
     ELLIPSE,
     /** A filled rectangle. */

@@ -90,7 +90,7 @@ final class Sprite {
     y = motion.y(s) + offsetY;
     cos = Math.cos(angle(s));
     sin = Math.sin(angle(s));
-    if (shape.kind() == Shape.Kind.WALKER) {
+    if (shape.kind() == Shape.ShapeKind.WALKER) {
       double speed = Math.hypot(motion.ax(), motion.ay());
       gaitRad = shape.gaitRad(speed * motion.progressS(s));
     }

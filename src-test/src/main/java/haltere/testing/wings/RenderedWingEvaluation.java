@@ -50,7 +50,7 @@ public final class RenderedWingEvaluation {
    * @param defaultStatedDeg RMS of its standard deviation
    * @param meanNis mean normalised innovation squared
    */
-  private record Row(
+  private record SceneRow(
       long seed,
       double eventsPerEdge,
       boolean locked,
@@ -100,15 +100,16 @@ public final class RenderedWingEvaluation {
     Path folder = Path.of(args[2]);
     String[] assignments = Arrays.copyOfRange(args, 3, args.length);
     Files.createDirectories(folder);
-    List<Row> rows = new ArrayList<>();
+    List<SceneRow> rows = new ArrayList<>();
     line(
         "seed events/edge locked  angle stated ratio  const-L const-R repeat rest"
             + "  delay-L delay-R  freq stated  heading");
-    try (CsvSink<Row> table = CsvSink.create(folder.resolve("scenes.csv"), Row.class, true);
+    try (CsvSink<SceneRow> table =
+            CsvSink.create(folder.resolve("scenes.csv"), SceneRow.class, true);
         CsvSink<PhaseRow> curves =
             CsvSink.create(folder.resolve("phase-errors.csv"), PhaseRow.class, true)) {
       for (long seed = firstSeed; seed < firstSeed + scenes; seed++) {
-        Row row = track(seed, RenderedFlies.random(seed).with(assignments), curves);
+        SceneRow row = track(seed, RenderedFlies.random(seed).with(assignments), curves);
         rows.add(row);
         table.accept(row);
         print(row);
@@ -124,11 +125,12 @@ public final class RenderedWingEvaluation {
     table("fewer than 30 events an edge and beat", 3.5, select(rows, r -> r.eventsPerEdge < 30));
   }
 
-  private static List<Row> select(List<Row> rows, Predicate<Row> which) {
+  private static List<SceneRow> select(List<SceneRow> rows, Predicate<SceneRow> which) {
     return rows.stream().filter(which).toList();
   }
 
-  private static Row track(long seed, RenderedFlySceneSettings scene, CsvSink<PhaseRow> curves) {
+  private static SceneRow track(
+      long seed, RenderedFlySceneSettings scene, CsvSink<PhaseRow> curves) {
     RenderedFlyScene events = new RenderedFlyScene(scene);
     WingScores usual = new WingScores(events, WingTrackerSettings.defaults());
     double latency = scene.pixel().latencyUs();
@@ -149,7 +151,7 @@ public final class RenderedWingEvaluation {
     }
     PhaseErrors left = known.phaseErrors(WingPart.LEFT);
     PhaseErrors right = known.phaseErrors(WingPart.RIGHT);
-    return new Row(
+    return new SceneRow(
         seed,
         RenderedFlies.eventsPerEdgeAndBeat(scene, known.events(), SECONDS),
         usual.isLocked() && known.isLocked(),
@@ -184,7 +186,7 @@ public final class RenderedWingEvaluation {
     return -1e6 * errors.withSpeedRad() / radPerS;
   }
 
-  private static void print(Row r) {
+  private static void print(SceneRow r) {
     line(
         "%4d %9.0f %6s  %6.2f %6.2f %5.2f  %7.2f %7.2f %6.2f %4.2f  %7.0f %7.0f  %5.2f %5.2f %7.2f",
         r.seed,
@@ -204,8 +206,8 @@ public final class RenderedWingEvaluation {
         r.headingDeg);
   }
 
-  private static void table(String name, double goalDeg, List<Row> rows) {
-    List<Row> found = select(rows, Row::locked);
+  private static void table(String name, double goalDeg, List<SceneRow> rows) {
+    List<SceneRow> found = select(rows, SceneRow::locked);
     line("%n### %s: %d scenes, locked %d%n", name, rows.size(), found.size());
     line("| | median | 95 %% | worst |%n| --- | --- | --- | --- |");
     row("angle, RMS (deg)", found, r -> r.angleDeg);
@@ -225,16 +227,17 @@ public final class RenderedWingEvaluation {
     share("RMS at most 1.3 times what is stated", found, r -> r.ratio <= CONSISTENT_RATIO);
     share("angle within " + goalDeg + " degrees", found, r -> r.angleDeg <= goalDeg);
     share("both", found, r -> r.ratio <= CONSISTENT_RATIO && r.angleDeg <= goalDeg);
-    line("not locked: seeds %s", select(rows, r -> !r.locked).stream().map(Row::seed).toList());
+    line(
+        "not locked: seeds %s", select(rows, r -> !r.locked).stream().map(SceneRow::seed).toList());
   }
 
   private static final double RAD = Math.PI / 180;
 
-  private static void share(String name, List<Row> rows, Predicate<Row> which) {
+  private static void share(String name, List<SceneRow> rows, Predicate<SceneRow> which) {
     line("| %s | %d of %d | | |", name, select(rows, which).size(), rows.size());
   }
 
-  private static void row(String name, List<Row> rows, ToDoubleFunction<Row> value) {
+  private static void row(String name, List<SceneRow> rows, ToDoubleFunction<SceneRow> value) {
     line(
         "| %s | %.2f | %.2f | %.2f |",
         name,

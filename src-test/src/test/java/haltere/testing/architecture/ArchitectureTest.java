@@ -29,6 +29,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -503,6 +504,20 @@ class ArchitectureTest {
         noClasses()
             .should()
             .resideInAnyPackage("..util..", "..impl..", "..common..", "..helper..", "..misc.."));
+  }
+
+  /** The provider of a filter is its {@code Provider} in all filters. */
+  @Test
+  void noTwoClassesOfAModuleHaveTheSameSimpleName() {
+    Map<String, List<JavaClass>> named =
+        product.stream()
+            .filter(type -> !type.isAnonymousClass() && !type.getName().endsWith("package-info"))
+            .filter(type -> type.isTopLevelClass() || !type.getSimpleName().equals("Provider"))
+            .collect(
+                Collectors.groupingBy(
+                    type -> type.getPackageName().split("[.]")[1] + ' ' + type.getSimpleName()));
+    assertTrue(named.containsKey("core EventPacket"), "no module was looked at");
+    named.values().forEach(types -> assertEquals(1, types.size(), types.toString()));
   }
 
   @Test

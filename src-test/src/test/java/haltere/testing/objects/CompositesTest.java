@@ -28,7 +28,7 @@ class CompositesTest {
 
   @ParameterizedTest
   @EnumSource
-  void eventsAreDenserInObjectBoxesThanElsewhere(Composites.Kind kind) throws IOException {
+  void eventsAreDenserInObjectBoxesThanElsewhere(Composites.Arrangement kind) throws IOException {
     ObjectScene scene = Composites.scene(kind, 7);
     assertEquals(3, scene.objects());
     assertTrue(EventDensity.of(scene).ratio() > 4, () -> kind + " has its events elsewhere");
@@ -36,20 +36,20 @@ class CompositesTest {
 
   @Test
   void sameSeedGivesTheSameComposite() throws IOException {
-    ObjectScene first = Composites.scene(Composites.Kind.CROSSING, 11);
-    ObjectScene again = Composites.scene(Composites.Kind.CROSSING, 11);
+    ObjectScene first = Composites.scene(Composites.Arrangement.CROSSING, 11);
+    ObjectScene again = Composites.scene(Composites.Arrangement.CROSSING, 11);
     assertEquals(first.truth(), again.truth());
     assertEquals(events(first), events(again));
   }
 
   @Test
   void onlyCrossingObjectsOverlap() throws IOException {
-    assertTrue(minGap(Composites.Kind.CROSSING) < 0);
-    assertTrue(minGap(Composites.Kind.APART) > 0);
-    assertTrue(minGap(Composites.Kind.BESIDE) > 0);
+    assertTrue(minGap(Composites.Arrangement.CROSSING) < 0);
+    assertTrue(minGap(Composites.Arrangement.APART) > 0);
+    assertTrue(minGap(Composites.Arrangement.BESIDE) > 0);
   }
 
-  private static double minGap(Composites.Kind kind) throws IOException {
+  private static double minGap(Composites.Arrangement kind) throws IOException {
     double least = Double.POSITIVE_INFINITY;
     for (TruthMoment moment : Composites.scene(kind, 3).truth()) {
       List<TrueObject> there = moment.objects();

@@ -12,21 +12,21 @@ import org.junit.jupiter.params.provider.EnumSource;
 class RoadsTest {
   @ParameterizedTest
   @EnumSource
-  void eventDensityFollowsTheNumberOfEventsPerEdge(Roads.Events edges) throws IOException {
+  void eventDensityFollowsTheNumberOfEventsPerEdge(Roads.EdgeEvents edges) throws IOException {
     ObjectScene scene = Roads.scene(Roads.Traffic.FREE, edges, 4);
     EventDensity density = EventDensity.of(scene);
-    EventDensity ofTwo = EventDensity.of(Roads.scene(Roads.Traffic.FREE, Roads.Events.TWO, 4));
+    EventDensity ofTwo = EventDensity.of(Roads.scene(Roads.Traffic.FREE, Roads.EdgeEvents.TWO, 4));
     assertTrue(density.ratio() > 2, () -> edges + ": " + density);
-    assertTrue(edges == Roads.Events.FIVE == density.inBoxes() > 1.5 * ofTwo.inBoxes());
+    assertTrue(edges == Roads.EdgeEvents.FIVE == density.inBoxes() > 1.5 * ofTwo.inBoxes());
   }
 
   @Test
   void truthScoresOneAndTheSameSeedGivesTheSameRoad() throws IOException {
-    ObjectScene scene = Roads.scene(Roads.Traffic.OVERTAKING, Roads.Events.TWO, 8);
+    ObjectScene scene = Roads.scene(Roads.Traffic.OVERTAKING, Roads.EdgeEvents.TWO, 8);
     ObjectScore score = ObjectScore.of(scene, LooksTest.rows(scene, 0));
     assertEquals(1, score.idf1());
     assertEquals(0, score.accuracy().relativeVelocityRmse());
-    ObjectScene again = Roads.scene(Roads.Traffic.OVERTAKING, Roads.Events.TWO, 8);
+    ObjectScene again = Roads.scene(Roads.Traffic.OVERTAKING, Roads.EdgeEvents.TWO, 8);
     EventPacket events = CompositesTest.events(again);
     assertEquals(CompositesTest.events(scene), events);
     assertEquals(scene.truth(), again.truth());

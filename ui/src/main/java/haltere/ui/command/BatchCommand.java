@@ -76,7 +76,7 @@ final class BatchCommand extends Subcommand {
   Path root;
 
   /** The work on one recording. */
-  static final class Work {
+  static final class WorkOptions {
     @Option(
         names = "--chain",
         paramLabel = "CHAIN.json",
@@ -91,7 +91,7 @@ final class BatchCommand extends Subcommand {
   }
 
   @ArgGroup(multiplicity = "1", exclusive = true)
-  Work work;
+  WorkOptions work;
 
   @Option(
       names = "--out",
@@ -147,7 +147,7 @@ final class BatchCommand extends Subcommand {
   @Override
   public Integer call() throws IOException {
     check();
-    Part part = part();
+    Shard part = part();
     BatchInputs found = inputs();
     Collection<BatchItem> items =
         found.items().stream().filter(item -> item.shard(part.of) == part.number).toList();
@@ -273,23 +273,24 @@ final class BatchCommand extends Subcommand {
   private final Set<String> notes = new HashSet<>();
 
   /** Prints a note on the chain once, not for each recording. */
-  private synchronized void note(String label) {
-    if (notes.add(label)) {
-      warning(label);
+  private synchronized void note(String text) {
+    if (notes.add(text)) {
+      warning(text);
     }
   }
 
   /** Which part of the inputs is worked on. */
-  private record Part(int number, int of) {
+  private record Shard(int number, int of) {
     String failuresName() {
       return of == 1 ? "failed.json" : "failed-" + number + "-of-" + of + ".json";
     }
   }
 
-  private Part part() {
+  private Shard part() {
     Matcher matcher = SHARD.matcher(shard);
     if (matcher.matches()) {
-      Part part = new Part(Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2)));
+      Shard part =
+          new Shard(Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2)));
       if (part.number >= 1 && part.number <= part.of) {
         return part;
       }

@@ -28,6 +28,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
@@ -37,7 +38,7 @@ import java.util.function.Function;
  * {"bridgeHeightM": 5, "nearestM": 6, "farthestM": 300,
  *  "vanishingPoint": {"xPx": 63.5, "yPx": 127},
  *  "lanes": {"lanes": 4, "leftEdgeM": -7, "widthM": 3.5},
- *  "countingLines": {"lines": 2, "firstM": 20, "apartM": 20},
+ *  "countingLines": {"lines": 2, "firstM": 20, "spacingM": 20},
  *  "vehicles": {"speedMS": 25, "heightM": 1.6}}
  * }</pre>
  *
@@ -68,20 +69,24 @@ record RoadFile(
   private static final String LINES = "countingLines";
   private static final String VEHICLES = "vehicles";
 
-  /** Reads a road from a JSON file; a {@link JsonProblem} names a file that is none. */
-  static RoadFile read(Path file) throws IOException {
+  /**
+   * Reads a road from a JSON file; a {@link JsonProblem} names a file that is none.
+   *
+   * @param notes receives a line for each object with settings of an earlier version
+   */
+  static RoadFile read(Path file, Consumer<String> notes) throws IOException {
     Object value = Json.read(file);
     if (!(value instanceof Map<?, ?> object)) {
       throw new JsonProblem(file + ": a road is a JSON object with keys such as bridgeHeightM");
     }
     try {
-      return road(object);
+      return road(object, note -> notes.accept(file + ": " + note));
     } catch (SettingsProblem problem) {
       throw new JsonProblem(file + ": " + problem.getMessage());
     }
   }
 
-  private static RoadFile road(Map<?, ?> object) {
+  private static RoadFile road(Map<?, ?> object, Consumer<String> notes) {
     Map<Object, Object> view = new LinkedHashMap<>(object);
     Object lanes = view.remove(LANES);
     Object lines = view.remove(LINES);
@@ -93,10 +98,10 @@ record RoadFile(
       view.put(VANISHING_POINT, marked);
     }
     return new RoadFile(
-        SettingsJson.fromMap(view, SettingsSchema.of(RoadViewSettings.class)),
-        part(LANES, lanes, LaneSettings.class),
-        part(LINES, lines, CountingLineSettings.class),
-        part(VEHICLES, vehicles, VehiclePrior.class),
+        SettingsJson.fromMap(view, SettingsSchema.of(RoadViewSettings.class), notes),
+        part(LANES, lanes, LaneSettings.class, notes),
+        part(LINES, lines, CountingLineSettings.class, notes),
+        part(VEHICLES, vehicles, VehiclePrior.class, notes),
         points(points));
   }
 
@@ -142,7 +147,8 @@ record RoadFile(
         : new MotionModel();
   }
 
-  private static <S extends Record> S part(String name, Object value, Class<S> type) {
+  private static <S extends Record> S part(
+      String name, Object value, Class<S> type, Consumer<String> notes) {
     SettingsSchema<S> schema = SettingsSchema.of(type);
     if (value == null) {
       return schema.defaults();
@@ -151,7 +157,7 @@ record RoadFile(
       List<String> keys = schema.parameters().stream().map(Parameter::name).toList();
       throw new SettingsProblem("\"" + name + "\" is an object with " + keys);
     }
-    return SettingsJson.fromMap(object, schema);
+    return SettingsJson.fromMap(object, schema, notes);
   }
 
   /** Tracks on this road, with the process noise of others. */

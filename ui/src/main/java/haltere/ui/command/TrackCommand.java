@@ -108,7 +108,7 @@ final class TrackCommand extends Subcommand {
       description = {
         "Tracks objects on a road along the camera's view, with additional columns in metres. "
             + "Keys, all optional: bridgeHeightM, nearestM, farthestM, vanishingPoint {xPx, yPx}, "
-            + "lanes {lanes, leftEdgeM, widthM}, countingLines {lines, firstM, apartM}, vehicles "
+            + "lanes {lanes, leftEdgeM, widthM}, countingLines {lines, firstM, spacingM}, vehicles "
             + "(prior). Or any plane: four points {xPx, yPx, xM, yM}."
       })
   Path roadFile;
@@ -181,7 +181,7 @@ final class TrackCommand extends Subcommand {
     if (roadFile == null) {
       return null;
     }
-    RoadFile road = RoadFile.read(roadFile);
+    RoadFile road = RoadFile.read(roadFile, this::warning);
     if (crossings != null && road.lines().lines() == 0) {
       throw wrongArguments("--crossings needs counting lines, and " + roadFile + " has none");
     }

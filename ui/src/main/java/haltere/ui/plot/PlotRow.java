@@ -2,7 +2,7 @@ package haltere.ui.plot;
 
 import haltere.core.sink.CsvSink;
 import haltere.core.sink.RowFields;
-import haltere.core.sink.RowFields.Kind;
+import haltere.core.sink.RowFields.FieldKind;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -30,12 +30,12 @@ public final class PlotRow {
     this.fields = fields;
     for (int i = 0; i < fields.names().size(); i++) {
       String name = fields.names().get(i);
-      Kind kind = fields.kinds().get(i);
-      if (time < 0 && kind == Kind.LONG && TIME_COLUMNS.contains(name)) {
+      FieldKind kind = fields.kinds().get(i);
+      if (time < 0 && kind == FieldKind.LONG && TIME_COLUMNS.contains(name)) {
         time = i;
-      } else if (key < 0 && (KEY_COLUMNS.contains(name) || kind == Kind.TEXT)) {
+      } else if (key < 0 && (KEY_COLUMNS.contains(name) || kind == FieldKind.TEXT)) {
         key = i;
-      } else if (kind != Kind.TEXT && kind != Kind.FLAG) {
+      } else if (kind != FieldKind.TEXT && kind != FieldKind.FLAG) {
         columns.add(name);
       }
     }

@@ -57,7 +57,7 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
   public static BodyFlight load(Path observations, Optional<Path> calibration) throws IOException {
     Map<Long, List<LineObservation>> seen = new LinkedHashMap<>();
     ObservationFile file = ObservationFile.open(observations, calibration);
-    file.read(new Collector(seen));
+    file.read(new ObservationCollector(seen));
     return follow(file.cameras().cameras(), seen);
   }
 
@@ -74,11 +74,11 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
   }
 
   /** Collects the observations of the first body. */
-  private static final class Collector implements ObservationFile.Listener {
+  private static final class ObservationCollector implements ObservationFile.Listener {
     private final Map<Long, List<LineObservation>> seen;
     private String first;
 
-    Collector(Map<Long, List<LineObservation>> seen) {
+    ObservationCollector(Map<Long, List<LineObservation>> seen) {
       this.seen = seen;
     }
 

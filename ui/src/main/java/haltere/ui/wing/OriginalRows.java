@@ -54,8 +54,8 @@ final class OriginalRows {
   }
 
   /** Writes a comment line. */
-  void comment(String label) {
-    write("# " + label + "\n");
+  void comment(String text) {
+    write("# " + text + "\n");
   }
 
   /** Stores the last measurement of an edge. */

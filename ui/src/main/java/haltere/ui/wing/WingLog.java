@@ -209,8 +209,8 @@ public final class WingLog implements Closeable {
     }
   }
 
-  private void comment(String label) throws IOException {
-    text.write("# " + label + "\n");
+  private void comment(String line) throws IOException {
+    text.write("# " + line + "\n");
   }
 
   /** Number of rows written, without header lines. */

@@ -35,22 +35,22 @@ class BadInputTest {
   }
 
   /** One line on the standard error that has all of these words in it, nothing else, status 1. */
-  private void assertFails(CommandRun run, Object... label) {
+  private void assertFails(CommandRun run, Object... arguments) {
     assertEquals(1, run.status(), run.err());
     assertEquals(1, run.errorLines().size(), run.err());
     String line = run.errorLines().get(0);
     assertTrue(line.startsWith("haltere: "), line);
-    for (Object word : label) {
+    for (Object word : arguments) {
       assertTrue(line.contains(word.toString()), () -> "no \"" + word + "\" in: " + line);
     }
     assertEquals("", run.out());
   }
 
   /** Status 2, a line that has all of these words in it, then the usage. */
-  private void assertWrongArguments(CommandRun run, Object... label) {
+  private void assertWrongArguments(CommandRun run, Object... arguments) {
     assertEquals(2, run.status(), run.err());
     String line = run.errorLines().get(0);
-    for (Object word : label) {
+    for (Object word : arguments) {
       assertTrue(line.contains(word.toString()), () -> "no \"" + word + "\" in: " + line);
     }
     assertTrue(run.err().contains("Usage: haltere"), run.err());

@@ -23,8 +23,8 @@ import java.util.Optional;
  */
 record CommandRun(int status, String out, String err, List<Optional<Path>> windows, byte[] bytes) {
   /** A command on a machine without display and terminal. */
-  static CommandRun of(Object... text) {
-    return on(Machine.BARE, text);
+  static CommandRun of(Object... arguments) {
+    return on(Machine.BARE, arguments);
   }
 
   /** A machine that a command runs on. */
@@ -54,7 +54,7 @@ record CommandRun(int status, String out, String err, List<Optional<Path>> windo
     }
   }
 
-  static CommandRun on(Machine machine, Object... text) {
+  static CommandRun on(Machine machine, Object... arguments) {
     List<Optional<Path>> windows = new ArrayList<>();
     WindowOpener window =
         new WindowOpener() {
@@ -86,9 +86,9 @@ record CommandRun(int status, String out, String err, List<Optional<Path>> windo
             Map.of(),
             machine.folder(),
             window);
-    String[] args = new String[text.length];
-    for (int i = 0; i < text.length; i++) {
-      args[i] = text[i].toString();
+    String[] args = new String[arguments.length];
+    for (int i = 0; i < arguments.length; i++) {
+      args[i] = arguments[i].toString();
     }
     int status = new HaltereProgram(surroundings).run(args);
     return new CommandRun(

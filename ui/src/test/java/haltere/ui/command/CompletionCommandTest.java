@@ -47,16 +47,16 @@ class CompletionCommandTest {
     "haltere --vers|, --version",
     "haltere convert --out-f|, --out-format"
   })
-  void wordsAreCompletedInBashAndFish(String line, String label) throws Exception {
+  void wordsAreCompletedInBashAndFish(String line, String expected) throws Exception {
     String typed = line.substring(0, line.length() - 1);
     String last = typed.substring(typed.lastIndexOf(' ') + 1);
     String bash =
         "COMP_WORDS=(%s \"%s\"); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); source '%s';"
                 .formatted(typed.substring(0, typed.length() - last.length()), last, script("bash"))
             + " _complete_haltere 2>/dev/null; printf '%s\\n' ${COMPREPLY[@]}";
-    assertEquals(label, sortedWords(said("bash", "-c", bash)));
+    assertEquals(expected, sortedWords(said("bash", "-c", bash)));
     String fish = "source '%s'; complete -C '%s'".formatted(script("fish"), typed);
-    assertEquals(label, sortedWords(said("fish", "--no-config", "-c", fish)));
+    assertEquals(expected, sortedWords(said("fish", "--no-config", "-c", fish)));
   }
 
   private static String sortedWords(String lines) {

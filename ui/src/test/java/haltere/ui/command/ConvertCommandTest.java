@@ -38,9 +38,9 @@ class ConvertCommandTest {
     Locale.setDefault(locale);
   }
 
-  private List<String> converted(Object... label) throws IOException {
+  private List<String> converted(Object... arguments) throws IOException {
     CommandRun run =
-        CommandRun.of(Stream.concat(Stream.of("convert", in, out), Stream.of(label)).toArray());
+        CommandRun.of(Stream.concat(Stream.of("convert", in, out), Stream.of(arguments)).toArray());
     assertEquals(0, run.status(), run.err());
     assertEquals("", run.out());
     List<String> lines = Files.readAllLines(out);

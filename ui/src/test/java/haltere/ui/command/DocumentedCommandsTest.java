@@ -129,25 +129,25 @@ class DocumentedCommandsTest {
   }
 
   private static CommandRun succeed(String command, byte[] input) {
-    List<String> label = new ArrayList<>();
+    List<String> arguments = new ArrayList<>();
     String quick = command.replaceAll("--duration \\S+", "");
     for (String word : quick.strip().split("\\s+")) {
-      label.add(place(word));
+      arguments.add(place(word));
     }
     if (NEEDS_MORE.stream().anyMatch(command::contains)) {
-      label.add("--help");
+      arguments.add("--help");
     } else {
       if (!command.equals(quick) || command.matches("simulate .*|.*--device .*")) {
-        label.addAll(List.of("--duration", "0.3"));
+        arguments.addAll(List.of("--duration", "0.3"));
       }
-      if (label.get(0).equals("record") && !command.contains("--device")) {
-        label.addAll(List.of("--device", "simulated:fly"));
+      if (arguments.get(0).equals("record") && !command.contains("--device")) {
+        arguments.addAll(List.of("--device", "simulated:fly"));
       }
-      if (WRITING.contains(label.get(0)) && !command.contains("convert - ")) {
-        label.add("--overwrite");
+      if (WRITING.contains(arguments.get(0)) && !command.contains("convert - ")) {
+        arguments.add("--overwrite");
       }
     }
-    CommandRun run = CommandRun.on(CommandRun.Machine.BARE.withInput(input), label.toArray());
+    CommandRun run = CommandRun.on(CommandRun.Machine.BARE.withInput(input), arguments.toArray());
     assertEquals(0, run.status(), command + ": " + run.err());
     return run;
   }

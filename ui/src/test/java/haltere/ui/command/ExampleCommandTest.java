@@ -192,10 +192,10 @@ class ExampleCommandTest {
     }
   }
 
-  private static void assertFailed(CommandRun run, int status, String... label) {
+  private static void assertFailed(CommandRun run, int status, String... expected) {
     assertEquals(status, run.status(), run.err());
     assertTrue(status == 2 || run.errorLines().size() == 1, run.err());
-    for (String word : label) {
+    for (String word : expected) {
       assertTrue(run.err().contains(word), run.err());
     }
     assertFalse(run.err().contains("\tat "), run.err());

@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.format.internal.hdf5.Hdf5TableWriter;
-import haltere.core.format.internal.hdf5.Hdf5TableWriter.Column;
-import haltere.core.format.internal.hdf5.Hdf5TableWriter.Kind;
+import haltere.core.format.internal.hdf5.Hdf5TableWriter.Hdf5Column;
+import haltere.core.format.internal.hdf5.Hdf5TableWriter.NumberType;
 import haltere.core.format.internal.hdf5.Hdf5Tables;
 import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.core.simulation.internal.flight.FlightSettings;
@@ -246,9 +246,9 @@ class OrientCommandTest {
   /** The same lines as Flydra stores them. */
   private Path flydra() throws IOException {
     Path file = folder.resolve("flydra.h5");
-    List<Column> columns = new ArrayList<>();
+    List<Hdf5Column> columns = new ArrayList<>();
     for (String name : List.of("camn", "frame", "timestamp", "x", "y", "slope", "eccentricity")) {
-      columns.add(new Column(name, Kind.F64));
+      columns.add(new Hdf5Column(name, NumberType.F64));
     }
     try (Hdf5TableWriter table = Hdf5TableWriter.create(file, "data2d_distorted", columns, false)) {
       for (String[] row : rows(seen)) {

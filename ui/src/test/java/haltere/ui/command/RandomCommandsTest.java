@@ -103,11 +103,11 @@ class RandomCommandsTest {
   @MethodSource("seeds")
   void commandWithRandomOptionsEndsWithAStatusAndAReason(long seed) throws IOException {
     writeFiles();
-    List<String> text = command(new SplittableRandom(seed));
+    List<String> arguments = command(new SplittableRandom(seed));
     CommandRun run =
         assertTimeoutPreemptively(
-            LIMIT, () -> CommandRun.of(text.toArray()), () -> "no end: " + text);
-    String told = String.join(" ", text) + "\nstatus " + run.status() + "\n" + run.err();
+            LIMIT, () -> CommandRun.of(arguments.toArray()), () -> "no end: " + arguments);
+    String told = String.join(" ", arguments) + "\nstatus " + run.status() + "\n" + run.err();
     assertTrue(run.status() >= 0 && run.status() <= 2, told);
     assertFalse(run.err().contains("\tat "), told);
     assertFalse(run.err().contains("unexpected failure"), told);
@@ -150,17 +150,17 @@ class RandomCommandsTest {
         .filter(option -> option.required() || option.longestName().equals("--duration"))
         .filter(option -> random.nextInt(8) > 0 || option.longestName().equals("--duration"))
         .forEach(chosen::add);
-    List<String> text = new ArrayList<>(List.of(name));
+    List<String> arguments = new ArrayList<>(List.of(name));
     for (OptionSpec option : chosen) {
-      text.add(
+      arguments.add(
           option.arity().max() == 0
               ? option.longestName()
               : option.longestName() + "=" + value(option, random));
     }
     for (int i = random.nextInt(spec.positionalParameters().size() + 2); i > 0; i--) {
-      text.add(random.nextInt(4) > 0 ? file(random) : pick(WORDS, random));
+      arguments.add(random.nextInt(4) > 0 ? file(random) : pick(WORDS, random));
     }
-    return text;
+    return arguments;
   }
 
   private static CommandEnvironment nowhere() {

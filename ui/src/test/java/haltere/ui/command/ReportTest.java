@@ -41,11 +41,11 @@ class ReportTest {
   }
 
   /** Runs a command with a report, which has to be one page that needs nothing else. */
-  private String page(Object... label) throws Exception {
+  private String page(Object... arguments) throws Exception {
     Path report = folder.resolve("report.html");
-    Object[] all = java.util.Arrays.copyOf(label, label.length + 2);
-    all[label.length] = "--report";
-    all[label.length + 1] = report;
+    Object[] all = java.util.Arrays.copyOf(arguments, arguments.length + 2);
+    all[arguments.length] = "--report";
+    all[arguments.length + 1] = report;
     CommandRun run = CommandRun.of(all);
     assertEquals(0, run.status(), run.err());
     String page = Files.readString(report);
@@ -54,7 +54,7 @@ class ReportTest {
     String text = page.replaceAll("base64,[^\"]*", "");
     assertFalse(text.replace("http://www.w3.org/2000/svg", "").contains("http"), "no network");
     assertTrue(page.contains("prefers-color-scheme:dark"));
-    assertTrue(page.contains("haltere " + label[0] + " "), "the command");
+    assertTrue(page.contains("haltere " + arguments[0] + " "), "the command");
     for (String plot : plots(page)) {
       assertNotNull(
           DocumentBuilderFactory.newInstance()

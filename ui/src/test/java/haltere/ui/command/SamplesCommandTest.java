@@ -32,8 +32,8 @@ class SamplesCommandTest {
     return folder.resolve(name);
   }
 
-  private static String succeed(Object... label) {
-    CommandRun run = CommandRun.of(label);
+  private static String succeed(Object... arguments) {
+    CommandRun run = CommandRun.of(arguments);
     assertEquals(0, run.status(), run.err());
     return run.err();
   }

@@ -77,8 +77,8 @@ class SimulateCommandTest {
     assertWrong("--rate", "simulate", "fly", out, "--rate", "NaN");
   }
 
-  private static void assertWrong(String word, Object... text) {
-    CommandRun run = CommandRun.of(text);
+  private static void assertWrong(String word, Object... arguments) {
+    CommandRun run = CommandRun.of(arguments);
     assertEquals(2, run.status(), run.err());
     assertTrue(run.errorLines().get(0).contains(word), run.err());
   }

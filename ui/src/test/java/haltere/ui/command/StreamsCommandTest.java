@@ -40,8 +40,8 @@ class StreamsCommandTest {
     return file;
   }
 
-  private static CommandRun piped(byte[] input, Object... label) {
-    return CommandRun.on(CommandRun.Machine.BARE.withInput(input), label);
+  private static CommandRun piped(byte[] input, Object... arguments) {
+    return CommandRun.on(CommandRun.Machine.BARE.withInput(input), arguments);
   }
 
   @ParameterizedTest

@@ -153,6 +153,16 @@ class TrackCommandTest {
   }
 
   @Test
+  void settingsOfAnEarlierVersionInARoadFileAreReadAndNamed() throws IOException {
+    Path road = folder.resolve("road.json");
+    Files.writeString(road, "{\"bridgeHeightM\": 5, \"countingLines\": {\"apartM\": 9}}");
+    CommandRun run = CommandRun.of("track", in, "--out", out, "--road", road);
+    assertEquals(0, run.status(), run.err());
+    assertTrue(run.err().contains("road.json: "), run.err());
+    assertTrue(run.err().contains("apartM -> spacingM"), run.err());
+  }
+
+  @Test
   void roadAddsColumnsInMetresToKalmanTracks() throws IOException {
     Path chain = folder.resolve("chain.json");
     Files.writeString(
@@ -338,7 +348,7 @@ class TrackCommandTest {
             "{\"lanes\": 4}",
             "{\"lanes\": {\"lanes\": -1}}",
             "{\"countingLines\": 20}",
-            "{\"countingLines\": {\"apartM\": 0}}",
+            "{\"countingLines\": {\"spacingM\": 0}}",
             "{\"vanishingPoint\": {\"yPx\": 0}}")) {
       Files.writeString(json, text);
       assertFails(1, json.toString(), "track", in, "--out", out, "--road", json);
@@ -357,8 +367,8 @@ class TrackCommandTest {
     }
   }
 
-  private static void assertFails(int status, String word, Object... label) {
-    CommandRun run = CommandRun.of(label);
+  private static void assertFails(int status, String word, Object... arguments) {
+    CommandRun run = CommandRun.of(arguments);
     assertEquals(status, run.status(), run.err());
     assertTrue(run.errorLines().get(0).contains(word), run.err());
     assertTrue(status == 2 || run.errorLines().size() == 1, run.err());

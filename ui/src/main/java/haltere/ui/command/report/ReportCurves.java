@@ -29,7 +29,7 @@ final class ReportCurves {
 
   private record Sample(long timeUs, double value) {}
 
-  private static final class Trace {
+  private static final class ReportCurve {
     private final Deque<Sample> newest = new ArrayDeque<>();
     private TimeBins bins = new TimeBins(BINS, 1_000);
     private long baseUs;
@@ -71,7 +71,7 @@ final class ReportCurves {
   }
 
   private final List<PlotField> fields;
-  private final Map<String, Trace> traces = new LinkedHashMap<>();
+  private final Map<String, ReportCurve> traces = new LinkedHashMap<>();
 
   /** Curves of nothing yet. */
   ReportCurves(List<PlotField> fields) {
@@ -89,7 +89,7 @@ final class ReportCurves {
             ? key
             : field.outlet() + " " + field.label() + (key.isEmpty() ? "" : ", " + key);
     if (Double.isFinite(value) && (traces.size() < MAX_CURVES || traces.containsKey(name))) {
-      traces.computeIfAbsent(name, absent -> new Trace()).add(timeUs, value);
+      traces.computeIfAbsent(name, absent -> new ReportCurve()).add(timeUs, value);
     }
   }
 
@@ -101,16 +101,16 @@ final class ReportCurves {
     PlotField first = fields.get(0);
     String label = first.label() + (first.unit().isEmpty() ? "" : " (" + first.unit() + ")");
     String title = first.outlet() + ": " + first.label();
-    List<Trace> all = List.copyOf(traces.values());
-    double[] times = join(all.stream().map(Trace::timesS).toList());
+    List<ReportCurve> all = List.copyOf(traces.values());
+    double[] times = join(all.stream().map(ReportCurve::timesS).toList());
     SvgPlot whole =
         SvgPlot.around(
             times,
             join(all.stream().map(trace -> trace.edge(true)).toList()),
             join(all.stream().map(trace -> trace.edge(false)).toList()));
     Map<String, String> colours = colours();
-    for (Map.Entry<String, Trace> each : traces.entrySet()) {
-      Trace trace = each.getValue();
+    for (Map.Entry<String, ReportCurve> each : traces.entrySet()) {
+      ReportCurve trace = each.getValue();
       String colour = colours.get(each.getKey());
       double[] low = trace.edge(true);
       double[] high = trace.edge(false);
@@ -121,7 +121,7 @@ final class ReportCurves {
     }
     Map<String, String> legend =
         traces.size() <= MAX_NAMED && !traces.containsKey("") ? colours : Map.of();
-    boolean dense = all.stream().anyMatch(Trace::isDense);
+    boolean dense = all.stream().anyMatch(ReportCurve::isDense);
     page.plot(whole.draw(title, "time (s)", label), legend, dense ? BANDS : "");
     if (dense) {
       String text = title + ", last " + NEWEST + " samples";
@@ -138,7 +138,7 @@ final class ReportCurves {
   private SvgPlot closeUp(Map<String, String> colours) {
     List<double[]> times = new ArrayList<>();
     List<double[]> values = new ArrayList<>();
-    for (Trace trace : traces.values()) {
+    for (ReportCurve trace : traces.values()) {
       times.add(trace.newest.stream().mapToDouble(sample -> sample.timeUs * 1e-6).toArray());
       values.add(trace.newest.stream().mapToDouble(Sample::value).toArray());
     }

@@ -2,8 +2,8 @@ package haltere.ui.command.results;
 
 import haltere.core.format.AtomicFile;
 import haltere.core.format.internal.hdf5.Hdf5TableWriter;
-import haltere.core.format.internal.hdf5.Hdf5TableWriter.Column;
-import haltere.core.format.internal.hdf5.Hdf5TableWriter.Kind;
+import haltere.core.format.internal.hdf5.Hdf5TableWriter.Hdf5Column;
+import haltere.core.format.internal.hdf5.Hdf5TableWriter.NumberType;
 import haltere.core.pipeline.ResultFiles;
 import haltere.core.sink.TableMetadata;
 import haltere.core.sink.TableSink;
@@ -65,20 +65,20 @@ public final class OrientationTable implements BiConsumer<String, OrientationEst
   }
 
   /** Names and types as in Flydra's table, then additional columns. */
-  private static List<Column> columns() {
-    List<Column> columns = new ArrayList<>();
-    columns.add(new Column("obj_id", Kind.U32));
-    columns.add(new Column("frame", Kind.I64));
+  private static List<Hdf5Column> columns() {
+    List<Hdf5Column> columns = new ArrayList<>();
+    columns.add(new Hdf5Column("obj_id", NumberType.U32));
+    columns.add(new Hdf5Column("frame", NumberType.I64));
     for (String name : List.of("x", "y", "z")) {
-      columns.add(new Column(name, Kind.F32));
+      columns.add(new Hdf5Column(name, NumberType.F32));
     }
     for (int i = 0; i < 6; i++) {
-      columns.add(new Column("hz_line" + i, Kind.F32));
+      columns.add(new Hdf5Column("hz_line" + i, NumberType.F32));
     }
-    columns.add(new Column("timestamp", Kind.F64));
-    columns.add(new Column("sd_axis_rad", Kind.F32));
-    columns.add(new Column("used", Kind.U32));
-    columns.add(new Column("rejected", Kind.U32));
+    columns.add(new Hdf5Column("timestamp", NumberType.F64));
+    columns.add(new Hdf5Column("sd_axis_rad", NumberType.F32));
+    columns.add(new Hdf5Column("used", NumberType.U32));
+    columns.add(new Hdf5Column("rejected", NumberType.U32));
     return columns;
   }
 

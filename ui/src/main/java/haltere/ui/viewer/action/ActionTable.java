@@ -10,9 +10,9 @@ final class ActionTable {
    * A line of the table; the components are those of {@link ViewerAction}, and the number of the
    * paragraph.
    */
-  record Line(String id, String key, String menu, String label, String help, int group) {}
+  record ActionLine(String id, String key, String menu, String label, String help, int group) {}
 
-  private static final Map<String, Line> LINES = read();
+  private static final Map<String, ActionLine> LINES = read();
 
   private ActionTable() {}
 
@@ -22,16 +22,16 @@ final class ActionTable {
   }
 
   /** The line of an id. */
-  static Line line(String id) {
-    Line line = LINES.get(id);
+  static ActionLine line(String id) {
+    ActionLine line = LINES.get(id);
     if (line == null) {
       throw new IllegalArgumentException("actions.txt does not have " + id);
     }
     return line;
   }
 
-  private static Map<String, Line> read() {
-    Map<String, Line> lines = new HashMap<>();
+  private static Map<String, ActionLine> read() {
+    Map<String, ActionLine> lines = new HashMap<>();
     String text = Unchecked.text(ActionTable.class.getResourceAsStream("actions.txt"));
     int group = 0;
     for (String line : text.split("\n")) {
@@ -39,7 +39,7 @@ final class ActionTable {
         group++;
       } else if (!line.startsWith("#")) {
         String[] cell = line.split("\\s*\\|\\s*", -1);
-        lines.put(cell[0], new Line(cell[0], cell[1], cell[2], cell[3], cell[4], group));
+        lines.put(cell[0], new ActionLine(cell[0], cell[1], cell[2], cell[3], cell[4], group));
       }
     }
     return lines;

@@ -42,7 +42,7 @@ public record ViewerAction(
   /** The action of an id in the table. */
   static ViewerAction listed(
       String id, Runnable work, Optional<ObservableBooleanValue> on, Supplier<String> obstacle) {
-    ActionTable.Line line = ActionTable.line(id);
+    ActionTable.ActionLine line = ActionTable.line(id);
     return new ViewerAction(
         id, line.label(), line.menu(), line.key(), line.help(), work, on, obstacle);
   }

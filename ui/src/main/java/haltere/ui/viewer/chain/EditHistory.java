@@ -10,13 +10,13 @@ import java.util.function.Function;
  */
 public final class EditHistory {
   /** A change. */
-  private record Step(String label, Object subject, Runnable undo, Runnable redo, long nanos) {}
+  private record Edit(String label, Object subject, Runnable undo, Runnable redo, long nanos) {}
 
   private static final long MERGE_NANOS = 1_000_000_000;
   private static final int MAX_CHANGES = 200;
 
-  private final Deque<Step> done = new ArrayDeque<>();
-  private final Deque<Step> undone = new ArrayDeque<>();
+  private final Deque<Edit> done = new ArrayDeque<>();
+  private final Deque<Edit> undone = new ArrayDeque<>();
   private Runnable listener = () -> {};
 
   /** Adds a listener to changes, undone or redone ones too. */
@@ -30,13 +30,13 @@ public final class EditHistory {
    */
   void made(String label, Object subject, Runnable undo, Runnable redo, long nanos) {
     undone.clear();
-    Step last = done.peek();
+    Edit last = done.peek();
     boolean together =
         last != null && last.subject().equals(subject) && nanos - last.nanos() < MERGE_NANOS;
     if (together) {
       done.pop();
     }
-    done.push(new Step(label, subject, together ? last.undo() : undo, redo, nanos));
+    done.push(new Edit(label, subject, together ? last.undo() : undo, redo, nanos));
     if (done.size() > MAX_CHANGES) {
       done.removeLast();
     }
@@ -62,19 +62,19 @@ public final class EditHistory {
 
   /** Undoes the last change; returns its label, or empty text. */
   public String undo() {
-    return go(done, undone, Step::undo);
+    return go(done, undone, Edit::undo);
   }
 
   /** Redoes the last undone change; returns its label, or empty text. */
   public String redo() {
-    return go(undone, done, Step::redo);
+    return go(undone, done, Edit::redo);
   }
 
-  private String go(Deque<Step> from, Deque<Step> to, Function<Step, Runnable> way) {
+  private String go(Deque<Edit> from, Deque<Edit> to, Function<Edit, Runnable> way) {
     if (from.isEmpty()) {
       return "";
     }
-    Step step = from.pop();
+    Edit step = from.pop();
     to.push(step);
     way.apply(step).run();
     listener.run();

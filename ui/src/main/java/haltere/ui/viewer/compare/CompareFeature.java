@@ -210,7 +210,7 @@ public final class CompareFeature implements ViewerFeature {
         both -> {
           show(firstName, "First chain: ", both.get(0));
           show(secondName, "Second chain: ", both.get(1));
-          List<ComparisonTable.Line> lines =
+          List<ComparisonTable.ComparisonLine> lines =
               ComparisonTable.lines(both.get(0).means(), both.get(1).means());
           if (!lines.isEmpty()) {
             table.show(lines);

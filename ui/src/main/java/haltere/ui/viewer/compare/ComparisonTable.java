@@ -22,7 +22,8 @@ import javafx.scene.layout.Priority;
  */
 final class ComparisonTable extends ScrollPane {
   /** A line of the table, below the heading of its outlet. */
-  record Line(String group, String field, String first, String second, String difference) {}
+  record ComparisonLine(
+      String group, String field, String first, String second, String difference) {}
 
   private final GridPane grid = new GridPane(6, 0);
 
@@ -42,16 +43,17 @@ final class ComparisonTable extends ScrollPane {
   }
 
   /** The lines of two sets of means; a number of only one chain has no difference. */
-  static List<Line> lines(Map<PlotField, Double> first, Map<PlotField, Double> second) {
+  static List<ComparisonLine> lines(Map<PlotField, Double> first, Map<PlotField, Double> second) {
     Set<PlotField> fields = new LinkedHashSet<>(first.keySet());
     fields.addAll(second.keySet());
-    List<Line> lines = new ArrayList<>();
+    List<ComparisonLine> lines = new ArrayList<>();
     for (PlotField field : fields) {
       Double a = first.get(field);
       Double b = second.get(field);
       String group = Texts.title(field.stage()) + ": " + field.outlet().replace('-', ' ');
       String unit = field.unit().isEmpty() ? "" : ", " + field.unit();
-      lines.add(new Line(group, field.label() + unit, number(a), number(b), difference(a, b)));
+      lines.add(
+          new ComparisonLine(group, field.label() + unit, number(a), number(b), difference(a, b)));
     }
     return lines;
   }
@@ -73,7 +75,7 @@ final class ComparisonTable extends ScrollPane {
   }
 
   /** Replaces the shown lines. */
-  void show(List<Line> lines) {
+  void show(List<ComparisonLine> lines) {
     grid.getChildren().clear();
     grid.addRow(0, heading("Mean, 1 s"), heading("First"), heading("Second"), heading("Differs"));
     if (lines.isEmpty()) {
@@ -81,7 +83,7 @@ final class ComparisonTable extends ScrollPane {
     }
     String group = "";
     int row = 1;
-    for (Line line : lines) {
+    for (ComparisonLine line : lines) {
       if (!line.group().equals(group)) {
         group = line.group();
         grid.add(heading(group), 0, row++, 4, 1);

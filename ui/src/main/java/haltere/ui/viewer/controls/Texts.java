@@ -42,8 +42,8 @@ public final class Texts {
   /**
    * Parses a time into microseconds: 1:02:03.5, 62.345, 250 ms, 1500 us, 3 s; empty for other text.
    */
-  public static OptionalLong parseTime(String label) {
-    Matcher unit = TIME_WITH_UNIT.matcher(label.strip());
+  public static OptionalLong parseTime(String text) {
+    Matcher unit = TIME_WITH_UNIT.matcher(text.strip());
     if (unit.matches()) {
       double factor =
           switch (unit.group(2)) {
@@ -53,11 +53,11 @@ public final class Texts {
           };
       return OptionalLong.of(Math.round(Double.parseDouble(unit.group(1)) * factor));
     }
-    if (!CLOCK_TIME.matcher(label.strip()).matches()) {
+    if (!CLOCK_TIME.matcher(text.strip()).matches()) {
       return OptionalLong.empty();
     }
     double seconds = 0;
-    for (String part : label.strip().split(":")) {
+    for (String part : text.strip().split(":")) {
       seconds = 60 * seconds + Double.parseDouble(part);
     }
     return OptionalLong.of(Math.round(seconds * 1e6));

@@ -39,7 +39,8 @@ final class ClipExport extends PartExport {
    * @param overlays overlays of the pictures
    * @param pictureUs recording time from one picture to the next
    */
-  ClipExport(Part part, Path file, DisplayOptions options, Overlays overlays, double pictureUs)
+  ClipExport(
+      ExportedPart part, Path file, DisplayOptions options, Overlays overlays, double pictureUs)
       throws IOException {
     super(part, RUN_UP_US);
     long wanted = Math.round((part.toUs() - part.fromUs()) / pictureUs);

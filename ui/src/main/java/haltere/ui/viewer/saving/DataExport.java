@@ -19,7 +19,7 @@ final class DataExport extends PartExport {
   private long lastUs = StreamNotification.NO_TIME_US;
   private boolean ended;
 
-  DataExport(Part part, Path file) throws IOException {
+  DataExport(ExportedPart part, Path file) throws IOException {
     super(part, 0);
     writer =
         Recordings.forWriting(file)

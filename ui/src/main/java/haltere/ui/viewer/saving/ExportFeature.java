@@ -38,7 +38,7 @@ public final class ExportFeature implements ViewerFeature {
   /** Begins to export a part. */
   private interface Exporter {
     /** In the background. */
-    PartExport begin(PartExport.Part part) throws IOException;
+    PartExport begin(PartExport.ExportedPart part) throws IOException;
   }
 
   private ViewerContext window;
@@ -168,7 +168,8 @@ public final class ExportFeature implements ViewerFeature {
     try (Playable playable = wanted.open().call();
         FilterChain chain = ChainFile.parse(wanted.chain(), "the chain", playable.geometry());
         PartExport export =
-            exporter.begin(new PartExport.Part(playable, chain, wanted.fromUs(), wanted.toUs()))) {
+            exporter.begin(
+                new PartExport.ExportedPart(playable, chain, wanted.fromUs(), wanted.toUs()))) {
       return export.run(progress);
     }
   }

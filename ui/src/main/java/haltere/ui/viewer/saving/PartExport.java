@@ -19,16 +19,16 @@ abstract class PartExport implements StreamHandler, AutoCloseable {
    * @param fromUs start on the elapsed timeline, microseconds
    * @param toUs end, not included
    */
-  record Part(Playable playable, FilterChain chain, long fromUs, long toUs) {}
+  record ExportedPart(Playable playable, FilterChain chain, long fromUs, long toUs) {}
 
-  final Part part;
+  final ExportedPart part;
   private final long startUs;
   private final EventPacket cut = new EventPacket(4096);
   private LongConsumer progress;
   private boolean past;
 
   /** An export with a run-up before the part, microseconds. */
-  PartExport(Part part, long runUpUs) {
+  PartExport(ExportedPart part, long runUpUs) {
     this.part = part;
     startUs = Math.max(0, part.fromUs() - runUpUs);
   }

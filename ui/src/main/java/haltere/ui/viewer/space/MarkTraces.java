@@ -18,16 +18,16 @@ import java.util.Map;
  */
 final class MarkTraces {
   /** A position on the sensor at a time of the events. */
-  record Position(long timeUs, double x, double y) {}
+  record TracePoint(long timeUs, double x, double y) {}
 
   /** Positions of one mark in ascending order of their times. */
-  record Trace(MarkStyle style, List<Position> positions) {}
+  record Trace(MarkStyle style, List<TracePoint> positions) {}
 
   /** The n-th mark of a style at a moment. */
   private record Key(MarkStyle style, int number) {}
 
   /** A trace that continues, or has ended. */
-  private record MarkTrace(MarkStyle style, Deque<Position> positions) {
+  private record MarkTrace(MarkStyle style, Deque<TracePoint> positions) {
     void removeBefore(long timeUs) {
       while (!positions.isEmpty() && positions.getFirst().timeUs() < timeUs) {
         positions.removeFirst();
@@ -40,7 +40,7 @@ final class MarkTraces {
 
   /** Adds the positions of all marks at a time. */
   void add(long timeUs, List<OverlaySnapshots.Marks<?>> marks) {
-    Collector collector = new Collector();
+    MarkCollector collector = new MarkCollector();
     marks.forEach(each -> each.draw(timeUs, collector));
     Map<Key, MarkTrace> now = new HashMap<>();
     collector.positions.forEach(
@@ -50,7 +50,7 @@ final class MarkTraces {
             trace = new MarkTrace(key.style(), new ArrayDeque<>());
             traces.add(trace);
           }
-          trace.positions().add(new Position(timeUs, position[0], position[1]));
+          trace.positions().add(new TracePoint(timeUs, position[0], position[1]));
           now.put(key, trace);
         });
     open = now;
@@ -76,7 +76,7 @@ final class MarkTraces {
   }
 
   /** Collects one position of each mark of an object or a wing edge. */
-  private static final class Collector implements OverlayCanvas {
+  private static final class MarkCollector implements OverlayCanvas {
     private final Map<Key, double[]> positions = new HashMap<>();
 
     private void put(MarkStyle style, double x, double y) {

@@ -175,11 +175,11 @@ record SpaceTimeMarks(
   /** Draws marks and traces of a moment. */
   void draw(SpaceTimeSink.Frame frame) {
     for (MarkTraces.Trace trace : frame.traces) {
-      List<MarkTraces.Position> positions = trace.positions();
+      List<MarkTraces.TracePoint> positions = trace.positions();
       double[] x = new double[positions.size()];
       double[] y = new double[positions.size()];
       for (int i = 0; i < x.length; i++) {
-        MarkTraces.Position at = positions.get(i);
+        MarkTraces.TracePoint at = positions.get(i);
         double[] place = project(new double[] {at.x(), at.y(), frame.nowUs - at.timeUs()});
         x[i] = place[0];
         y[i] = place[1];

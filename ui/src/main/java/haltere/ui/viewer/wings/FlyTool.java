@@ -24,7 +24,7 @@ final class FlyTool implements ViewTool {
   private static final double GRIP_SHARE = 0.15;
 
   /** The dragged part. */
-  private enum Grip {
+  private enum FlyPart {
     NONE,
     BODY,
     HEADING,
@@ -33,7 +33,7 @@ final class FlyTool implements ViewTool {
 
   private final Supplier<Optional<WingsView>> seen;
   private final Consumer<Function<WingTracker, WingTrackerSettings>> consumer;
-  private Grip grip = Grip.NONE;
+  private FlyPart grip = FlyPart.NONE;
   private double atX;
   private double atY;
 
@@ -61,7 +61,7 @@ final class FlyTool implements ViewTool {
   public void pressed(double x, double y) {
     atX = x;
     atY = y;
-    grip = geometry().map(fly -> gripAt(fly, x, y)).orElse(Grip.NONE);
+    grip = geometry().map(fly -> gripAt(fly, x, y)).orElse(FlyPart.NONE);
   }
 
   /** The handle of the heading. */
@@ -71,14 +71,14 @@ final class FlyTool implements ViewTool {
     return new Point2D(x, fly.centreY() + away * Math.sin(fly.headingRad()));
   }
 
-  private Grip gripAt(FlyGeometry fly, double x, double y) {
+  private FlyPart gripAt(FlyGeometry fly, double x, double y) {
     double reach = GRIP_SHARE * fly.sizePx();
     double away = Math.hypot(x - fly.centreX(), y - fly.centreY());
     if (head(fly).distance(x, y) <= reach) {
-      return Grip.HEADING;
+      return FlyPart.HEADING;
     }
     double region = seen.get().map(WingsView::regionPx).orElse(0.0);
-    return Math.abs(away - region) <= reach ? Grip.REGION : Grip.BODY;
+    return Math.abs(away - region) <= reach ? FlyPart.REGION : FlyPart.BODY;
   }
 
   @Override
@@ -91,7 +91,7 @@ final class FlyTool implements ViewTool {
   public void released(double x, double y) {
     dragged(x, y);
     geometry().ifPresent(fly -> say(fly, x, y));
-    grip = Grip.NONE;
+    grip = FlyPart.NONE;
   }
 
   private void say(FlyGeometry fly, double x, double y) {

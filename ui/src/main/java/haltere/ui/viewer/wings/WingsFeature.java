@@ -176,15 +176,15 @@ public final class WingsFeature implements ViewerFeature {
   }
 
   /** A change of a chain that has a wing tracker. */
-  private interface Change {
+  private interface WingsChange {
     void make(FilterChain chain, WingsView view);
   }
 
-  private void change(Change change) {
+  private void change(WingsChange change) {
     window.editor().change(work(change), window.status()::showError);
   }
 
-  private static Consumer<FilterChain> work(Change change) {
+  private static Consumer<FilterChain> work(WingsChange change) {
     return chain -> change.make(chain, WingsView.orRefuse(chain));
   }
 

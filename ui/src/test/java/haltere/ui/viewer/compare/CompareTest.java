@@ -147,10 +147,12 @@ class CompareTest {
     PlotField x = new PlotField("tracker", "clusters", "x_px");
     PlotField y = new PlotField("tracker", "clusters", "y_px");
     PlotField z = new PlotField("other", "clusters", "x_px");
-    List<ComparisonTable.Line> lines = ComparisonTable.lines(Map.of(x, 50.0), Map.of(x, 51.0));
+    List<ComparisonTable.ComparisonLine> lines =
+        ComparisonTable.lines(Map.of(x, 50.0), Map.of(x, 51.0));
     assertEquals(
         List.of(
-            new ComparisonTable.Line("Tracker: clusters", "x, px", "50.000", "51.000", "+2.00 %")),
+            new ComparisonTable.ComparisonLine(
+                "Tracker: clusters", "x, px", "50.000", "51.000", "+2.00 %")),
         lines);
     assertEquals("same", ComparisonTable.lines(Map.of(y, 3.0), Map.of(y, 3.0)).get(0).difference());
     assertEquals("", ComparisonTable.lines(Map.of(y, 3.0), Map.of(z, 3.0)).get(0).difference());

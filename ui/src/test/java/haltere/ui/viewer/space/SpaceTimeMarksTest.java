@@ -116,8 +116,8 @@ class SpaceTimeMarksTest {
             new MarkTraces.Trace(
                 MarkStyle.of(Role.ESTIMATE, 1),
                 List.of(
-                    new MarkTraces.Position(400_000, 50, 50),
-                    new MarkTraces.Position(500_000, 50, 50))));
+                    new MarkTraces.TracePoint(400_000, 50, 50),
+                    new MarkTraces.TracePoint(500_000, 50, 50))));
     Notes notes = notes(90, 100_000, frame);
     double[] trace = notes.lines.get(notes.lines.size() - 1);
     assertEquals(notes.texts.get("1")[0], trace[2], 1e-9, "the trace ends at the mark");

@@ -161,26 +161,26 @@ final class AddressEvidence {
   }
 
   /** The layout that explains most words, preferably one that yields events. */
-  AedatSensor.Layout layout(boolean isLarge) {
+  AedatSensor.AddressLayout layout(boolean isLarge) {
     long dvs128 = all.dvs128Events == 0 ? 0 : all.dvs128Words;
     long davis = all.davisEvents == 0 ? 0 : all.davisWords;
     if (dvs128 == davis) {
-      return isLarge ? AedatSensor.Layout.DAVIS : AedatSensor.Layout.DVS128;
+      return isLarge ? AedatSensor.AddressLayout.DAVIS : AedatSensor.AddressLayout.DVS128;
     }
-    return dvs128 > davis ? AedatSensor.Layout.DVS128 : AedatSensor.Layout.DAVIS;
+    return dvs128 > davis ? AedatSensor.AddressLayout.DVS128 : AedatSensor.AddressLayout.DAVIS;
   }
 
   /** Whether a layout yields events and explains the words; true without words. */
-  boolean isExplained(AedatSensor.Layout layout) {
-    boolean isDvs128 = layout == AedatSensor.Layout.DVS128;
+  boolean isExplained(AedatSensor.AddressLayout layout) {
+    boolean isDvs128 = layout == AedatSensor.AddressLayout.DVS128;
     return all.words == 0
         || (isDvs128 ? all.dvs128Events : all.davisEvents) > 0
             && explained(layout) >= MIN_EXPLAINED;
   }
 
   /** Share of the words that a layout explains, 0 to 1. */
-  double explained(AedatSensor.Layout layout) {
-    long words = layout == AedatSensor.Layout.DVS128 ? all.dvs128Words : all.davisWords;
+  double explained(AedatSensor.AddressLayout layout) {
+    long words = layout == AedatSensor.AddressLayout.DVS128 ? all.dvs128Words : all.davisWords;
     return all.words == 0 ? 1 : (double) words / all.words;
   }
 

@@ -84,7 +84,7 @@ public final class Aedat1Format implements ReadOnlyFormat {
           "the header says AEDAT-" + header.versionText() + ", not 1.0; leave out --format");
     }
     SensorGeometry geometry = options.sensor().orElse(AedatSensor.DVS128_SIZE);
-    AedatSensor sensor = new AedatSensor(AedatSensor.Layout.DVS128, geometry, remarks);
+    AedatSensor sensor = new AedatSensor(AedatSensor.AddressLayout.DVS128, geometry, remarks);
     return AedatReader.open(
         name(), bytes, header, sensor, remarks, RecordDecoder.AEDAT1_BYTES, options);
   }

@@ -51,7 +51,8 @@ final class AedatReader {
     }
     InertialRange range = InertialRange.of(file.read(0, header.dataOffset()));
     List<String> allRemarks = new ArrayList<>(remarks);
-    boolean fromCamera = sensor.layout() == AedatSensor.Layout.DAVIS && header.sensor().isEmpty();
+    boolean fromCamera =
+        sensor.layout() == AedatSensor.AddressLayout.DAVIS && header.sensor().isEmpty();
     if (options.samples() && fromCamera && !range.stated()) {
       allRemarks.add(
           "the header does not state the range of the inertial sensor; "

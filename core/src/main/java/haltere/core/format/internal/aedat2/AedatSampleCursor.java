@@ -57,7 +57,7 @@ final class AedatSampleCursor implements SampleCursor {
     this.recordBytes = recordBytes;
     addresses = sensor.decoder();
     assembly =
-        sensor.layout() == AedatSensor.Layout.DVS128
+        sensor.layout() == AedatSensor.AddressLayout.DVS128
             ? new Dvs128Samples()
             : new DavisSamples(sensor.geometry(), range, violations);
     clock = new WrappingClock(1L << 32, firstTurnUs);
@@ -65,7 +65,7 @@ final class AedatSampleCursor implements SampleCursor {
   }
 
   @Override
-  public Step next(long untilOffset) throws IOException {
+  public SampleStep next(long untilOffset) throws IOException {
     while (true) {
       while (buffer.remaining() >= recordBytes) {
         int at = buffer.position();
@@ -79,16 +79,16 @@ final class AedatSampleCursor implements SampleCursor {
         } else if (address == AddressDecoder.OTHER) {
           sample = assembly.take(word, clock.read(time), offset - recordBytes);
           if (sample != null) {
-            return Step.SAMPLE;
+            return SampleStep.SAMPLE;
           }
         }
       }
       if (offset >= untilOffset) {
-        return Step.NOTHING_YET;
+        return SampleStep.NOTHING_YET;
       }
       file.read(buffer, offset);
       if (buffer.remaining() < recordBytes) {
-        return Step.END;
+        return SampleStep.END;
       }
     }
   }

@@ -19,9 +19,9 @@ import java.util.Optional;
  * @param geometry the sensor
  * @param remarks assumptions, a line each
  */
-record AedatSensor(Layout layout, SensorGeometry geometry, List<String> remarks) {
+record AedatSensor(AddressLayout layout, SensorGeometry geometry, List<String> remarks) {
   /** The two meanings of an address word. */
-  public enum Layout {
+  public enum AddressLayout {
     /** {@link Dvs128AddressDecoder}. */
     DVS128,
     /** {@link DavisAddressDecoder}. */
@@ -86,18 +86,19 @@ record AedatSensor(Layout layout, SensorGeometry geometry, List<String> remarks)
             .map(Map.Entry::getValue)
             .findFirst();
     Optional<SensorGeometry> stated = header.sensor().isPresent() ? header.sensor() : chipSize;
-    Layout layout;
+    AddressLayout layout;
     AddressEvidence evidence = null;
     if (lower.equals("dvs128") || lower.equals("tmpdiff128")) {
-      return new AedatSensor(Layout.DVS128, DVS128_SIZE, remarks);
+      return new AedatSensor(AddressLayout.DVS128, DVS128_SIZE, remarks);
     } else if (chipSize.isPresent() || lower.startsWith("davis")) {
-      layout = Layout.DAVIS;
+      layout = AddressLayout.DAVIS;
     } else if (header.sensor().isPresent()) {
-      layout = header.sensor().get().equals(DVS128_SIZE) ? Layout.DVS128 : Layout.DAVIS;
+      layout =
+          header.sensor().get().equals(DVS128_SIZE) ? AddressLayout.DVS128 : AddressLayout.DAVIS;
     } else if (chip.isEmpty() && hardware.startsWith("dvs128")) {
-      return new AedatSensor(Layout.DVS128, DVS128_SIZE, remarks);
+      return new AedatSensor(AddressLayout.DVS128, DVS128_SIZE, remarks);
     } else if (chip.isEmpty() && hardware.startsWith("davis")) {
-      layout = Layout.DAVIS;
+      layout = AddressLayout.DAVIS;
     } else {
       evidence = AddressEvidence.of(file, header.dataOffset());
       boolean isLarge =
@@ -105,7 +106,7 @@ record AedatSensor(Layout layout, SensorGeometry geometry, List<String> remarks)
       layout = evidence.layout(isLarge);
       String unknown =
           chip.isEmpty() ? "the header names no camera" : "the camera " + chip + " is not known";
-      String camera = layout == Layout.DVS128 ? "DVS128" : "DAVIS";
+      String camera = layout == AddressLayout.DVS128 ? "DVS128" : "DAVIS";
       boolean isGuess = options.sensor().isEmpty() && options.format().isEmpty();
       if (isGuess && !evidence.isExplained(layout)) {
         throw new RecordingProblem(
@@ -128,7 +129,7 @@ record AedatSensor(Layout layout, SensorGeometry geometry, List<String> remarks)
     if (options.sensor().isPresent()) {
       return new AedatSensor(layout, options.sensor().get(), remarks);
     }
-    if (layout == Layout.DVS128) {
+    if (layout == AddressLayout.DVS128) {
       return new AedatSensor(layout, DVS128_SIZE, remarks);
     }
     if (evidence == null) {
@@ -148,7 +149,7 @@ record AedatSensor(Layout layout, SensorGeometry geometry, List<String> remarks)
    * @return for the geometry
    */
   public AddressDecoder decoder() {
-    return layout == Layout.DVS128
+    return layout == AddressLayout.DVS128
         ? new Dvs128AddressDecoder(geometry)
         : new DavisAddressDecoder(geometry);
   }

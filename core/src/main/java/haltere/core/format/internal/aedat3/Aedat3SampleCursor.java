@@ -44,7 +44,7 @@ final class Aedat3SampleCursor implements SampleCursor {
   }
 
   @Override
-  public Step next(long untilOffset) throws IOException {
+  public SampleStep next(long untilOffset) throws IOException {
     sample = null;
     while (sample == null) {
       if (packet != null && event < packet.number()) {
@@ -57,11 +57,11 @@ final class Aedat3SampleCursor implements SampleCursor {
         packet = nextPacket(untilOffset);
         event = 0;
         if (packet == null) {
-          return position >= untilOffset ? Step.NOTHING_YET : Step.END;
+          return position >= untilOffset ? SampleStep.NOTHING_YET : SampleStep.END;
         }
       }
     }
-    return Step.SAMPLE;
+    return SampleStep.SAMPLE;
   }
 
   /** The next packet of samples; null at the end or after an offset. */

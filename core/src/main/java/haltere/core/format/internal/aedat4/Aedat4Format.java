@@ -79,7 +79,7 @@ public final class Aedat4Format implements RecordingFormat {
    */
   public RecordingReader open(Path file, ReadOptions options, OptionalInt stream)
       throws IOException {
-    return RecordingFile.reading(file, bytes -> new Opening(bytes, options).open(stream));
+    return RecordingFile.reading(file, bytes -> new Aedat4Opening(bytes, options).open(stream));
   }
 
   /**
@@ -105,7 +105,7 @@ public final class Aedat4Format implements RecordingFormat {
     return Optional.of(Aedat4Writer.create(file, options, Aedat4Compression.LZ4));
   }
 
-  private final class Opening {
+  private final class Aedat4Opening {
     private final RecordingFile file;
     private final ReadOptions options;
     private final Aedat4Header header;
@@ -113,7 +113,7 @@ public final class Aedat4Format implements RecordingFormat {
     private final ViolationCounts violations = new ViolationCounts();
     private final Aedat4Cursor.Layout layout;
 
-    Opening(RecordingFile file, ReadOptions options) throws IOException {
+    Aedat4Opening(RecordingFile file, ReadOptions options) throws IOException {
       this.file = file;
       this.options = options;
       header = Aedat4Header.read(file);

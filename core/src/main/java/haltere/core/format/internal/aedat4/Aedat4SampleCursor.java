@@ -52,13 +52,13 @@ final class Aedat4SampleCursor implements SampleCursor {
   }
 
   @Override
-  public Step next(long untilOffset) throws IOException {
+  public SampleStep next(long untilOffset) throws IOException {
     while ((sample = found.poll()) == null) {
       if (walk.position() >= untilOffset) {
-        return Step.NOTHING_YET;
+        return SampleStep.NOTHING_YET;
       }
       if (!walk.find()) {
-        return Step.END;
+        return SampleStep.END;
       }
       try {
         if (!passed.contains(walk.stream())) {
@@ -70,7 +70,7 @@ final class Aedat4SampleCursor implements SampleCursor {
         walk.passDamaged();
       }
     }
-    return Step.SAMPLE;
+    return SampleStep.SAMPLE;
   }
 
   private void readPacket() throws IOException, DamagedPacketException {

@@ -98,7 +98,7 @@ final class BagOpening {
         Optional.of(first).filter(one -> one.encoding() == Encoding.EVT3).map(this::triggers));
   }
 
-  private SampleCursor.Factory triggers(First first) {
+  private SampleCursor.SampleCursors triggers(First first) {
     return counted -> new BagTriggerCursor(messages(first.topic()::equals, new ViolationCounts()));
   }
 
@@ -119,7 +119,7 @@ final class BagOpening {
   }
 
   private boolean isRequested(BagTopic topic) {
-    return topic.kind() != BagTopic.Kind.OTHER
+    return topic.kind() != BagTopic.TopicKind.OTHER
         && (options.topic().isEmpty() || options.topic().get().equals(topic.name()));
   }
 

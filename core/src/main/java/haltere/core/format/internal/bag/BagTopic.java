@@ -9,7 +9,7 @@ package haltere.core.format.internal.bag;
  */
 record BagTopic(String name, String type, boolean cdr) {
   /** The contents of its messages. */
-  enum Kind {
+  enum TopicKind {
     /** Single events: {@code dvs_msgs/EventArray} and similar types. */
     ARRAY,
     /** Bytes that encode events: {@code event_camera_msgs/EventPacket} and its predecessor. */
@@ -19,11 +19,11 @@ record BagTopic(String name, String type, boolean cdr) {
   }
 
   /** The contents of the messages, by their type. */
-  Kind kind() {
+  TopicKind kind() {
     return switch (type.replace("/msg/", "/")) {
-      case "dvs_msgs/EventArray", "prophesee_event_msgs/EventArray" -> Kind.ARRAY;
-      case "event_camera_msgs/EventPacket", "event_array_msgs/EventArray" -> Kind.PACKET;
-      default -> Kind.OTHER;
+      case "dvs_msgs/EventArray", "prophesee_event_msgs/EventArray" -> TopicKind.ARRAY;
+      case "event_camera_msgs/EventPacket", "event_array_msgs/EventArray" -> TopicKind.PACKET;
+      default -> TopicKind.OTHER;
     };
   }
 }

@@ -34,6 +34,6 @@ final class BagTopics {
 
   /** The topics with events. */
   List<BagTopic> ofEvents() {
-    return all().stream().filter(topic -> topic.kind() != BagTopic.Kind.OTHER).toList();
+    return all().stream().filter(topic -> topic.kind() != BagTopic.TopicKind.OTHER).toList();
   }
 }

@@ -17,7 +17,7 @@ import java.nio.ByteOrder;
  */
 final class BagTriggerCursor implements SampleCursor {
   private final MessageWalk walk;
-  private final TriggerWords words = new TriggerWords(TriggerWords.Encoding.EVT3, 0);
+  private final TriggerWords words = new TriggerWords(TriggerWords.WordEncoding.EVT3, 0);
   private final MessageBody body = new MessageBody();
   private boolean inMessage;
   private Trigger trigger;
@@ -32,15 +32,15 @@ final class BagTriggerCursor implements SampleCursor {
   }
 
   @Override
-  public Step next(long untilOffset) throws IOException {
+  public SampleStep next(long untilOffset) throws IOException {
     trigger = null;
     while (trigger == null) {
       if (!inMessage && walk.position() >= untilOffset) {
-        return Step.NOTHING_YET;
+        return SampleStep.NOTHING_YET;
       }
       try {
         if (!inMessage && !nextMessage()) {
-          return Step.END;
+          return SampleStep.END;
         }
         if (inMessage) {
           scan();
@@ -50,7 +50,7 @@ final class BagTriggerCursor implements SampleCursor {
         walk.damaged(e);
       }
     }
-    return Step.SAMPLE;
+    return SampleStep.SAMPLE;
   }
 
   /** Opens the next message; false at the end. */

@@ -58,7 +58,7 @@ record EventMessage(
     body.align(cdr ? 4 : 1, start);
     long height = body.takeUnsignedInt();
     long width = body.takeUnsignedInt();
-    if (topic.kind() == BagTopic.Kind.ARRAY) {
+    if (topic.kind() == BagTopic.TopicKind.ARRAY) {
       long count = body.takeUnsignedInt();
       long whole = EventArrayDecoder.bytes(count, cdr);
       boolean oversized = whole > body.left();

@@ -53,10 +53,10 @@ public final class SqliteBagFormat implements ReadOnlyFormat {
 
   @Override
   public RecordingReader open(Path path, ReadOptions options) throws IOException {
-    return RecordingFile.reading(path, bytes -> new Opening(bytes, options).open());
+    return RecordingFile.reading(path, bytes -> new SqliteBagOpening(bytes, options).open());
   }
 
-  private final class Opening {
+  private final class SqliteBagOpening {
     private final RecordingFile bytes;
     private final ReadOptions options;
     private final SqliteFile file;
@@ -66,7 +66,7 @@ public final class SqliteBagFormat implements ReadOnlyFormat {
     private long messagesRoot;
     private long topicsRoot;
 
-    Opening(RecordingFile bytes, ReadOptions options) throws IOException {
+    SqliteBagOpening(RecordingFile bytes, ReadOptions options) throws IOException {
       this.bytes = bytes;
       this.options = options;
       file = new SqliteFile(bytes);

@@ -43,12 +43,12 @@ final class DatDecoder implements StreamDecoder {
    * @param xBits bits of the column, from bit 0
    * @param yBits bits of the row, after those of the column; the polarity follows
    */
-  public record Layout(int xBits, int yBits) {
+  public record DatLayout(int xBits, int yBits) {
     /** Layout of version 2 and later. */
-    public static final Layout VERSION_2 = new Layout(X_BITS, Y_BITS);
+    public static final DatLayout VERSION_2 = new DatLayout(X_BITS, Y_BITS);
 
     /** Layout of the files of the first sensors, of 304x240 pixels. */
-    public static final Layout VERSION_1 = new Layout(9, 8);
+    public static final DatLayout VERSION_1 = new DatLayout(9, 8);
   }
 
   private final int width;
@@ -74,12 +74,12 @@ final class DatDecoder implements StreamDecoder {
    * @param violations counts violations
    */
   public DatDecoder(
-      SensorGeometry geometry, Layout layout, long firstTurnUs, ViolationCounts violations) {
+      SensorGeometry geometry, DatLayout layout, long firstTurnUs, ViolationCounts violations) {
     width = geometry.width();
     top = geometry.height() - 1;
     xBits = layout.xBits();
     yBits = layout.yBits();
-    isVersion2 = layout.equals(Layout.VERSION_2);
+    isVersion2 = layout.equals(DatLayout.VERSION_2);
     this.violations = violations;
     clock = new WrappingClock(1L << 32, firstTurnUs);
     times = new WrappingTimes(clock);

@@ -104,10 +104,10 @@ public final class DatFormat implements StreamedFormat {
           "events of " + (kind[1] & 0xff) + " bytes are unknown; they have 8");
     }
     List<String> remarks = new ArrayList<>();
-    DatDecoder.Layout layout =
+    DatDecoder.DatLayout layout =
         header.value("version").orElse("2").startsWith("1")
-            ? DatDecoder.Layout.VERSION_1
-            : DatDecoder.Layout.VERSION_2;
+            ? DatDecoder.DatLayout.VERSION_1
+            : DatDecoder.DatLayout.VERSION_2;
     long firstTurnUs = firstTurnUs(header, remarks);
     PropheseeSensor sensor =
         PropheseeSensor.decide(
@@ -134,7 +134,7 @@ public final class DatFormat implements StreamedFormat {
       RecordingFile file,
       long dataOffset,
       SensorGeometry geometry,
-      DatDecoder.Layout layout,
+      DatDecoder.DatLayout layout,
       long firstTurnUs,
       ViolationCounts violations) {
     return new FileCursor(

@@ -35,7 +35,7 @@ public interface EventCursor extends Closeable {
 
   /** Creates independent cursors. */
   @FunctionalInterface
-  interface Factory {
+  interface EventCursors {
     /**
      * Opens the recording again.
      *

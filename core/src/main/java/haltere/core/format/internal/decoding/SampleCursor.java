@@ -16,7 +16,7 @@ import java.io.IOException;
 public interface SampleCursor extends Closeable {
   /** Creates independent cursors. */
   @FunctionalInterface
-  interface Factory {
+  interface SampleCursors {
     /**
      * Opens the recording again.
      *
@@ -28,7 +28,7 @@ public interface SampleCursor extends Closeable {
   }
 
   /** Result of {@link #next}. */
-  enum Step {
+  enum SampleStep {
     /** A sample. */
     SAMPLE,
     /** No sample up to the requested offset, or somewhat after it. */
@@ -45,7 +45,7 @@ public interface SampleCursor extends Closeable {
    * @return the result
    * @throws IOException if the file can no longer be read
    */
-  Step next(long untilOffset) throws IOException;
+  SampleStep next(long untilOffset) throws IOException;
 
   /**
    * The sample found by {@link #next}.

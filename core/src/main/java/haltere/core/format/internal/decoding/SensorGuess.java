@@ -112,7 +112,7 @@ public final class SensorGuess {
 
   /** Opens a recording's events. */
   @FunctionalInterface
-  public interface Opening {
+  public interface CursorsBySensor {
     /**
      * Opens the events as those of a sensor.
      *
@@ -132,7 +132,7 @@ public final class SensorGuess {
    * @return a sensor whose rows count from the top; a single pixel without events
    * @throws IOException if the file cannot be read
    */
-  public static SensorGeometry usual(Opening events, int side, List<String> remarks)
+  public static SensorGeometry usual(CursorsBySensor events, int side, List<String> remarks)
       throws IOException {
     SensorGeometry guess =
         smallest(events.open(square(side)), side, COMMON_SIZES).orElse(top(1, 1));

@@ -19,7 +19,7 @@ import java.nio.ByteBuffer;
  */
 final class EventStreamDecoder implements StreamDecoder {
   /** Kind of the events. */
-  public enum Kind {
+  public enum StreamKind {
     /** Messages of any bytes. */
     GENERIC,
     /** Pixel events. */
@@ -41,7 +41,7 @@ final class EventStreamDecoder implements StreamDecoder {
   private static final int ATIS_OVERFLOW_US = 0x3f;
   private static final int MAX_COUNT = 5;
 
-  private final Kind kind;
+  private final StreamKind kind;
   private final int width;
   private final int top;
   private final boolean exposures;
@@ -57,13 +57,13 @@ final class EventStreamDecoder implements StreamDecoder {
    * @param geometry the sensor; events outside are skipped
    * @param violations counts violations
    */
-  public EventStreamDecoder(Kind kind, SensorGeometry geometry, ViolationCounts violations) {
+  public EventStreamDecoder(StreamKind kind, SensorGeometry geometry, ViolationCounts violations) {
     this(kind, geometry, false, violations);
   }
 
   /** With {@code exposures}, exposure measurements are decoded as pixel events too. */
   EventStreamDecoder(
-      Kind kind, SensorGeometry geometry, boolean exposures, ViolationCounts violations) {
+      StreamKind kind, SensorGeometry geometry, boolean exposures, ViolationCounts violations) {
     this.kind = kind;
     this.exposures = exposures;
     this.violations = violations;

@@ -69,9 +69,10 @@ public final class EventStreamFormat implements StreamedFormat {
           "version " + header.version() + " of Event Stream is unknown, only 2 is read");
     }
     List<String> remarks = new ArrayList<>();
-    EventStreamDecoder.Kind kind = kind(file, header);
+    EventStreamDecoder.StreamKind kind = kind(file, header);
     SensorGeometry geometry = geometry(file, header, kind, options);
-    if (kind == EventStreamDecoder.Kind.GENERIC || kind == EventStreamDecoder.Kind.COLOUR) {
+    if (kind == EventStreamDecoder.StreamKind.GENERIC
+        || kind == EventStreamDecoder.StreamKind.COLOUR) {
       remarks.add("its messages are not pixel events with a polarity");
     }
     return new DecodingReader(
@@ -90,13 +91,13 @@ public final class EventStreamFormat implements StreamedFormat {
                 violations));
   }
 
-  private static EventStreamDecoder.Kind kind(RecordingFile file, EventStreamHeader header)
+  private static EventStreamDecoder.StreamKind kind(RecordingFile file, EventStreamHeader header)
       throws RecordingProblem {
     return switch (header.kind()) {
-      case EventStreamHeader.GENERIC -> EventStreamDecoder.Kind.GENERIC;
-      case EventStreamHeader.DVS -> EventStreamDecoder.Kind.DVS;
-      case EventStreamHeader.ATIS -> EventStreamDecoder.Kind.ATIS;
-      case EventStreamHeader.COLOUR -> EventStreamDecoder.Kind.COLOUR;
+      case EventStreamHeader.GENERIC -> EventStreamDecoder.StreamKind.GENERIC;
+      case EventStreamHeader.DVS -> EventStreamDecoder.StreamKind.DVS;
+      case EventStreamHeader.ATIS -> EventStreamDecoder.StreamKind.ATIS;
+      case EventStreamHeader.COLOUR -> EventStreamDecoder.StreamKind.COLOUR;
       default ->
           throw new RecordingProblem(
               file.path(),
@@ -108,10 +109,10 @@ public final class EventStreamFormat implements StreamedFormat {
   private static SensorGeometry geometry(
       RecordingFile file,
       EventStreamHeader header,
-      EventStreamDecoder.Kind kind,
+      EventStreamDecoder.StreamKind kind,
       ReadOptions options)
       throws RecordingProblem {
-    if (kind == EventStreamDecoder.Kind.GENERIC) {
+    if (kind == EventStreamDecoder.StreamKind.GENERIC) {
       return options.sensor().orElse(new SensorGeometry(1, 1, Origin.TOP));
     }
     int maxSide = EventAddress.MAX_COORDINATE + 1;

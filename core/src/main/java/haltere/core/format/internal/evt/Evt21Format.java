@@ -49,8 +49,8 @@ public final class Evt21Format extends EvtFormat {
   }
 
   @Override
-  TriggerWords.Encoding words() {
-    return legacy ? TriggerWords.Encoding.EVT21_LEGACY : TriggerWords.Encoding.EVT21;
+  TriggerWords.WordEncoding words() {
+    return legacy ? TriggerWords.WordEncoding.EVT21_LEGACY : TriggerWords.WordEncoding.EVT21;
   }
 
   @Override

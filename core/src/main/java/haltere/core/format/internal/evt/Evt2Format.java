@@ -37,8 +37,8 @@ public final class Evt2Format extends EvtFormat {
   }
 
   @Override
-  TriggerWords.Encoding words() {
-    return TriggerWords.Encoding.EVT2;
+  TriggerWords.WordEncoding words() {
+    return TriggerWords.WordEncoding.EVT2;
   }
 
   @Override

@@ -37,8 +37,8 @@ public final class Evt3Format extends EvtFormat {
   }
 
   @Override
-  TriggerWords.Encoding words() {
-    return TriggerWords.Encoding.EVT3;
+  TriggerWords.WordEncoding words() {
+    return TriggerWords.WordEncoding.EVT3;
   }
 
   @Override

@@ -40,7 +40,7 @@ abstract sealed class EvtFormat implements StreamedFormat
       SensorGeometry geometry, long firstTurnUs, ViolationCounts violations);
 
   /** The words of the encoding. */
-  abstract TriggerWords.Encoding words();
+  abstract TriggerWords.WordEncoding words();
 
   /** Detects the variant of the encoding; returns the format of the variant. */
   EvtFormat fitted(RecordingFile file, PropheseeHeader header, List<String> remarks)

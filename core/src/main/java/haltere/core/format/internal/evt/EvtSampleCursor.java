@@ -30,20 +30,20 @@ final class EvtSampleCursor implements SampleCursor {
   }
 
   @Override
-  public Step next(long untilOffset) throws IOException {
+  public SampleStep next(long untilOffset) throws IOException {
     do {
       int from = buffer.position();
       trigger = words.next(buffer);
       offset += buffer.position() - from;
       if (trigger != null) {
-        return Step.SAMPLE;
+        return SampleStep.SAMPLE;
       }
       if (offset >= untilOffset) {
-        return Step.NOTHING_YET;
+        return SampleStep.NOTHING_YET;
       }
       file.read(buffer, offset);
     } while (buffer.remaining() >= words.bytes());
-    return Step.END;
+    return SampleStep.END;
   }
 
   @Override

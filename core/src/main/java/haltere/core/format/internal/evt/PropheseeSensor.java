@@ -40,7 +40,7 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
       ReadOptions options,
       int maxSide,
       List<SensorGeometry> sizes,
-      SensorGuess.Opening events)
+      SensorGuess.CursorsBySensor events)
       throws IOException {
     Optional<PropheseeHeader.Size> stated = header.size();
     String warning = "";
@@ -89,7 +89,7 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
   }
 
   private static PropheseeSensor guessed(
-      SensorGuess.Opening events, int maxSide, List<SensorGeometry> sizes, String warning)
+      SensorGuess.CursorsBySensor events, int maxSide, List<SensorGeometry> sizes, String warning)
       throws IOException {
     Optional<SensorGeometry> guess =
         SensorGuess.smallest(events.open(SensorGuess.square(maxSide)), maxSide, sizes);

@@ -15,7 +15,7 @@ public final class TriggerWords {
   private static final int EXT_TRIGGER = 0xa;
 
   /** The encodings. */
-  public enum Encoding {
+  public enum WordEncoding {
     /** Words of 32 bits. */
     EVT2(4),
     /** Words of 64 bits. */
@@ -27,12 +27,12 @@ public final class TriggerWords {
 
     private final int bytes;
 
-    Encoding(int bytes) {
+    WordEncoding(int bytes) {
       this.bytes = bytes;
     }
   }
 
-  private final Encoding encoding;
+  private final WordEncoding encoding;
   private final EvtClock clock;
   private long timeUs;
   private Trigger trigger;
@@ -43,9 +43,10 @@ public final class TriggerWords {
    * @param encoding of the words
    * @param firstTurnUs time at the first value 0 of the clock
    */
-  public TriggerWords(Encoding encoding, long firstTurnUs) {
+  public TriggerWords(WordEncoding encoding, long firstTurnUs) {
     this.encoding = encoding;
-    clock = encoding == Encoding.EVT3 ? EvtClock.narrow(firstTurnUs) : EvtClock.wide(firstTurnUs);
+    clock =
+        encoding == WordEncoding.EVT3 ? EvtClock.narrow(firstTurnUs) : EvtClock.wide(firstTurnUs);
   }
 
   /** Size of a word in bytes. */
@@ -64,7 +65,7 @@ public final class TriggerWords {
     switch (encoding) {
       case EVT2 -> narrowWords(buffer);
       case EVT3 -> shortWords(buffer);
-      default -> wideWords(buffer, encoding == Encoding.EVT21_LEGACY ? 32 : 0);
+      default -> wideWords(buffer, encoding == WordEncoding.EVT21_LEGACY ? 32 : 0);
     }
     return trigger;
   }
@@ -153,7 +154,7 @@ public final class TriggerWords {
    */
   public void restore(long[] state, int at) {
     clock.restore(state[at + 1], (int) state[at + 2]);
-    if (encoding == Encoding.EVT3) {
+    if (encoding == WordEncoding.EVT3) {
       timeUs = state[at + 3];
     }
   }

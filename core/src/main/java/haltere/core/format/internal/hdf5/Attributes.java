@@ -20,7 +20,7 @@ final class Attributes {
 
   static Attributes of(ContainerFile file, ObjectHeader header) throws IOException {
     Attributes attributes = new Attributes();
-    for (ObjectHeader.Message message : header.all(ObjectHeader.ATTRIBUTE)) {
+    for (ObjectHeader.HeaderMessage message : header.all(ObjectHeader.ATTRIBUTE)) {
       if (!message.shared()) {
         attributes.read(file, message.body());
       }

@@ -59,7 +59,7 @@ abstract class ChunkIndex {
 
     @Override
     boolean find(long chunk) {
-      boolean single = dataset.kind() == Dataset.Kind.SINGLE_CHUNK;
+      boolean single = dataset.kind() == Dataset.StorageLayout.SINGLE_CHUNK;
       if (dataset.position() == ContainerFile.NOWHERE
           || single && chunk > 0
           || chunk > file.bytes().size() / Math.max(1, dataset.chunkBytes())) {

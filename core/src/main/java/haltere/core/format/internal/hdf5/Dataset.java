@@ -26,7 +26,7 @@ record Dataset(
     String name,
     ElementType type,
     long[] dimensions,
-    Kind kind,
+    StorageLayout kind,
     long position,
     long bytes,
     byte[] inHeader,
@@ -44,7 +44,7 @@ record Dataset(
   private static final int UNPACKING = 3;
 
   /** Layout of the bytes of a dataset. */
-  enum Kind {
+  enum StorageLayout {
     /** In its header. */
     IN_HEADER,
     /** Contiguous. */
@@ -94,7 +94,8 @@ record Dataset(
       case 0 -> dataset.inHeader(layout);
       case 1 -> {
         long position = layout.position();
-        yield dataset.with(Kind.RUN, position, layout.length(), NONE, dataset.elementsBytes(), 0);
+        yield dataset.with(
+            StorageLayout.RUN, position, layout.length(), NONE, dataset.elementsBytes(), 0);
       }
       case 2 -> version == 3 ? dataset.tree(layout) : dataset.chunks(layout, file);
       default -> throw layout.unknown("a dataset that is put together from others (" + name + ")");
@@ -107,7 +108,12 @@ record Dataset(
   }
 
   private Dataset with(
-      Kind newKind, long newPlace, long newBytes, byte[] content, int row, long rowsInChunk) {
+      StorageLayout newKind,
+      long newPlace,
+      long newBytes,
+      byte[] content,
+      int row,
+      long rowsInChunk) {
     return new Dataset(
         name,
         type,
@@ -132,7 +138,7 @@ record Dataset(
   private Dataset inHeader(Metadata layout) throws IOException {
     byte[] content = layout.bytes(layout.u2());
     return with(
-        Kind.IN_HEADER,
+        StorageLayout.IN_HEADER,
         layout.offset() - content.length,
         content.length,
         content,
@@ -147,10 +153,11 @@ record Dataset(
     for (int i = 0; i < rank; i++) {
       lengths[i] = layout.u4();
     }
-    return chunked(layout, Kind.TREE_OF_CHUNKS, position, lengths, rank);
+    return chunked(layout, StorageLayout.TREE_OF_CHUNKS, position, lengths, rank);
   }
 
-  private Dataset chunked(Metadata layout, Kind newKind, long newPlace, long[] lengths, int rank)
+  private Dataset chunked(
+      Metadata layout, StorageLayout newKind, long newPlace, long[] lengths, int rank)
       throws IOException {
     if (rank != dimensions.length + 1 || rank < 2) {
       throw layout.problem("chunks of " + (rank - 1) + " dimensions in " + name);
@@ -180,22 +187,22 @@ record Dataset(
     }
     int indexKind = layout.u1();
     Index newIndex = index;
-    Kind newKind;
+    StorageLayout newKind;
     switch (indexKind) {
       case 1 -> {
-        newKind = Kind.SINGLE_CHUNK;
+        newKind = StorageLayout.SINGLE_CHUNK;
         if ((flags & 2) != 0) {
           long compressed = layout.length();
           newIndex = new Index(compressed, layout.u4());
         }
       }
-      case 2 -> newKind = Kind.IMPLICIT_CHUNKS;
+      case 2 -> newKind = StorageLayout.IMPLICIT_CHUNKS;
       case 3 -> {
-        newKind = Kind.ARRAY_OF_CHUNKS;
+        newKind = StorageLayout.ARRAY_OF_CHUNKS;
         layout.skip(1);
       }
       case 4 -> {
-        newKind = Kind.GROWING_ARRAY_OF_CHUNKS;
+        newKind = StorageLayout.GROWING_ARRAY_OF_CHUNKS;
         layout.skip(5);
       }
       default -> throw layout.unknown("a table that can grow both ways (" + name + ")");
@@ -231,7 +238,7 @@ record Dataset(
   }
 
   boolean isChunked() {
-    return kind != Kind.RUN && kind != Kind.IN_HEADER;
+    return kind != StorageLayout.RUN && kind != StorageLayout.IN_HEADER;
   }
 
   /** Bytes of a decompressed chunk. */

@@ -29,14 +29,14 @@ final class Group {
 
   static Group of(ContainerFile file, ObjectHeader header) throws IOException {
     Group group = new Group(file);
-    for (ObjectHeader.Message message : header.all(ObjectHeader.SYMBOL_TABLE)) {
+    for (ObjectHeader.HeaderMessage message : header.all(ObjectHeader.SYMBOL_TABLE)) {
       long tree = message.body().position();
       group.symbolTable(tree, message.body().position());
     }
-    for (ObjectHeader.Message message : header.all(ObjectHeader.LINK)) {
+    for (ObjectHeader.HeaderMessage message : header.all(ObjectHeader.LINK)) {
       group.link(message.body());
     }
-    for (ObjectHeader.Message message : header.all(ObjectHeader.LINK_INFO)) {
+    for (ObjectHeader.HeaderMessage message : header.all(ObjectHeader.LINK_INFO)) {
       Metadata body = message.body();
       body.skip(1);
       if ((body.u1() & 1) != 0) {

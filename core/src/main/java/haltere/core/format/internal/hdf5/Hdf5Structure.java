@@ -41,11 +41,11 @@ final class Hdf5Structure {
       Map<ChunkedColumn, Long> index) {
     Hdf5Structure structure = new Hdf5Structure();
     structure.superblock(end);
-    List<Member> columns = new ArrayList<>();
+    List<GroupMember> columns = new ArrayList<>();
     events.forEach((column, tree) -> columns.add(structure.dataset(column, tree)));
-    Group eventGroup = structure.group(columns);
-    List<Member> top = new ArrayList<>();
-    top.add(new Member("events", structure.header(eventGroup, Map.of()), eventGroup));
+    MemberList eventGroup = structure.group(columns);
+    List<GroupMember> top = new ArrayList<>();
+    top.add(new GroupMember("events", structure.header(eventGroup, Map.of()), eventGroup));
     index.forEach((column, tree) -> top.add(structure.dataset(column, tree)));
     top.add(structure.number(EventTable.TIME_OFFSET, timeOffsetUs));
     return structure.finish(top, attributes);
@@ -71,8 +71,8 @@ final class Hdf5Structure {
     bytes.skip(SYMBOL_BYTES);
   }
 
-  private ByteBuffer finish(List<Member> top, Map<String, Long> attributes) {
-    Group root = group(top);
+  private ByteBuffer finish(List<GroupMember> top, Map<String, Long> attributes) {
+    MemberList root = group(top);
     long rootHeader = header(root, attributes);
     ByteBuffer whole = bytes.whole();
     whole.position(ROOT_ENTRY);
@@ -81,26 +81,26 @@ final class Hdf5Structure {
   }
 
   /** Position of a group's list of members. */
-  private record Group(long tree, long heap) {}
+  private record MemberList(long tree, long heap) {}
 
   /** A member of a group; its own list of members is null for a dataset. */
-  private record Member(String name, long header, Group group) {}
+  private record GroupMember(String name, long header, MemberList group) {}
 
-  private static void entry(ByteBuffer bytes, long name, long header, Group group) {
+  private static void entry(ByteBuffer bytes, long name, long header, MemberList group) {
     bytes.putLong(name).putLong(header).putInt(group == null ? 0 : 1).putInt(0);
     bytes.putLong(group == null ? 0 : group.tree()).putLong(group == null ? 0 : group.heap());
   }
 
   /** Writes names, symbols and tree of a group. Members are in the order of their names. */
-  private Group group(List<Member> members) {
+  private MemberList group(List<GroupMember> members) {
     long heap = bytes.position();
     int namesBytes = 8;
-    for (Member member : members) {
+    for (GroupMember member : members) {
       namesBytes += (member.name().length() + 8) / 8 * 8;
     }
     bytes.text("HEAP").u4(0).u8(namesBytes).u8(1).u8(heap + 32).u8(0);
     List<Long> names = new ArrayList<>();
-    for (Member member : members) {
+    for (GroupMember member : members) {
       names.add(bytes.position() - heap - 32);
       bytes.text(member.name()).pad(1);
     }
@@ -108,7 +108,7 @@ final class Hdf5Structure {
     bytes.text("SNOD").u1(1).u1(0).u2(members.size());
     ByteBuffer entries = ByteBuffer.allocate(SYMBOL_BYTES).order(java.nio.ByteOrder.LITTLE_ENDIAN);
     for (int i = 0; i < members.size(); i++) {
-      Member member = members.get(i);
+      GroupMember member = members.get(i);
       entries.clear();
       entry(entries, names.get(i), member.header(), member.group());
       entries.flip();
@@ -121,10 +121,10 @@ final class Hdf5Structure {
     bytes.text("TREE").u1(0).u1(0).u2(1).u8(-1).u8(-1);
     bytes.u8(0).u8(symbols).u8(names.get(names.size() - 1));
     bytes.skip((int) (tree + GROUP_NODE_BYTES - bytes.position()));
-    return new Group(tree, heap);
+    return new MemberList(tree, heap);
   }
 
-  private long header(Group group, Map<String, Long> attributes) {
+  private long header(MemberList group, Map<String, Long> attributes) {
     int start = startHeader();
     int message = startMessage(ObjectHeader.SYMBOL_TABLE);
     bytes.u8(group.tree()).u8(group.heap());
@@ -165,7 +165,7 @@ final class Hdf5Structure {
     }
   }
 
-  private Member number(String name, long value) {
+  private GroupMember number(String name, long value) {
     long position = bytes.position();
     bytes.u8(value);
     int start = startHeader();
@@ -177,7 +177,7 @@ final class Hdf5Structure {
     bytes.u1(3).u1(1).u8(position).u8(8);
     endMessage(message);
     endHeader(start, 4);
-    return new Member(name, start, null);
+    return new GroupMember(name, start, null);
   }
 
   private void typeAndFill(ElementType type) {
@@ -189,7 +189,7 @@ final class Hdf5Structure {
     endMessage(message);
   }
 
-  private Member dataset(ChunkedColumn column, long tree) {
+  private GroupMember dataset(ChunkedColumn column, long tree) {
     int start = startHeader();
     int message = startMessage(ObjectHeader.DATASPACE);
     bytes.u1(1).u1(1).u1(1).skip(5).u8(column.rows()).u8(-1);
@@ -209,7 +209,7 @@ final class Hdf5Structure {
       endMessage(message);
     }
     endHeader(start, column.level() > 0 ? 5 : 4);
-    return new Member(column.name(), start, null);
+    return new GroupMember(column.name(), start, null);
   }
 
   private int startHeader() {

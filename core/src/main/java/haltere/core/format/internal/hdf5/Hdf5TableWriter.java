@@ -17,7 +17,7 @@ import java.util.List;
  */
 public final class Hdf5TableWriter implements Closeable {
   /** Type of a column. */
-  public enum Kind {
+  public enum NumberType {
     /** An unsigned integer of four bytes. */
     U32(ElementType.whole(4, false)),
     /** A signed integer of eight bytes; exact up to 2⁵³, since values are doubles. */
@@ -29,7 +29,7 @@ public final class Hdf5TableWriter implements Closeable {
 
     private final ElementType type;
 
-    Kind(ElementType type) {
+    NumberType(ElementType type) {
       this.type = type;
     }
   }
@@ -40,19 +40,20 @@ public final class Hdf5TableWriter implements Closeable {
    * @param name ASCII
    * @param kind type of its numbers
    */
-  public record Column(String name, Kind kind) {}
+  public record Hdf5Column(String name, NumberType kind) {}
 
   private final AtomicFile file;
-  private final List<Column> columns;
+  private final List<Hdf5Column> columns;
   private final ChunkedColumn table;
   private final ByteBuffer chunk;
 
-  private Hdf5TableWriter(AtomicFile file, String name, List<Column> columns) throws IOException {
+  private Hdf5TableWriter(AtomicFile file, String name, List<Hdf5Column> columns)
+      throws IOException {
     this.file = file;
     this.columns = List.copyOf(columns);
     List<ElementType.Member> members = new ArrayList<>();
     int offset = 0;
-    for (Column column : columns) {
+    for (Hdf5Column column : columns) {
       members.add(new ElementType.Member(column.name(), offset, column.kind().type));
       offset += column.kind().type.bytes();
     }
@@ -72,7 +73,7 @@ public final class Hdf5TableWriter implements Closeable {
    * @throws IOException if the file exists and may not be replaced, or cannot be written
    */
   public static Hdf5TableWriter create(
-      Path path, String name, List<Column> columns, boolean overwrite) throws IOException {
+      Path path, String name, List<Hdf5Column> columns, boolean overwrite) throws IOException {
     if (columns.isEmpty() || columns.size() > 30) {
       throw new IllegalArgumentException("a table has 1 to 30 columns, not " + columns.size());
     }

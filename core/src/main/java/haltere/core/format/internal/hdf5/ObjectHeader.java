@@ -31,9 +31,9 @@ final class ObjectHeader {
    * @param shared whether its body is a reference
    * @param body its content
    */
-  record Message(int type, boolean shared, Metadata body) {}
+  record HeaderMessage(int type, boolean shared, Metadata body) {}
 
-  private final List<Message> messages = new ArrayList<>();
+  private final List<HeaderMessage> messages = new ArrayList<>();
   private final Deque<Metadata> blocks = new ArrayDeque<>();
   private final ContainerFile file;
   private int blocksSeen;
@@ -115,17 +115,17 @@ final class ObjectHeader {
     if (messages.size() == MAX_MESSAGES) {
       throw body.problem("a header of more than " + MAX_MESSAGES + " messages");
     }
-    messages.add(new Message(type, (flags & 2) != 0, body));
+    messages.add(new HeaderMessage(type, (flags & 2) != 0, body));
   }
 
   /** Messages of a kind. Each can be read once. */
-  List<Message> all(int type) {
+  List<HeaderMessage> all(int type) {
     return messages.stream().filter(message -> message.type() == type).toList();
   }
 
   /** The body of the only message of a kind. */
   Optional<Metadata> one(int type) throws IOException {
-    for (Message message : messages) {
+    for (HeaderMessage message : messages) {
       if (message.type() == type) {
         return Optional.of(message.shared() ? elsewhere(message) : message.body());
       }
@@ -138,7 +138,7 @@ final class ObjectHeader {
   }
 
   /** The content of a shared message, such as a named type. */
-  private Metadata elsewhere(Message message) throws IOException {
+  private Metadata elsewhere(HeaderMessage message) throws IOException {
     Metadata body = message.body();
     int version = body.u1();
     int kind = body.u1();
@@ -148,7 +148,7 @@ final class ObjectHeader {
       throw body.unknown("a message in the heap of shared messages");
     }
     ObjectHeader other = read(file, body.position());
-    for (Message there : other.messages) {
+    for (HeaderMessage there : other.messages) {
       if (there.type() == message.type() && !there.shared()) {
         return there.body();
       }

@@ -17,7 +17,7 @@ public final class KeptIndex {
   private final RecordingFile file;
   private final String reading;
   private final boolean keep;
-  private final EventCursor.Factory cursors;
+  private final EventCursor.EventCursors cursors;
 
   /**
    * The index of a recording.
@@ -27,7 +27,8 @@ public final class KeptIndex {
    * @param keep whether a new index is stored beside the recording
    * @param cursors decode the events in the pass
    */
-  public KeptIndex(RecordingFile file, String reading, boolean keep, EventCursor.Factory cursors) {
+  public KeptIndex(
+      RecordingFile file, String reading, boolean keep, EventCursor.EventCursors cursors) {
     this.file = file;
     this.reading = reading;
     this.keep = keep;

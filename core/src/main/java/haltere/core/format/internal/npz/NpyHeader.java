@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
  * @param shape lengths of its dimensions; they may be wrong
  * @param dataOffset bytes of the header
  */
-record NpyHeader(List<Field> fields, int itemBytes, List<Long> shape, int dataOffset) {
+record NpyHeader(List<NpyField> fields, int itemBytes, List<Long> shape, int dataOffset) {
   /** Maximum length of a header. */
   static final int MAX_BYTES = 64 * 1024;
 
@@ -38,7 +38,7 @@ record NpyHeader(List<Field> fields, int itemBytes, List<Long> shape, int dataOf
    * @param offset of it in the element
    * @param bigEndian whether its first byte is the highest
    */
-  record Field(String name, char kind, int bytes, int offset, boolean bigEndian) {
+  record NpyField(String name, char kind, int bytes, int offset, boolean bigEndian) {
     /** Whether it is a supported number. */
     boolean isNumber() {
       return switch (kind) {
@@ -78,17 +78,17 @@ record NpyHeader(List<Field> fields, int itemBytes, List<Long> shape, int dataOf
     if (!description.find() || !shape.find()) {
       return Optional.empty();
     }
-    List<Field> fields = fields(description.group(1));
+    List<NpyField> fields = fields(description.group(1));
     Optional<List<Long>> lengths = lengths(shape.group(1));
-    int itemBytes = fields.stream().mapToInt(Field::bytes).sum();
+    int itemBytes = fields.stream().mapToInt(NpyField::bytes).sum();
     if (fields.isEmpty() || lengths.isEmpty() || itemBytes < 1) {
       return Optional.empty();
     }
     return Optional.of(new NpyHeader(fields, itemBytes, lengths.get(), start + (int) length));
   }
 
-  private static List<Field> fields(String description) {
-    List<Field> fields = new ArrayList<>();
+  private static List<NpyField> fields(String description) {
+    List<NpyField> fields = new ArrayList<>();
     if (description.startsWith("'")) {
       field("", description.substring(1, description.length() - 1), 0).ifPresent(fields::add);
       return fields;
@@ -96,7 +96,7 @@ record NpyHeader(List<Field> fields, int itemBytes, List<Long> shape, int dataOf
     Matcher field = FIELD.matcher(description);
     int offset = 0;
     while (field.find()) {
-      Optional<Field> found = field(field.group(1), field.group(2), offset);
+      Optional<NpyField> found = field(field.group(1), field.group(2), offset);
       if (found.isEmpty() || field.group(3) != null) {
         return List.of();
       }
@@ -106,7 +106,7 @@ record NpyHeader(List<Field> fields, int itemBytes, List<Long> shape, int dataOf
     return fields;
   }
 
-  private static Optional<Field> field(String name, String type, int offset) {
+  private static Optional<NpyField> field(String name, String type, int offset) {
     Matcher parts = TYPE.matcher(type);
     if (!parts.matches()) {
       return Optional.empty();
@@ -114,7 +114,8 @@ record NpyHeader(List<Field> fields, int itemBytes, List<Long> shape, int dataOf
     char kind = parts.group(2).charAt(0);
     int bytes = parts.group(3).isEmpty() ? 1 : Integer.parseInt(parts.group(3));
     return Optional.of(
-        new Field(name, kind, kind == 'U' ? 4 * bytes : bytes, offset, parts.group(1).equals(">")));
+        new NpyField(
+            name, kind, kind == 'U' ? 4 * bytes : bytes, offset, parts.group(1).equals(">")));
   }
 
   private static Optional<List<Long>> lengths(String text) {

@@ -22,8 +22,8 @@ final class NpzCursor extends RowCursor {
   private static final int MAX_PIECE_BYTES = 1 << 20;
 
   /** A column, its bytes and the current piece of them. */
-  private static final class Part {
-    final NpyHeader.Field field;
+  private static final class NpzColumn {
+    final NpyHeader.NpyField field;
     final int itemBytes;
     final int dataOffset;
     final ArrayBytes bytes;
@@ -31,7 +31,7 @@ final class NpzCursor extends RowCursor {
     final ByteBuffer values;
     final long[] numbers;
 
-    Part(NpzLayout.ArrayColumn column, RecordingFile file, int pieceRows) {
+    NpzColumn(NpzLayout.ArrayColumn column, RecordingFile file, int pieceRows) {
       field = column.field();
       itemBytes = column.array().header().itemBytes();
       dataOffset = column.array().header().dataOffset();
@@ -67,11 +67,11 @@ final class NpzCursor extends RowCursor {
   private final int height;
   private final boolean fromTop;
   private final int pieceRows;
-  private final Part time;
-  private final Part x;
-  private final Part y;
-  private final Part polarity;
-  private final List<Part> parts = new ArrayList<>();
+  private final NpzColumn time;
+  private final NpzColumn x;
+  private final NpzColumn y;
+  private final NpzColumn polarity;
+  private final List<NpzColumn> parts = new ArrayList<>();
 
   /** First row of the piece and number of rows in it. */
   private long pieceStart;
@@ -104,8 +104,8 @@ final class NpzCursor extends RowCursor {
     return Optional.of(time.bytes.isDeflated() ? "deflate" : "none");
   }
 
-  private Part part(EventColumn column) {
-    Part part = new Part(layout.columns().get(column), file, pieceRows);
+  private NpzColumn part(EventColumn column) {
+    NpzColumn part = new NpzColumn(layout.columns().get(column), file, pieceRows);
     parts.add(part);
     return part;
   }
@@ -114,7 +114,7 @@ final class NpzCursor extends RowCursor {
     return bytes == 8 ? values.getDouble(at) : values.getFloat(at);
   }
 
-  static long whole(ByteBuffer values, int at, NpyHeader.Field field) {
+  static long whole(ByteBuffer values, int at, NpyHeader.NpyField field) {
     boolean signed = field.kind() == 'i';
     return switch (field.bytes()) {
       case 1 -> signed ? values.get(at) : values.get(at) & 0xff;
@@ -145,7 +145,7 @@ final class NpzCursor extends RowCursor {
       return Optional.empty();
     }
     long firstUs = time.numbers[0];
-    for (Part part : parts) {
+    for (NpzColumn part : parts) {
       if (part.read(rows - 1, 1, part == time ? layout.timeScale() : 0) < 1) {
         return Optional.empty();
       }

@@ -48,7 +48,7 @@ record NpzLayout(
    * @param array its array
    * @param field its field in an element
    */
-  record ArrayColumn(Array array, NpyHeader.Field field) {}
+  record ArrayColumn(Array array, NpyHeader.NpyField field) {}
 
   /**
    * An array of a file.
@@ -77,14 +77,14 @@ record NpzLayout(
   /** Finds the columns of a file. */
   static NpzLayout of(RecordingFile file) throws IOException {
     boolean alone = NpyHeader.parse(file.read(0, NpyHeader.MAX_BYTES)).isPresent();
-    Optional<List<ZipDirectory.Entry>> listed =
+    Optional<List<ZipDirectory.ZipMember>> listed =
         alone ? Optional.of(List.of()) : ZipDirectory.of(file);
-    List<ZipDirectory.Entry> entries =
+    List<ZipDirectory.ZipMember> entries =
         listed.isPresent() ? listed.get() : ZipDirectory.withoutDirectory(file);
     List<Array> arrays = arrays(file, entries);
     Map<EventColumn, ArrayColumn> columns = new EnumMap<>(EventColumn.class);
     for (Array array : arrays) {
-      for (NpyHeader.Field field : array.header().fields()) {
+      for (NpyHeader.NpyField field : array.header().fields()) {
         String name = field.name().isEmpty() ? array.name() : field.name();
         EventColumn column = EventColumn.named(name);
         if (column != EventColumn.OTHER && field.isNumber() && array.header().isList()) {
@@ -130,7 +130,7 @@ record NpzLayout(
   /** Rejects unreadable polarities, without which all events would be ON. */
   private static void checkPolarities(
       RecordingFile file,
-      List<ZipDirectory.Entry> entries,
+      List<ZipDirectory.ZipMember> entries,
       List<Array> arrays,
       Map<EventColumn, ArrayColumn> columns)
       throws RecordingProblem {
@@ -139,7 +139,7 @@ record NpzLayout(
             entries.stream().map(NpzLayout::arrayName),
             arrays.stream()
                 .flatMap(array -> array.header().fields().stream())
-                .map(NpyHeader.Field::name));
+                .map(NpyHeader.NpyField::name));
     boolean named = names.anyMatch(name -> EventColumn.named(name) == EventColumn.POLARITY);
     if (named && !columns.containsKey(EventColumn.POLARITY)) {
       throw new RecordingProblem(
@@ -147,18 +147,18 @@ record NpzLayout(
     }
   }
 
-  private static String arrayName(ZipDirectory.Entry entry) {
+  private static String arrayName(ZipDirectory.ZipMember entry) {
     return entry.name().replaceFirst("^.*/", "").replaceFirst("\\.npy$", "");
   }
 
-  private static List<Array> arrays(RecordingFile file, List<ZipDirectory.Entry> entries)
+  private static List<Array> arrays(RecordingFile file, List<ZipDirectory.ZipMember> entries)
       throws IOException {
     Optional<NpyHeader> alone = NpyHeader.parse(file.read(0, NpyHeader.MAX_BYTES));
     if (alone.isPresent()) {
       return List.of(new Array("", alone.get(), 0, 0, file.size()));
     }
     List<Array> arrays = new ArrayList<>();
-    for (ZipDirectory.Entry entry : entries) {
+    for (ZipDirectory.ZipMember entry : entries) {
       if (entry.method() != 0 && entry.method() != 8) {
         continue;
       }
@@ -215,7 +215,7 @@ record NpzLayout(
     return fraction ? 6 : largest >= MIN_NS ? -3 : 0;
   }
 
-  static ByteBuffer order(ByteBuffer buffer, NpyHeader.Field field) {
+  static ByteBuffer order(ByteBuffer buffer, NpyHeader.NpyField field) {
     return buffer.order(field.bigEndian() ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);
   }
 
@@ -233,7 +233,7 @@ record NpzLayout(
   private static Optional<Long> single(RecordingFile file, List<Array> arrays, String name)
       throws IOException {
     for (Array array : arrays) {
-      NpyHeader.Field field = array.header().fields().get(0);
+      NpyHeader.NpyField field = array.header().fields().get(0);
       if (array.name().equals(name)
           && array.header().shape().isEmpty()
           && field.isNumber()

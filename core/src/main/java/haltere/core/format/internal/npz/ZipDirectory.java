@@ -37,17 +37,17 @@ final class ZipDirectory {
    * @param compressedBytes their number, within the file
    * @param whole whether the file has all of them
    */
-  record Entry(String name, int method, long offset, long compressedBytes, boolean whole) {}
+  record ZipMember(String name, int method, long offset, long compressedBytes, boolean whole) {}
 
   private ZipDirectory() {}
 
   /** The entries in the directory of a file; empty if there is no directory. */
-  static Optional<List<Entry>> of(RecordingFile file) throws IOException {
+  static Optional<List<ZipMember>> of(RecordingFile file) throws IOException {
     return listed(file);
   }
 
   /** The entries that can be found without a directory. */
-  static List<Entry> withoutDirectory(RecordingFile file) throws IOException {
+  static List<ZipMember> withoutDirectory(RecordingFile file) throws IOException {
     return found(file);
   }
 
@@ -55,7 +55,7 @@ final class ZipDirectory {
     return ByteBuffer.wrap(file.read(Math.max(0, offset), length)).order(ByteOrder.LITTLE_ENDIAN);
   }
 
-  private static Optional<List<Entry>> listed(RecordingFile file) throws IOException {
+  private static Optional<List<ZipMember>> listed(RecordingFile file) throws IOException {
     long tailOffset = Math.max(0, file.size() - MAX_TAIL);
     ByteBuffer tail = bytes(file, tailOffset, MAX_TAIL);
     for (int at = tail.limit() - END_BYTES; at >= 0; at--) {
@@ -79,9 +79,9 @@ final class ZipDirectory {
     return Optional.empty();
   }
 
-  private static Optional<List<Entry>> entries(RecordingFile file, ByteBuffer directory)
+  private static Optional<List<ZipMember>> entries(RecordingFile file, ByteBuffer directory)
       throws IOException {
-    List<Entry> entries = new ArrayList<>();
+    List<ZipMember> entries = new ArrayList<>();
     int at = 0;
     while (at + CENTRAL_BYTES <= directory.limit() && entries.size() < MAX_ENTRIES) {
       int nameBytes = directory.getShort(at + 28) & 0xffff;
@@ -137,16 +137,16 @@ final class ZipDirectory {
     return new String(bytes.array(), at, length, StandardCharsets.UTF_8);
   }
 
-  private static Entry entry(
+  private static ZipMember entry(
       RecordingFile file, String name, int method, long start, long compressed) {
     long rest = Math.max(0, file.size() - start);
     boolean whole = compressed >= 0 && compressed <= rest;
-    return new Entry(name, method, start, whole ? compressed : rest, whole);
+    return new ZipMember(name, method, start, whole ? compressed : rest, whole);
   }
 
   /** Sequential entries, as far as their sizes are stated. */
-  private static List<Entry> found(RecordingFile file) throws IOException {
-    List<Entry> entries = new ArrayList<>();
+  private static List<ZipMember> found(RecordingFile file) throws IOException {
+    List<ZipMember> entries = new ArrayList<>();
     long offset = 0;
     while (entries.size() < MAX_ENTRIES) {
       ByteBuffer local = bytes(file, offset, LOCAL_BYTES + 0x1ffff);
@@ -162,7 +162,7 @@ final class ZipDirectory {
       widen(local, LOCAL_BYTES + nameBytes, extraBytes, sizes);
       long start = offset + LOCAL_BYTES + nameBytes + extraBytes;
       boolean later = (local.getShort(6) & 8) != 0 && sizes[1] == 0;
-      Entry entry =
+      ZipMember entry =
           entry(
               file,
               name(local, LOCAL_BYTES, nameBytes),

@@ -38,7 +38,7 @@ import java.util.Optional;
  * <p>Thread rule: one thread at a time.
  */
 public final class DecodingReader implements RecordingReader {
-  private enum State {
+  private enum ReaderState {
     BEFORE_START,
     RUNNING,
     ENDED
@@ -49,14 +49,14 @@ public final class DecodingReader implements RecordingReader {
   private final SensorGeometry geometry;
   private final List<String> remarks;
   private final KeptIndex indexes;
-  private final EventCursor.Factory cursors;
+  private final EventCursor.EventCursors cursors;
   private final ViolationCounts violations;
   private final EventCursor cursor;
   private final PacketBuffer buffer;
-  private final Optional<SampleCursor.Factory> samples;
+  private final Optional<SampleCursor.SampleCursors> samples;
   private final ViolationCounts sampleViolations = new ViolationCounts();
 
-  private State state = State.BEFORE_START;
+  private ReaderState state = ReaderState.BEFORE_START;
   private long deliveredUs = StreamNotification.NO_TIME_US;
   private boolean sought;
   private TimeIndex index;
@@ -86,7 +86,7 @@ public final class DecodingReader implements RecordingReader {
       List<String> remarks,
       ReadOptions options,
       ViolationCounts violations,
-      EventCursor.Factory cursors)
+      EventCursor.EventCursors cursors)
       throws IOException {
     this(formatName, file, geometry, remarks, options, violations, cursors, Optional.empty());
   }
@@ -111,8 +111,8 @@ public final class DecodingReader implements RecordingReader {
       List<String> remarks,
       ReadOptions options,
       ViolationCounts violations,
-      EventCursor.Factory cursors,
-      Optional<SampleCursor.Factory> samples)
+      EventCursor.EventCursors cursors,
+      Optional<SampleCursor.SampleCursors> samples)
       throws IOException {
     this.formatName = Objects.requireNonNull(formatName, "formatName");
     this.file = file;
@@ -169,7 +169,7 @@ public final class DecodingReader implements RecordingReader {
   public boolean next(StreamHandler handler) throws IOException {
     switch (state) {
       case BEFORE_START:
-        state = State.RUNNING;
+        state = ReaderState.RUNNING;
         sought = false;
         deliveredUs = StreamNotification.NO_TIME_US;
         handler.notified(new StreamStarted(geometry, file.path().toString()));
@@ -202,7 +202,7 @@ public final class DecodingReader implements RecordingReader {
     } else if (buffer.isBeforeRestart()) {
       deliverRestart(handler);
     } else {
-      state = State.ENDED;
+      state = ReaderState.ENDED;
       handler.notified(new EndOfStream(deliveredUs));
     }
     return true;
@@ -299,7 +299,7 @@ public final class DecodingReader implements RecordingReader {
     if (Thread.currentThread().isInterrupted()) {
       throw new InterruptedIOException("interrupted while reading " + file.path());
     }
-    return from.next(Long.MAX_VALUE) == SampleCursor.Step.SAMPLE;
+    return from.next(Long.MAX_VALUE) == SampleCursor.SampleStep.SAMPLE;
   }
 
   private TimeIndex index() throws IOException {
@@ -314,8 +314,8 @@ public final class DecodingReader implements RecordingReader {
     List<TimeSegment> segments = index().segments();
     // without segments of events, the only segment is that of the samples
     int wanted = segments.isEmpty() ? 0 : Objects.checkIndex(segment, segments.size());
-    if (state == State.ENDED) {
-      state = State.BEFORE_START;
+    if (state == ReaderState.ENDED) {
+      state = ReaderState.BEFORE_START;
     }
     sought = true;
     buffer.moved(false);

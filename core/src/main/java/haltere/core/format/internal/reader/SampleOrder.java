@@ -28,14 +28,14 @@ final class SampleOrder implements Closeable {
   private static final int MAX_WAITING = 4096;
   private static final long MAX_WAITING_BYTES = 16 << 20;
 
-  private record Waiting(SensorSample sample, long offset, int era, long number) {}
+  private record WaitingSample(SensorSample sample, long offset, int era, long number) {}
 
   private final SampleCursor cursor;
-  private final PriorityQueue<Waiting> waiting =
+  private final PriorityQueue<WaitingSample> waiting =
       new PriorityQueue<>(
-          Comparator.comparingInt(Waiting::era)
+          Comparator.comparingInt(WaitingSample::era)
               .thenComparingLong(one -> one.sample().timeUs())
-              .thenComparingLong(Waiting::number));
+              .thenComparingLong(WaitingSample::number));
   private long waitingBytes;
   private boolean atEnd;
   private int era;
@@ -53,7 +53,7 @@ final class SampleOrder implements Closeable {
   /** Whether a sample precedes an event at or after an offset of the file. */
   boolean isDueBefore(long eventUs, long offset) throws IOException {
     lookAhead(eventUs, Long.MAX_VALUE, offset + LOOK_AHEAD_BYTES);
-    Waiting first = waiting.peek();
+    WaitingSample first = waiting.peek();
     if (first == null) {
       return false;
     }
@@ -67,7 +67,7 @@ final class SampleOrder implements Closeable {
   /** Whether a sample precedes a restart of the clock at an offset of the file. */
   boolean isDueBeforeRestart(long offset) throws IOException {
     lookAhead(ANY_TIME_US, offset, offset);
-    Waiting first = waiting.peek();
+    WaitingSample first = waiting.peek();
     return first != null && first.era <= era && first.offset <= offset;
   }
 
@@ -80,12 +80,12 @@ final class SampleOrder implements Closeable {
 
   /** Time of the next sample, {@link Long#MAX_VALUE} if it is after a restart. */
   long nextUs() {
-    Waiting first = waiting.peek();
+    WaitingSample first = waiting.peek();
     return first == null || first.era > era ? Long.MAX_VALUE : first.sample.timeUs();
   }
 
   SensorSample take() {
-    Waiting first = waiting.remove();
+    WaitingSample first = waiting.remove();
     waitingBytes -= bytes(first.sample);
     return first.sample;
   }
@@ -96,10 +96,10 @@ final class SampleOrder implements Closeable {
     if (newestEra < era) {
       newestEra = era;
       newestUs = Long.MIN_VALUE;
-      List<Waiting> later = List.copyOf(waiting);
+      List<WaitingSample> later = List.copyOf(waiting);
       waiting.clear();
-      for (Waiting one : later) {
-        waiting.add(new Waiting(one.sample, one.offset, era, one.number));
+      for (WaitingSample one : later) {
+        waiting.add(new WaitingSample(one.sample, one.offset, era, one.number));
         newestUs = Math.max(newestUs, one.sample.timeUs());
       }
     }
@@ -148,9 +148,9 @@ final class SampleOrder implements Closeable {
         && newestUs <= untilUs
         && newestOffset <= offset
         && !isFull()) {
-      SampleCursor.Step step = cursor.next(untilOffset);
-      if (step != SampleCursor.Step.SAMPLE) {
-        atEnd = step == SampleCursor.Step.END;
+      SampleCursor.SampleStep step = cursor.next(untilOffset);
+      if (step != SampleCursor.SampleStep.SAMPLE) {
+        atEnd = step == SampleCursor.SampleStep.END;
         return;
       }
       SensorSample sample = cursor.sample();
@@ -164,7 +164,7 @@ final class SampleOrder implements Closeable {
       if (newestEra == 0 && (timeUs < fromUs || cursor.offset() < fromOffset)) {
         continue;
       }
-      waiting.add(new Waiting(sample, cursor.offset(), newestEra, taken++));
+      waiting.add(new WaitingSample(sample, cursor.offset(), newestEra, taken++));
       waitingBytes += bytes(sample);
     }
   }

@@ -29,8 +29,8 @@ final class RoadTruthRows {
   }
 
   /** A vehicle at a time. */
-  private record Seen(Vehicle vehicle, double x, double near, RoadView view) {
-    boolean mayHide(Seen other) {
+  private record VisibleVehicle(Vehicle vehicle, double x, double near, RoadView view) {
+    boolean mayHide(VisibleVehicle other) {
       return other != this
           && !(view.toX < other.view.fromX - MARGIN_PX
               || view.fromX > other.view.toX + MARGIN_PX
@@ -51,14 +51,15 @@ final class RoadTruthRows {
     double seconds = (timeUs - settings.run().startUs()) * US;
     List<Vehicle> there = new ArrayList<>();
     plan.collect(seconds, there);
-    List<Seen> seen = new ArrayList<>(there.size());
+    List<VisibleVehicle> seen = new ArrayList<>(there.size());
     for (Vehicle vehicle : there) {
-      Seen here = new Seen(vehicle, vehicle.x(seconds), vehicle.near(seconds), new RoadView());
+      VisibleVehicle here =
+          new VisibleVehicle(vehicle, vehicle.x(seconds), vehicle.near(seconds), new RoadView());
       here.view.see(camera, vehicle, here.x, here.near);
       seen.add(here);
     }
     List<RoadTruth> rows = new ArrayList<>(there.size());
-    for (Seen each : seen) {
+    for (VisibleVehicle each : seen) {
       if (each.view.touches(settings.sensor())) {
         rows.add(row(timeUs, seconds, each, seen));
       }
@@ -66,7 +67,8 @@ final class RoadTruthRows {
     return rows;
   }
 
-  private RoadTruth row(long timeUs, double seconds, Seen seen, List<Seen> all) {
+  private RoadTruth row(
+      long timeUs, double seconds, VisibleVehicle seen, List<VisibleVehicle> all) {
     Vehicle vehicle = seen.vehicle;
     double width = seen.view.toX - seen.view.fromX;
     double height = seen.view.toY - seen.view.fromY;
@@ -111,9 +113,9 @@ final class RoadTruthRows {
     return Math.max(0, Math.min(traffic.lanesAway() + traffic.lanesTowards() - 1, lane));
   }
 
-  private double visibleShare(Seen seen, List<Seen> all) {
-    List<Seen> before = new ArrayList<>();
-    for (Seen other : all) {
+  private double visibleShare(VisibleVehicle seen, List<VisibleVehicle> all) {
+    List<VisibleVehicle> before = new ArrayList<>();
+    for (VisibleVehicle other : all) {
       if (other.mayHide(seen)) {
         before.add(other);
       }
@@ -156,7 +158,7 @@ final class RoadTruthRows {
         && row < settings.sensor().heightPx() - 0.5;
   }
 
-  private static boolean isHidden(double range, List<Seen> before, Ray ray) {
+  private static boolean isHidden(double range, List<VisibleVehicle> before, Ray ray) {
     for (int i = 0; i < before.size(); i++) {
       if (before.get(i).intersect(ray) < range) {
         return true;

@@ -30,7 +30,7 @@ public final class PacketCutter {
   private static final long SPAN_US = 10_000;
   private static final long SILENCE_US = 1_000_000;
 
-  private enum State {
+  private enum CutterState {
     BEFORE,
     RUNNING,
     ENDED
@@ -43,7 +43,7 @@ public final class PacketCutter {
   private final Maker maker;
   private final EventPacket made = new EventPacket(8192);
   private final EventPacket packet;
-  private State state = State.BEFORE;
+  private CutterState state = CutterState.BEFORE;
   private int handedOut;
   private long madeUntilUs;
   private long lastUs = StreamNotification.NO_TIME_US;
@@ -76,14 +76,14 @@ public final class PacketCutter {
   public boolean next(StreamHandler handler) {
     switch (state) {
       case BEFORE -> {
-        state = State.RUNNING;
+        state = CutterState.RUNNING;
         handler.notified(new StreamStarted(geometry, source));
         return true;
       }
       case RUNNING -> {
         fill();
         if (packet.isEmpty() && isAllMade()) {
-          state = State.ENDED;
+          state = CutterState.ENDED;
           handler.notified(new EndOfStream(lastUs));
         } else {
           lastUs = packet.isEmpty() ? lastUs : packet.lastTimeUs();

@@ -101,7 +101,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   void bytesAreDecodedAsSpecified() {
     ViolationCounts violations = new ViolationCounts();
     EventStreamDecoder decoder =
-        new EventStreamDecoder(EventStreamDecoder.Kind.DVS, SENSOR, violations);
+        new EventStreamDecoder(EventStreamDecoder.StreamKind.DVS, SENSOR, violations);
     EventPacket packet = new EventPacket(0);
     decoder.decode(
         buffer(
@@ -123,7 +123,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
   void pixelEventsOfAtisFilesAreRead() {
     ViolationCounts violations = new ViolationCounts();
     EventStreamDecoder decoder =
-        new EventStreamDecoder(EventStreamDecoder.Kind.ATIS, SENSOR, violations);
+        new EventStreamDecoder(EventStreamDecoder.StreamKind.ATIS, SENSOR, violations);
     EventPacket packet = new EventPacket(0);
     decoder.decode(
         buffer(
@@ -146,7 +146,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
     byte[] bytes = Files.readAllBytes(file);
     ByteBuffer in = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).position(20);
     EventPacket all = new EventPacket(0);
-    new EventStreamDecoder(EventStreamDecoder.Kind.ATIS, SENSOR, true, new ViolationCounts())
+    new EventStreamDecoder(EventStreamDecoder.StreamKind.ATIS, SENSOR, true, new ViolationCounts())
         .decode(in, 20, all, 2_000_000);
     StreamRecorder recorder = new StreamRecorder();
     recorder.packet(all);

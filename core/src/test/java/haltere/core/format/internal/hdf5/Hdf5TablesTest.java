@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.format.RecordingProblem;
-import haltere.core.format.internal.hdf5.Hdf5TableWriter.Column;
-import haltere.core.format.internal.hdf5.Hdf5TableWriter.Kind;
+import haltere.core.format.internal.hdf5.Hdf5TableWriter.Hdf5Column;
+import haltere.core.format.internal.hdf5.Hdf5TableWriter.NumberType;
 import haltere.testing.NewFile;
 import java.io.IOException;
 import java.io.InputStream;
@@ -20,12 +20,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class Hdf5TablesTest {
-  private static final List<Column> COLUMNS =
+  private static final List<Hdf5Column> COLUMNS =
       List.of(
-          new Column("obj_id", Kind.U32),
-          new Column("frame", Kind.I64),
-          new Column("x", Kind.F32),
-          new Column("timestamp", Kind.F64));
+          new Hdf5Column("obj_id", NumberType.U32),
+          new Hdf5Column("frame", NumberType.I64),
+          new Hdf5Column("x", NumberType.F32),
+          new Hdf5Column("timestamp", NumberType.F64));
 
   @TempDir Path folder;
 

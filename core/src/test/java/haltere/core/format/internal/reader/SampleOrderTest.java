@@ -21,13 +21,13 @@ class SampleOrderTest {
     private boolean given;
 
     @Override
-    public Step next(long untilOffset) {
+    public SampleStep next(long untilOffset) {
       looked = Math.max(looked, Math.min(untilOffset, 2 * FAR));
       if (!given && looked >= FAR) {
         given = true;
-        return Step.SAMPLE;
+        return SampleStep.SAMPLE;
       }
-      return looked == 2 * FAR ? Step.END : Step.NOTHING_YET;
+      return looked == 2 * FAR ? SampleStep.END : SampleStep.NOTHING_YET;
     }
 
     @Override
