@@ -12,8 +12,9 @@ import java.util.concurrent.locks.ReentrantLock;
  * passes on its buffer, and restarts it with another one. Does nothing else within a listener.
  *
  * <p>A transfer is started in one place only, under the lock and while the ring is {@link
- * State#RUNNING}; the ring leaves this state, and cancels active transfers, under the same lock. So
- * no transfer can start after all were cancelled, and transfers are freed only once each has ended.
+ * RingState#RUNNING}; the ring leaves this state, and cancels active transfers, under the same
+ * lock. So no transfer can start after all were cancelled, and transfers are freed only once each
+ * has ended.
  *
  * <p>Thread rule: all methods may be called from any thread that is not within a listener.
  */

@@ -50,13 +50,7 @@ public final class UsbEmulator implements TestBus {
     }
     create(folder.resolve("run/udev/control"));
     uevents = HostConnections.listen(folder.resolve("uevent.sock"));
-    HostConnections.daemon(
-        "usb-uevents",
-        () -> {
-          while (true) {
-            monitors.add(uevents.accept());
-          }
-        });
+    uevents.configureBlocking(false);
   }
 
   @Override
@@ -150,7 +144,11 @@ public final class UsbEmulator implements TestBus {
         String.format(Locale.ROOT, "DEVNUM=%03d", number));
   }
 
-  private void uevent(String action, EmulatedDevice device) {
+  /** Tells all monitors, also one that has connected just now: the kernel does not forget it. */
+  private synchronized void uevent(String action, EmulatedDevice device) throws IOException {
+    for (SocketChannel monitor = uevents.accept(); monitor != null; monitor = uevents.accept()) {
+      monitors.add(monitor);
+    }
     String path = "/devices/usbemu/usb1/" + name(device);
     StringBuilder text = new StringBuilder();
     text.append(action).append('@').append(path).append('\0');
