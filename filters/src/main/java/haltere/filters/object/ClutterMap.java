@@ -22,8 +22,11 @@ final class ClutterMap {
   /** Memory of a cell's excess, seconds: an edge at 100 px/s passes a cell within it. */
   static final double BIRTH_S = 0.05;
 
-  /** Memory of the last events of a pixel, seconds; that of a component's template. */
-  private static final double RECENT_S = ShapeTemplate.MEMORY_S;
+  /**
+   * Memory of the last events of a pixel, seconds. A template has the positions of its own memory;
+   * those at rest are told by positions from before it.
+   */
+  private static final double RECENT_S = 2 * ShapeTemplate.MEMORY_S;
 
   /** Winsorising: a cell counts at most this many times the mean, because of objects. */
   private static final double MAX_OF_MEAN = 3;
