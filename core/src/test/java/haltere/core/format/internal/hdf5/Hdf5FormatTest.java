@@ -127,6 +127,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
         "new-run",
         "dsec",
         "prophesee",
+        "fields-nanoseconds",
         "table-txyp",
         "table-xytp-seconds",
         "seconds-big-endian-truth",
@@ -152,6 +153,17 @@ class Hdf5FormatTest extends RecordingFormatContract {
       assertEquals(
           name.equals("prophesee") ? 3 : 0, reader.violations().count(Violation.OTHER_DATA));
       assertEquals(0, reader.violations().count(Violation.CUT_OFF));
+    }
+  }
+
+  @Test
+  void fractionsShowTheTimesOfATableOfOneRow() throws IOException {
+    EventPacket events = new EventPacket(1);
+    events.append(46_670, 639, 386, true);
+    Path file = theirs("table-one-row-seconds");
+    try (RecordingReader reader =
+        Recordings.open(file, ReadOptions.DEFAULT.withSensor(new SensorGeometry(640, 480)))) {
+      assertEquals(events, read(reader).events());
     }
   }
 
