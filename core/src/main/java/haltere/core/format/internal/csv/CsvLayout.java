@@ -85,9 +85,10 @@ record CsvLayout(
      */
     boolean take(String line, int at, boolean whole) {
       boolean comment = line.startsWith("#") || line.startsWith("%");
-      String[] fields = fields(comment ? line.substring(1) : line);
+      String text = comment ? line.substring(1) : line;
+      String[] fields = fields(text);
       if (comment || !isRow(fields)) {
-        return !rows.isEmpty() || takeNames(fields) || comment;
+        return !rows.isEmpty() || takeNames(fields(text, "\t")) || takeNames(fields) || comment;
       }
       if (fields.length == 2 && rows.isEmpty() && width == 0) {
         width = size(fields[0]);
@@ -130,7 +131,12 @@ record CsvLayout(
 
   private static String[] fields(String line) {
     boolean marked = line.chars().anyMatch(c -> c == ',' || c == ';');
-    String[] fields = line.strip().split(marked ? "[,;]" : "\\s+", MAX_COLUMNS + 1);
+    return fields(line, marked ? "[,;]" : "\\s+");
+  }
+
+  /** Parts of a line between separators; names may have spaces where tabs separate them. */
+  private static String[] fields(String line, String separator) {
+    String[] fields = line.strip().split(separator, MAX_COLUMNS + 1);
     for (int i = 0; i < fields.length; i++) {
       fields[i] = withoutBlanks(fields[i]);
     }
