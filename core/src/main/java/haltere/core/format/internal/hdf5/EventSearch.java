@@ -5,6 +5,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.decoding.EventColumn;
+import haltere.core.format.internal.decoding.RowCursor;
 import haltere.core.format.internal.decoding.SensorGuess;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -187,6 +188,9 @@ final class EventSearch {
         }
         for (int i = 0; i < count; i++) {
           double value = numbers.real(i);
+          if (RowCursor.rounded(value) == RowCursor.NO_NUMBER) {
+            continue;
+          }
           fractions |= Math.abs(value - Math.rint(value)) > FRACTION_TOLERANCE;
           largest = Math.max(largest, Math.abs(value));
           ascending &= value >= last;
@@ -266,7 +270,7 @@ final class EventSearch {
           EventTable.StoredColumn column = EventTable.StoredColumn.of(dataset);
           NumberColumn number =
               new NumberColumn(new DatasetRows(file, dataset, decompressor), column);
-          if (number.load(0) > 0) {
+          if (number.load(0) > 0 && number.value(0, scale) != RowCursor.NO_NUMBER) {
             return number.value(0, scale);
           }
         } catch (DamagedPacketException damaged) {
