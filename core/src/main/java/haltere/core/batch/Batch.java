@@ -109,11 +109,7 @@ public final class Batch {
       throws IOException {
     if (options.existing() == BatchOptions.Existing.REFUSE) {
       for (BatchItem item : items) {
-        if (ResultFolder.done(folder(item)).isPresent()) {
-          throw new RecordingProblem(
-              folder(item),
-              "there is a result already; give --resume to keep it, or --overwrite to replace it");
-        }
+        requireNoResult(folder(item));
       }
     }
     Files.createDirectories(options.folder());
@@ -122,6 +118,14 @@ public final class Batch {
     BatchReport report = run.report();
     writeFailures(report.failures(), options.folder().resolve(failed));
     return report;
+  }
+
+  private static void requireNoResult(Path folder) throws RecordingProblem {
+    if (ResultFolder.done(folder).isPresent()) {
+      throw new RecordingProblem(
+          folder,
+          "there is a result already; give --resume to keep it, or --overwrite to replace it");
+    }
   }
 
   private Path folder(BatchItem item) {
@@ -235,6 +239,10 @@ public final class Batch {
     private void work(BatchItem item) throws IOException {
       Path path = folder(item);
       RecordingProgress progress = new RecordingProgress(item.bytes());
+      Optional<Map<?, ?>> earlier = ResultFolder.done(path);
+      if (options.existing() == BatchOptions.Existing.REFUSE) {
+        requireNoResult(path);
+      }
       if (options.existing() == BatchOptions.Existing.RESUME && results.isValid(item, path)) {
         progress.finish();
         update(() -> kept++);
@@ -247,6 +255,12 @@ public final class Batch {
         return;
       }
       ResultFolder folder = taken.get();
+      if (!ResultFolder.done(path).equals(earlier)) {
+        // another batch has completed it meanwhile
+        folder.release();
+        work(item);
+        return;
+      }
       try {
         folder.clear();
         Provenance provenance = new Provenance(options.program(), Optional.of(item.recording()));

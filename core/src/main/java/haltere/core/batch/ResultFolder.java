@@ -9,6 +9,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
@@ -16,9 +17,11 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -32,6 +35,7 @@ final class ResultFolder implements Closeable {
   private static final String DONE = "done.json";
   private static final String OUTPUTS = "outputs";
   private static final int MAX_JOURNAL_BYTES = 1 << 24;
+  private static final int MAX_TRIES = 100;
 
   private final Path folder;
   private final Path part;
@@ -81,27 +85,54 @@ final class ResultFolder implements Closeable {
   /**
    * Claims a folder and creates it if necessary.
    *
-   * @return empty if another process works in it
+   * @return empty if another batch works in it
    * @throws IOException if it cannot be created
    */
   static Optional<ResultFolder> take(Path folder) throws IOException {
-    Files.createDirectories(folder);
-    FileChannel journal =
-        FileChannel.open(
-            part(folder),
-            StandardOpenOption.CREATE,
-            StandardOpenOption.READ,
-            StandardOpenOption.WRITE);
-    try {
-      if (journal.tryLock() == null) {
+    Path part = part(folder);
+    for (int i = 1; ; i++) {
+      try {
+        Files.createDirectories(folder);
+        FileChannel.open(part, StandardOpenOption.CREATE, StandardOpenOption.WRITE).close();
+        Object file = fileKey(part);
+        FileChannel journal =
+            FileChannel.open(part, StandardOpenOption.READ, StandardOpenOption.WRITE);
+        if (!isLocked(journal)) {
+          journal.close();
+          return Optional.empty();
+        }
+        if (Objects.equals(file, fileKey(part))) {
+          return Optional.of(new ResultFolder(folder, journal));
+        }
         journal.close();
-        return Optional.empty();
+      } catch (NoSuchFileException gone) {
+        // the other batch has just completed or left the folder; a lock is that of its file
+        if (i == MAX_TRIES) {
+          throw gone;
+        }
       }
-      return Optional.of(new ResultFolder(folder, journal));
+    }
+  }
+
+  private static Object fileKey(Path file) throws IOException {
+    return Files.readAttributes(file, BasicFileAttributes.class).fileKey();
+  }
+
+  private static boolean isLocked(FileChannel journal) throws IOException {
+    try {
+      return journal.tryLock() != null;
+    } catch (OverlappingFileLockException ofThisProcess) {
+      return false;
     } catch (IOException | RuntimeException problem) {
       journal.close();
       throw problem;
     }
+  }
+
+  /** Releases the folder without touching its results. */
+  void release() throws IOException {
+    Files.deleteIfExists(part);
+    journal.close();
   }
 
   /** Removes the files of an earlier run, complete or not; {@code done.json} first. */

@@ -23,8 +23,9 @@ import java.util.stream.Collectors;
  * A sequence of filters: each packet passes the enabled ones in order, and each notification goes
  * to all. A chain is itself a filter, so chains nest.
  *
- * <p>Events whose pixel is not on the sensor are dropped before the first filter and counted; a
- * filter may rely on their absence.
+ * <p>Events whose pixel is not on the sensor, or whose time is more than {@value #MAX_TIME_US} us
+ * (73,000 years) from 0, are dropped before the first filter and counted. A filter may rely on
+ * their absence, so sums and differences of its times do not overflow.
  *
  * <p>Thread rule: all changes and all processing on one thread; {@link #stages()} and the numbers
  * in it may be read from any thread.
@@ -32,6 +33,8 @@ import java.util.stream.Collectors;
  * @since 0.1
  */
 public final class FilterChain implements EventFilter, StreamHandler, AutoCloseable {
+  private static final long MAX_TIME_US = 1L << 61;
+
   private final SensorGeometry geometry;
   private final CopyOnWriteArrayList<ChainStage> stages = new CopyOnWriteArrayList<>();
   private volatile long outsideSensor;
@@ -68,7 +71,8 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   }
 
   /**
-   * Events dropped before the first filter because their pixel is not on the sensor.
+   * Events dropped before the first filter because their pixel is not on the sensor or their time
+   * is impossible.
    *
    * @return a count since the chain was created
    */
@@ -360,17 +364,23 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
       int address = addresses[i];
       outside |= lastY - EventAddress.y(address) | lastX - EventAddress.x(address);
     }
-    if (outside >= 0) {
+    boolean isPossible =
+        size == 0 || isPossible(packet.firstTimeUs()) && isPossible(packet.lastTimeUs());
+    if (outside >= 0 && isPossible) {
       return;
     }
     int passed = 0;
     for (int i = 0; i < size; i++) {
-      if (geometry.contains(packet.x(i), packet.y(i))) {
+      if (geometry.contains(packet.x(i), packet.y(i)) && isPossible(packet.timeUs(i))) {
         packet.move(i, passed++);
       }
     }
     outsideSensor += size - passed;
     packet.truncate(passed);
+  }
+
+  private static boolean isPossible(long timeUs) {
+    return timeUs >= -MAX_TIME_US && timeUs <= MAX_TIME_US;
   }
 
   @Override

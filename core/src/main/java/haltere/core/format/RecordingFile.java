@@ -45,6 +45,7 @@ public final class RecordingFile implements Closeable {
    *
    * @param path the file
    * @throws RecordingProblem if it does not exist or may not be read
+   * @throws java.io.InterruptedIOException if the thread is interrupted
    * @throws IOException if it cannot be read for another reason
    */
   public RecordingFile(Path path) throws IOException {
@@ -59,6 +60,8 @@ public final class RecordingFile implements Closeable {
     }
     try {
       size = channel.size();
+    } catch (ClosedChannelException e) {
+      throw interrupted(e);
     } catch (IOException e) {
       channel.close();
       throw new RecordingProblem(path, "cannot be read: " + e.getMessage());
@@ -199,13 +202,19 @@ public final class RecordingFile implements Closeable {
       if (closed) {
         throw e;
       }
-      throw (IOException)
-          new InterruptedIOException("interrupted while reading " + path).initCause(e);
+      throw interrupted(e);
     } catch (IOException e) {
       buffer.limit(0);
       throw RecordingProblem.reading(path, offset, e);
     }
     buffer.flip();
+  }
+
+  private InterruptedIOException interrupted(ClosedChannelException cause) {
+    InterruptedIOException problem =
+        new InterruptedIOException("interrupted while reading " + path);
+    problem.initCause(cause);
+    return problem;
   }
 
   private void readStream(ByteBuffer buffer, long offset) throws IOException {

@@ -24,7 +24,7 @@ public final class PipelineCounters {
     /** Events that filters dropped. */
     EVENTS_FILTERED("Events removed by the filters of the chain."),
     /** Events off the sensor. */
-    EVENTS_OUTSIDE_SENSOR("Events dropped because their pixel is not on the sensor."),
+    EVENTS_OUTSIDE_SENSOR("Events dropped: pixel not on the sensor, or an impossible time."),
     /** Events lost with a failing filter. */
     EVENTS_LOST_IN_FAILURE("Events lost because a filter failed on their packet."),
     /** Events lost before they came in. */

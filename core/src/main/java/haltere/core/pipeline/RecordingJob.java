@@ -245,6 +245,10 @@ public final class RecordingJob {
       List<String> warnings = new ArrayList<>(reader.remarks());
       warnings.addAll(
           reader.violations().describe(hasEvents ? Set.of(Violation.OTHER_DATA) : Set.of()));
+      long dropped = counters.get(Counter.EVENTS_OUTSIDE_SENSOR);
+      if (dropped > 0) {
+        warnings.add(dropped + " events at impossible times were left out by the filters");
+      }
       return new JobReport(
           recording,
           reader.formatName(),

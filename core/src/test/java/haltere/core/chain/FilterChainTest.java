@@ -173,6 +173,21 @@ class FilterChainTest {
   }
 
   @Test
+  void eventsAtImpossibleTimesAreDroppedAndCounted() {
+    FilterChain empty = new FilterChain(SENSOR);
+    EventPacket packet = new EventPacket(0);
+    packet.append(Long.MIN_VALUE + 1, 1, 1, true);
+    packet.append(-5, 1, 1, true);
+    packet.append(1L << 61, 1, 1, true);
+    packet.append((1L << 61) + 1, 1, 1, true);
+    packet.append(Long.MAX_VALUE, 1, 1, true);
+    empty.process(packet);
+    assertEquals(2, packet.size());
+    assertEquals(-5, packet.timeUs(0));
+    assertEquals(3, empty.outsideSensor());
+  }
+
+  @Test
   void nestedChainIsAStage() {
     FilterChain outer = new FilterChain(SENSOR);
     ChainStage nested = outer.add("noise", chain);

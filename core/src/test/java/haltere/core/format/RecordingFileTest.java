@@ -7,13 +7,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.nio.channels.Channels;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
-/** Reading of streams, which cannot be reopened. */
+/** Opening of files, and reading of streams, which cannot be reopened. */
 class RecordingFileTest {
   private static final int BYTES = 5_000_000;
   private static final int PIECE = 60_000;
@@ -48,5 +51,13 @@ class RecordingFileTest {
       assertEquals(0, stream.read(BYTES + 3_000_000_000L, 10).length);
       assertEquals(5, stream.read(BYTES - 5, 10).length);
     }
+  }
+
+  @Test
+  void interruptWhileAFileIsOpenedIsToldAsOne(@TempDir Path folder) throws IOException {
+    Path file = Files.write(folder.resolve("any.raw"), bytes);
+    Thread.currentThread().interrupt();
+    assertThrows(InterruptedIOException.class, () -> new RecordingFile(file));
+    assertTrue(Thread.interrupted(), "the thread stays interrupted");
   }
 }

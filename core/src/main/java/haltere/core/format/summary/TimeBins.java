@@ -11,6 +11,8 @@ import java.util.Arrays;
  * @since 0.1
  */
 public final class TimeBins {
+  private static final long MAX_US = Long.MAX_VALUE / 2;
+
   private final long[] counts;
   private final double[] min;
   private final double[] max;
@@ -33,18 +35,20 @@ public final class TimeBins {
   /**
    * Adds a sample.
    *
-   * @param elapsedUs its time since the first, microseconds, at least 0
+   * @param elapsedUs its time since the first, microseconds, at least 0; negative if beyond the
+   *     range of a long, and counted at the end of that of these bins
    * @param value its value
    */
   public void add(long elapsedUs, double value) {
-    while (elapsedUs / binUs >= counts.length) {
+    long atUs = elapsedUs < 0 ? MAX_US : Math.min(elapsedUs, MAX_US);
+    while (atUs / binUs >= counts.length) {
       merge();
     }
-    int bin = (int) (elapsedUs / binUs);
+    int bin = (int) (atUs / binUs);
     min[bin] = counts[bin] == 0 ? value : Math.min(min[bin], value);
     max[bin] = counts[bin] == 0 ? value : Math.max(max[bin], value);
     counts[bin]++;
-    endUs = Math.max(endUs, elapsedUs + 1);
+    endUs = Math.max(endUs, atUs + 1);
   }
 
   private void merge() {

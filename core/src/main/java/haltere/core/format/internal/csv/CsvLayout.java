@@ -85,9 +85,10 @@ record CsvLayout(
      */
     boolean take(String line, int at, boolean whole) {
       boolean comment = line.startsWith("#") || line.startsWith("%");
-      String[] fields = fields(comment ? line.substring(1) : line);
-      if (comment || !isNumber(fields[0])) {
-        return !rows.isEmpty() || takeNames(fields) || comment;
+      String text = comment ? line.substring(1) : line;
+      String[] fields = fields(text);
+      if (comment || !isRow(fields)) {
+        return !rows.isEmpty() || takeNames(fields(text, "\t")) || takeNames(fields) || comment;
       }
       if (fields.length == 2 && rows.isEmpty() && width == 0) {
         width = size(fields[0]);
@@ -102,6 +103,12 @@ record CsvLayout(
         rows.add(fields);
       }
       return true;
+    }
+
+    /** Whether these are numbers: with names, the time is one, since polarities may be words. */
+    private boolean isRow(String... fields) {
+      int column = names == null ? 0 : timeColumn(names);
+      return isNumber(fields[0]) || column < fields.length && isNumber(fields[column]);
     }
 
     private boolean takeNames(String[] fields) {
@@ -124,7 +131,12 @@ record CsvLayout(
 
   private static String[] fields(String line) {
     boolean marked = line.chars().anyMatch(c -> c == ',' || c == ';');
-    String[] fields = line.strip().split(marked ? "[,;]" : "\\s+", MAX_COLUMNS + 1);
+    return fields(line, marked ? "[,;]" : "\\s+");
+  }
+
+  /** Parts of a line between separators; names may have spaces where tabs separate them. */
+  private static String[] fields(String line, String separator) {
+    String[] fields = line.strip().split(separator, MAX_COLUMNS + 1);
     for (int i = 0; i < fields.length; i++) {
       fields[i] = withoutBlanks(fields[i]);
     }
@@ -178,18 +190,19 @@ record CsvLayout(
     return complete ? Optional.of(roles) : Optional.empty();
   }
 
-  private static int timeScale(String[] names, List<String[]> rows) {
-    for (String name : names) {
-      if (EventColumn.named(name) == EventColumn.TIME) {
-        OptionalInt stated = EventColumn.timeScale(name);
-        if (stated.isPresent()) {
-          return stated.getAsInt();
-        }
-        int column = List.of(names).indexOf(name);
-        return timeScale(rows, column);
-      }
+  /** The first column of times among names that have one. */
+  private static int timeColumn(String... names) {
+    int column = 0;
+    while (EventColumn.named(names[column]) != EventColumn.TIME) {
+      column++;
     }
-    return 0;
+    return column;
+  }
+
+  private static int timeScale(String[] names, List<String[]> rows) {
+    int column = timeColumn(names);
+    OptionalInt stated = EventColumn.timeScale(names[column]);
+    return stated.isPresent() ? stated.getAsInt() : timeScale(rows, column);
   }
 
   /** Times with decimals are seconds, whole ones microseconds, or nanoseconds since 1970. */

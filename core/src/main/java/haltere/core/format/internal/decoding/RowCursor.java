@@ -10,11 +10,26 @@ import haltere.core.format.internal.clock.EventTimes;
  * <p>Thread rule: one thread.
  */
 public abstract class RowCursor implements EventCursor {
+  /** Result of {@link #rounded} for a value that is no number of a column. */
+  public static final long NO_NUMBER = Long.MIN_VALUE;
+
+  private static final double RANGE = 0x1p63;
+
   /** Times of the rows. */
   protected final AscendingTimes times = new AscendingTimes();
 
   /** The next row, from 0. */
   protected long row;
+
+  /**
+   * Rounds a real number.
+   *
+   * @param value any number
+   * @return the nearest integer, or {@link #NO_NUMBER} if the value is not finite or too large
+   */
+  public static long rounded(double value) {
+    return Math.abs(value) < RANGE ? Math.round(value) : NO_NUMBER;
+  }
 
   /**
    * The number of rows.

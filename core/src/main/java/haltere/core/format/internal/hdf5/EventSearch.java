@@ -5,6 +5,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.decoding.EventColumn;
+import haltere.core.format.internal.decoding.RowCursor;
 import haltere.core.format.internal.decoding.SensorGuess;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -84,14 +85,12 @@ final class EventSearch {
         for (ElementType.Member member : dataset.type().members()) {
           put(
               columns,
-              member.name(),
-              new EventTable.StoredColumn(dataset, member.offset(), member.type()));
+              new EventTable.StoredColumn(member.name(), dataset, member.offset(), member.type()));
         }
       } else if (dataset.isList()) {
         for (Dataset beside : datasets) {
           if (folder(beside).equals(folder(dataset)) && beside.isList()) {
-            EventTable.StoredColumn column = new EventTable.StoredColumn(beside, 0, beside.type());
-            put(columns, column.name(), column);
+            put(columns, EventTable.StoredColumn.of(beside));
           }
         }
       } else if (dataset.columns() == 4 && dataset.type().isNumber()) {
@@ -110,10 +109,8 @@ final class EventSearch {
   }
 
   private static void put(
-      Map<EventColumn, EventTable.StoredColumn> columns,
-      String name,
-      EventTable.StoredColumn column) {
-    EventColumn kind = EventColumn.named(name);
+      Map<EventColumn, EventTable.StoredColumn> columns, EventTable.StoredColumn column) {
+    EventColumn kind = EventColumn.named(column.name());
     if (kind != EventColumn.OTHER && column.type().isNumber()) {
       columns.putIfAbsent(kind, column);
     }
@@ -141,19 +138,21 @@ final class EventSearch {
         .sum();
   }
 
-  /** Tables hold t, x, y, p, or x, y, t, p: times ascend, or are the larger numbers. */
+  /**
+   * Tables hold t, x, y, p, or x, y, t, p: times have fractions, or ascend, or are the larger
+   * numbers.
+   */
   private Map<EventColumn, EventTable.StoredColumn> tableColumns(Dataset dataset)
       throws IOException {
-    EventTable.StoredColumn first = new EventTable.StoredColumn(dataset, 0, dataset.type());
-    int step = dataset.type().bytes();
-    EventTable.StoredColumn third = new EventTable.StoredColumn(dataset, 2 * step, dataset.type());
-    ColumnSample one = sample(first);
-    ColumnSample other = sample(third);
+    ColumnSample one = sample(EventTable.StoredColumn.of(dataset, 0));
+    ColumnSample other = sample(EventTable.StoredColumn.of(dataset, 2));
     requireComplete(one, "its columns");
     boolean timesFirst =
-        one.isAscending() == other.isAscending()
-            ? one.largest() > other.largest()
-            : one.isAscending();
+        one.hasFractions() != other.hasFractions()
+            ? one.hasFractions()
+            : one.isAscending() == other.isAscending()
+                ? one.largest() > other.largest()
+                : one.isAscending();
     Map<EventColumn, EventTable.StoredColumn> columns = EventTable.noColumns();
     EventColumn[] order =
         timesFirst
@@ -164,7 +163,7 @@ final class EventSearch {
               EventColumn.X, EventColumn.Y, EventColumn.TIME, EventColumn.POLARITY
             };
     for (int i = 0; i < order.length; i++) {
-      columns.put(order[i], new EventTable.StoredColumn(dataset, i * step, dataset.type()));
+      columns.put(order[i], EventTable.StoredColumn.of(dataset, i));
     }
     return columns;
   }
@@ -189,6 +188,9 @@ final class EventSearch {
         }
         for (int i = 0; i < count; i++) {
           double value = numbers.real(i);
+          if (RowCursor.rounded(value) == RowCursor.NO_NUMBER) {
+            continue;
+          }
           fractions |= Math.abs(value - Math.rint(value)) > FRACTION_TOLERANCE;
           largest = Math.max(largest, Math.abs(value));
           ascending &= value >= last;
@@ -265,10 +267,10 @@ final class EventSearch {
           && dataset.type().isNumber()
           && dataset.filters().isEmpty()) {
         try (ChunkDecompressor decompressor = new ChunkDecompressor()) {
-          EventTable.StoredColumn column = new EventTable.StoredColumn(dataset, 0, dataset.type());
+          EventTable.StoredColumn column = EventTable.StoredColumn.of(dataset);
           NumberColumn number =
               new NumberColumn(new DatasetRows(file, dataset, decompressor), column);
-          if (number.load(0) > 0) {
+          if (number.load(0) > 0 && number.value(0, scale) != RowCursor.NO_NUMBER) {
             return number.value(0, scale);
           }
         } catch (DamagedPacketException damaged) {

@@ -46,14 +46,23 @@ record EventTable(
   /**
    * A column.
    *
+   * @param name of its dataset, or of the field in the dataset's rows; empty in a table without
+   *     names
    * @param dataset its dataset
    * @param offset in a row
    * @param type of its numbers
    */
-  record StoredColumn(Dataset dataset, int offset, ElementType type) {
-    String name() {
+  record StoredColumn(String name, Dataset dataset, int offset, ElementType type) {
+    /** A dataset of one column. */
+    static StoredColumn of(Dataset dataset) {
       String path = dataset.name();
-      return path.substring(path.lastIndexOf('/') + 1);
+      return new StoredColumn(
+          path.substring(path.lastIndexOf('/') + 1), dataset, 0, dataset.type());
+    }
+
+    /** A column of a table without names. */
+    static StoredColumn of(Dataset table, int column) {
+      return new StoredColumn("", table, column * table.type().bytes(), table.type());
     }
   }
 

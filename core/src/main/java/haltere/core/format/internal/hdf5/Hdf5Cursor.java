@@ -81,12 +81,16 @@ final class Hdf5Cursor extends RowCursor {
       if (time.load(0) <= 0) {
         return Optional.empty();
       }
-      long firstUs = time.value(0, table.timeScale()) + table.timeOffsetUs();
+      long first = time.value(0, table.timeScale());
       if (time.load(rows - 1) <= 0 || x.load(rows - 1) <= 0 || y.load(rows - 1) <= 0) {
         return Optional.empty();
       }
-      long endUs = time.value(0, table.timeScale()) + table.timeOffsetUs();
-      return Optional.of(new RecordingOutline(rows, firstUs, endUs));
+      long last = time.value(0, table.timeScale());
+      if (first == NO_NUMBER || last == NO_NUMBER) {
+        return Optional.empty();
+      }
+      long offsetUs = table.timeOffsetUs();
+      return Optional.of(new RecordingOutline(rows, first + offsetUs, last + offsetUs));
     } catch (DamagedPacketException damaged) {
       return Optional.empty();
     }
@@ -167,7 +171,7 @@ final class Hdf5Cursor extends RowCursor {
       yAt += yStep;
       signAt += signStep;
       if (column >= width || down >= height) {
-        outside(i);
+        leftOut(i, Violation.OUTSIDE_SENSOR);
         continue;
       }
       if (timeUs < last) {
@@ -186,11 +190,17 @@ final class Hdf5Cursor extends RowCursor {
 
   private int decodeAny(EventPacket out, int rows) {
     for (int i = 0; i < rows; i++) {
-      long timeUs = time.value(i, table.timeScale()) + table.timeOffsetUs();
+      long stored = time.value(i, table.timeScale());
+      long timeUs = stored + table.timeOffsetUs();
       long column = x.value(i, 0);
       long down = y.value(i, 0);
+      long sign = polarity == null ? 1 : polarity.value(i, 0);
+      if (stored == NO_NUMBER || column == NO_NUMBER || down == NO_NUMBER || sign == NO_NUMBER) {
+        leftOut(i, Violation.UNKNOWN_WORD);
+        continue;
+      }
       if (column < 0 || column >= width || down < 0 || down >= height) {
-        outside(i);
+        leftOut(i, Violation.OUTSIDE_SENSOR);
         continue;
       }
       if (times.goesBack(timeUs)) {
@@ -198,15 +208,15 @@ final class Hdf5Cursor extends RowCursor {
       }
       times.advance(timeUs);
       int up = (int) (fromTop ? height - 1 - down : down);
-      int on = polarity == null || polarity.value(i, 0) > 0 ? EventAddress.ON_BIT : 0;
+      int on = sign > 0 ? EventAddress.ON_BIT : 0;
       out.append(timeUs, EventAddress.pack((int) column, up, on));
     }
     return rows;
   }
 
-  private void outside(int fromRow) {
+  private void leftOut(int fromRow, Violation kind) {
     if (row + fromRow >= counted) {
-      violations.add(Violation.OUTSIDE_SENSOR, time.rows().offset(row + fromRow));
+      violations.add(kind, time.rows().offset(row + fromRow));
     }
   }
 

@@ -82,10 +82,11 @@ public final class Hdf5Tables implements RecordingTables {
       if (isTable && dataset.type().kind() == 'c') {
         for (ElementType.Member member : dataset.type().members()) {
           columns.put(
-              member.name(), new EventTable.StoredColumn(dataset, member.offset(), member.type()));
+              member.name(),
+              new EventTable.StoredColumn(member.name(), dataset, member.offset(), member.type()));
         }
       } else if (isTable || dataset.isList() && dataset.name().startsWith(table + "/")) {
-        EventTable.StoredColumn column = new EventTable.StoredColumn(dataset, 0, dataset.type());
+        EventTable.StoredColumn column = EventTable.StoredColumn.of(dataset);
         columns.put(column.name(), column);
       }
     }

@@ -2,6 +2,7 @@ package haltere.core.format.internal.hdf5;
 
 import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.compression.LittleEndian;
+import haltere.core.format.internal.decoding.RowCursor;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -66,7 +67,7 @@ final class NumberColumn {
     return type.kind() == 'u';
   }
 
-  /** A value, multiplied by 10^scale. */
+  /** A value, multiplied by 10^scale; {@link RowCursor#NO_NUMBER} for one that is none. */
   long value(int fromLoaded, int scale) {
     if (buffer.array() != data) {
       buffer =
@@ -77,7 +78,7 @@ final class NumberColumn {
     if (type.kind() == 'f') {
       double value = type.bytes() == 8 ? buffer.getDouble(index) : buffer.getFloat(index);
       double factor = Math.pow(10, Math.abs(scale));
-      return Math.round(scale < 0 ? value / factor : value * factor);
+      return RowCursor.rounded(scale < 0 ? value / factor : value * factor);
     }
     long value = whole(buffer, index, type);
     return switch (scale) {

@@ -49,7 +49,7 @@ final class NpzCursor extends RowCursor {
         double factor = Math.pow(10, Math.abs(scale));
         for (int i = 0; i < count; i++) {
           double value = real(values, i * itemBytes + field.offset(), field.bytes());
-          numbers[i] = Math.round(scale < 0 ? value / factor : value * factor);
+          numbers[i] = rounded(scale < 0 ? value / factor : value * factor);
         }
       } else {
         for (int i = 0; i < count; i++) {
@@ -150,7 +150,9 @@ final class NpzCursor extends RowCursor {
         return Optional.empty();
       }
     }
-    return Optional.of(new RecordingOutline(rows, firstUs, time.numbers[0]));
+    return firstUs == NO_NUMBER || time.numbers[0] == NO_NUMBER
+        ? Optional.empty()
+        : Optional.of(new RecordingOutline(rows, firstUs, time.numbers[0]));
   }
 
   @Override
@@ -170,6 +172,13 @@ final class NpzCursor extends RowCursor {
       long timeUs = time.numbers[i];
       long column = x.numbers[i];
       long down = y.numbers[i];
+      if (timeUs == NO_NUMBER
+          || column == NO_NUMBER
+          || down == NO_NUMBER
+          || polarity != null && polarity.numbers[i] == NO_NUMBER) {
+        violations.add(Violation.UNKNOWN_WORD, offset(pieceStart + i));
+        continue;
+      }
       if (column < 0 || column >= width || down < 0 || down >= height) {
         violations.add(Violation.OUTSIDE_SENSOR, offset(pieceStart + i));
         continue;

@@ -5,6 +5,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.internal.decoding.EventColumn;
+import haltere.core.format.internal.decoding.RowCursor;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -203,6 +204,9 @@ record NpzLayout(
           time.field().kind() == 'f'
               ? NpzCursor.real(values, at + time.field().offset(), time.field().bytes())
               : NpzCursor.whole(values, at + time.field().offset(), time.field());
+      if (RowCursor.rounded(value) == RowCursor.NO_NUMBER) {
+        continue;
+      }
       fraction |= value != Math.rint(value);
       largest = Math.max(largest, Math.abs(value));
     }

@@ -122,6 +122,8 @@ class CsvReadingTest extends RecordingFormatContract {
         "t,x,y,p\n1.5,3,2,1\n1.500001,4,9,0\n2.0,9,0,1\n",
         "Time [ns];Col;Row;Sign\n1500000000;3;2;1\n1500001000;4;9;-1\n2000000000;9;0;1\n",
         "t_ms\tx\ty\tp\n1500\t3\t2\ttrue\n1500.001\t4\t9\tFalse\n2e3\t9\t0\tTrue\n",
+        "p;t_us;x;y\nON;1500000;3;2\nOFF;1500001;4;9\nON;2000000;9;0\n",
+        "pol\ttime [us]\tx\ty\n1\t1500000\t3\t2\n0\t1500001\t4\t9\n1\t2000000\t9\t0\n",
         "t,a,x,y,p,label\n1500000,0.1,3,2,1,fly\n1500001,x,4,9,0,fly\n2000000,7,9,0,1,\n",
         "1.500000 3 2 1\n1.500001 4 9 0\n2.000000 9 0 1\n",
         "10 10\n1.500000 3 2 1\n1.500001 4 9 0\n2.000000 9 0 1\n",

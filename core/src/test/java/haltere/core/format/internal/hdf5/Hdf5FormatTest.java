@@ -127,6 +127,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
         "new-run",
         "dsec",
         "prophesee",
+        "fields-nanoseconds",
         "table-txyp",
         "table-xytp-seconds",
         "seconds-big-endian-truth",
@@ -152,6 +153,30 @@ class Hdf5FormatTest extends RecordingFormatContract {
       assertEquals(
           name.equals("prophesee") ? 3 : 0, reader.violations().count(Violation.OTHER_DATA));
       assertEquals(0, reader.violations().count(Violation.CUT_OFF));
+    }
+  }
+
+  @Test
+  void rowsWithoutNumbersAreSkippedAndCounted() throws IOException {
+    EventPacket events = new EventPacket(2);
+    events.append(5, 0, 478, true);
+    events.append(7, 2, 478, true);
+    Path file = theirs("rows-without-numbers");
+    try (RecordingReader reader =
+        Recordings.open(file, ReadOptions.DEFAULT.withSensor(new SensorGeometry(640, 480)))) {
+      assertEquals(events, read(reader).events());
+      assertEquals(4, reader.violations().count(Violation.UNKNOWN_WORD));
+    }
+  }
+
+  @Test
+  void fractionsShowTheTimesOfATableOfOneRow() throws IOException {
+    EventPacket events = new EventPacket(1);
+    events.append(46_670, 639, 386, true);
+    Path file = theirs("table-one-row-seconds");
+    try (RecordingReader reader =
+        Recordings.open(file, ReadOptions.DEFAULT.withSensor(new SensorGeometry(640, 480)))) {
+      assertEquals(events, read(reader).events());
     }
   }
 

@@ -271,6 +271,30 @@ class NpzFormatTest extends RecordingFormatContract {
   }
 
   @Test
+  void rowsWithoutNumbersAreSkippedAndCounted() throws IOException {
+    double[] timesUs = {5, Double.NaN, 7, Double.POSITIVE_INFINITY, 1e300, 9};
+    float[] ups = {1, 1, 1, 1, 1, Float.NaN};
+    ByteBuffer t = buffer(8 * timesUs.length, ByteOrder.LITTLE_ENDIAN);
+    ByteBuffer y = buffer(4 * ups.length, ByteOrder.LITTLE_ENDIAN);
+    for (int i = 0; i < timesUs.length; i++) {
+      t.putDouble(timesUs[i]);
+      y.putFloat(ups[i]);
+    }
+    Map<String, byte[]> arrays = new LinkedHashMap<>();
+    arrays.put("t", array("'<f8'", "6,", t.flip()));
+    arrays.put("x", array("'|u1'", "6,", ByteBuffer.allocate(6)));
+    arrays.put("y", array("'<f4'", "6,", y.flip()));
+    EventPacket expected = new EventPacket(2);
+    expected.append(5, 0, 258, true);
+    expected.append(7, 0, 258, true);
+    Path file = Files.write(folder.resolve("holes.npz"), zipped(arrays));
+    try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withSensor(SENSOR))) {
+      assertEquals(expected, read(reader).events());
+      assertEquals(4, reader.violations().count(Violation.UNKNOWN_WORD));
+    }
+  }
+
+  @Test
   void arraysOfDifferentLengthsAreReportedAndReadToTheShortest() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 5, 1000, 5, 40);
     Map<String, byte[]> arrays = columns(events, false);

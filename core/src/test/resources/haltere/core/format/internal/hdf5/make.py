@@ -27,6 +27,12 @@ def prophesee(h,**kw):
     h.create_dataset('EXT_TRIGGER/events',data=np.zeros(3,dtype=[('p','<i2'),('t','<i8'),('id','<i2')]))
     h.attrs['geometry']='346x260'; h.attrs['format']='HDF5'
 with f('prophesee') as h: prophesee(h,compression='gzip')
+with f('fields-nanoseconds') as h:
+    b=np.zeros(n,dtype=[('t_ns','<i8'),('x','<u2'),('y','<u2'),('p','i1')]); b['x']=x;b['y']=y;b['p']=p;b['t_ns']=t*1000
+    h['events']=b; h.attrs['geometry']='346x260'
+with f('table-one-row-seconds') as h: h['events']=np.array([[639,93,0.04667,1]])
+with f('rows-without-numbers') as h:
+    for k,v in dict(t=[5,np.nan,7,np.inf,1e300,9],x=np.arange(6),y=[1,1,1,1,1,np.nan],p=np.ones(6,np.uint8)).items(): h['events/'+k]=v
 with f('table-txyp') as h: h.create_dataset('events',data=np.stack([t,x,y,p],axis=1).astype(np.uint32),chunks=(100,4),maxshape=(None,4),compression='gzip')
 with f('table-xytp-seconds') as h: h.create_dataset('davis/left/events',data=np.stack([x,y,t/1e6,p*2.0-1],axis=1),chunks=(100,4),compression='gzip')
 with f('seconds-big-endian-truth') as h:
