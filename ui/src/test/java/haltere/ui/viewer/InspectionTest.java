@@ -86,6 +86,14 @@ class InspectionTest {
   }
 
   @Test
+  void pauseShowsTheRateAtTheMouse() {
+    viewer.waitFor("some events", () -> viewer.status().elapsedUs() > 300_000);
+    viewer.pause();
+    viewer.moveOver("event-view", 0.4);
+    viewer.waitFor("a rate", () -> viewer.text("cursor-readout").endsWith("ev/s near"));
+  }
+
+  @Test
   void regionShowsItsRateAndFrequency() {
     viewer.run(() -> seeing().setRegion(Optional.of(PixelRegion.between(0, 0, 127, 127))));
     viewer.waitFor(

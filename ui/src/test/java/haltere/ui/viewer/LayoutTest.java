@@ -3,6 +3,8 @@ package haltere.ui.viewer;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.ui.plot.Lane;
+import haltere.ui.plot.PlotField;
 import haltere.ui.viewer.feature.UserSettings;
 import java.nio.file.Path;
 import java.util.List;
@@ -63,6 +65,39 @@ class LayoutTest {
     assertEquals(
         Optional.empty(),
         viewer.onFx(() -> viewer.window.context().actions().find("layout-Wings")));
+  }
+
+  @Test
+  void pictureAloneHidesTheWindowOfThePlotsAndShowsItAgain() {
+    viewer = ViewerHarness.withBlob();
+    run("plots-apart");
+    viewer.waitFor("plots elsewhere", () -> viewer.isThere("plots") && !isInWindow("plots"));
+    run("layout-picture");
+    viewer.waitFor("the picture alone", () -> !viewer.isThere("plots"));
+    run("layout-picture");
+    viewer.waitFor("their window", () -> viewer.isThere("plots") && !isInWindow("plots"));
+  }
+
+  @Test
+  void layoutStoresThePlottedFields() throws Exception {
+    UserSettings settings = UserSettings.load(folder);
+    viewer = new ViewerHarness(settings);
+    PlotField x = new PlotField("object-tracker", "objects", "x_px");
+    List<List<PlotField>> lanes = List.of(List.of(PlotField.EVENT_RATE, x), List.of(x));
+    viewer.run(() -> viewer.window.context().panels().plots().fieldsProperty().set(lanes));
+    viewer.run(() -> viewer.window.feature(LayoutFeature.class).keep("positions"));
+    viewer.run(() -> viewer.window.context().panels().plots().fieldsProperty().set(List.of()));
+    settings.save();
+    viewer.close();
+    viewer = new ViewerHarness(UserSettings.load(folder));
+    assertEquals(List.of(), plotted());
+    run("layout-positions");
+    viewer.waitFor("the same lanes", () -> plotted().equals(lanes));
+  }
+
+  private List<List<PlotField>> plotted() {
+    return viewer.onFx(
+        () -> viewer.window.context().panels().plots().lanes().stream().map(Lane::fields).toList());
   }
 
   @Test
