@@ -31,11 +31,8 @@ final class RateScale {
     double full = sorted[(int) Math.floor(UNCLIPPED * (sorted.length - 1))];
     double decades = Math.max(MIN_DECADES, Math.log10(highest / sorted[0]));
     return Arrays.stream(rates)
-        .map(rate -> logarithmic ? logarithmic(rate / highest, decades) : rate / full)
+        .map(rate -> logarithmic ? 1 + Math.log10(rate / highest) / decades : rate / full)
+        .map(height -> Math.max(0, height))
         .toArray();
-  }
-
-  private static double logarithmic(double share, double decades) {
-    return share <= 0 ? 0 : 1 + Math.log10(share) / decades;
   }
 }
