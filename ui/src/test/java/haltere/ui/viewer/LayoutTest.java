@@ -14,6 +14,7 @@ import javafx.scene.Node;
 import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.SplitPane;
 import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.scene.layout.Region;
 import javafx.stage.Popup;
@@ -202,6 +203,20 @@ class LayoutTest {
     viewer.waitFor("it is closed", () -> !viewer.isThere("palette-search"));
     viewer.press(KeyCode.CONTROL, KeyCode.G);
     viewer.waitFor("plots below the events", () -> isInWindow("plots"));
+  }
+
+  @Test
+  void commandPaletteBelongsToTheWindowAlsoWhileATooltipIsShown() {
+    viewer = ViewerHarness.withBlob();
+    Tooltip tooltip = viewer.onFx(() -> new Tooltip("help"));
+    viewer.run(() -> tooltip.show(viewer.stage, 10, 10));
+    viewer.press(KeyCode.CONTROL, KeyCode.K);
+    viewer.waitFor("the palette", () -> viewer.isThere("palette-search"));
+    Popup palette =
+        (Popup) viewer.onFx(() -> viewer.node("palette-search", Node.class).getScene().getWindow());
+    viewer.run(tooltip::hide);
+    assertEquals(viewer.stage, palette.getOwnerWindow());
+    assertTrue(viewer.onFx(palette::isShowing), "it stays without the tooltip");
   }
 
   @Test

@@ -18,9 +18,9 @@ final class WingOverlay implements Overlay<WingSnapshot> {
   private static final double BODY_WIDTH_SHARE = 0.15;
 
   /** Distance of a letter from the region's circle, and more on the side to which it extends. */
-  private static final double LETTER_SHARE = 0.04;
+  private static final double LETTER_SHARE = 0.07;
 
-  private static final double LETTER_EXTENT_SHARE = 0.12;
+  private static final double LETTER_EXTENT_SHARE = 0.1;
   private static final double HINGE_PX = 1.5;
   private static final double UNCERTAINTY_SD = 2;
 
