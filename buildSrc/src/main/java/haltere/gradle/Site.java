@@ -97,7 +97,7 @@ public abstract class Site extends DefaultTask {
     }
     for (Path folder : documents.keySet().stream().map(Path::getParent).filter(f -> f != null).collect(Collectors.toSet())) {
       Path index = folder.resolve("index.html");
-      write(target.resolve(index), fill(template, index, "Haltere: " + folder.getFileName(), contents(folder, documents)));
+      write(target.resolve(index), fill(template, index, "Haltere: " + heading(folder), contents(folder, documents)));
     }
     check(target, targets);
   }
@@ -126,8 +126,20 @@ public abstract class Site extends DefaultTask {
     return "Haltere";
   }
 
+  private static String heading(Path folder) {
+    String name = folder.getFileName().toString();
+    return name.equals("docs") ? "All pages" : name.substring(0, 1).toUpperCase(java.util.Locale.ROOT) + name.substring(1);
+  }
+
   private static String contents(Path folder, Map<Path, Node> documents) {
-    StringBuilder list = new StringBuilder("<h1>").append(folder.getFileName()).append("</h1>\n<ul>\n");
+    StringBuilder list = new StringBuilder("<h1>").append(heading(folder)).append("</h1>\n<ul>\n");
+    documents.keySet().stream()
+        .map(Path::getParent)
+        .filter(below -> below != null && folder.equals(below.getParent()))
+        .distinct()
+        .forEach(
+            below ->
+                list.append("<li><a href=\"%s/index.html\">%s</a></li>\n".formatted(below.getFileName(), heading(below))));
     documents.forEach(
         (path, node) -> {
           if (folder.equals(path.getParent())) {

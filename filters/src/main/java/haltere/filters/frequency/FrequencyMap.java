@@ -26,6 +26,9 @@ public final class FrequencyMap {
   /** Periods without confirmation after which a frequency is no longer reported. */
   public static final int MAX_SILENT_PERIODS = 10;
 
+  /** The same in periods of the lowest frequency, which limits the memory. */
+  private static final int MAX_SILENT_LONGEST = 5;
+
   private static final int CELL_SHIFT = 2;
 
   /** Share of the shortest period within which further edges count as one. */
@@ -104,7 +107,7 @@ public final class FrequencyMap {
    * @return microseconds: the edges of a longest period, and the time for which it is reported
    */
   public long memoryUs() {
-    return Math.round((EDGES + MAX_SILENT_PERIODS) * 1e6 / settings.minFrequencyHz());
+    return Math.round((EDGES + MAX_SILENT_LONGEST) * 1e6 / settings.minFrequencyHz());
   }
 
   /**
@@ -147,7 +150,12 @@ public final class FrequencyMap {
       return own;
     }
     float shared = cells.periodUs(cell(x, y), nowUs);
-    return nowUs - pixels.lastUs(pixel) <= (double) MAX_SILENT_PERIODS * shared ? shared : 0;
+    return isReported(shared, nowUs - pixels.lastUs(pixel)) ? shared : 0;
+  }
+
+  private boolean isReported(float periodUs, long silentUs) {
+    return silentUs
+        <= Math.min((double) MAX_SILENT_PERIODS * periodUs, MAX_SILENT_LONGEST * maxPeriodUs);
   }
 
   /**
@@ -243,7 +251,7 @@ public final class FrequencyMap {
         return 0;
       }
       float periodUs = state[at + PERIOD] * 1e-3f;
-      return nowUs - state[at + FOUND] <= MAX_SILENT_PERIODS * periodUs ? periodUs : 0;
+      return isReported(periodUs, nowUs - state[at + FOUND]) ? periodUs : 0;
     }
 
     long lastUs(int index) {

@@ -101,6 +101,20 @@ class FrequencyMapFilterTest extends EventFilterContract {
   }
 
   @Test
+  void memoryIsTenOfTheLongestPeriods() {
+    FrequencyMap map = new FrequencyMap(SENSOR, FrequencyMapSettings.defaults());
+    assertEquals(2_000_000, map.memoryUs());
+    EventPacket events = new EventPacket(0);
+    for (int k = 0; k < 6; k++) {
+      events.append(180_000L * k, 3, 4, true);
+      events.append(180_000L * k + 1_000, 3, 4, false);
+    }
+    map.add(events);
+    assertEquals(1 / 0.18, map.frequencyHz(3, 4, events.lastTimeUs() + 900_000), 0.1);
+    assertEquals(Double.NaN, map.frequencyHz(3, 4, events.lastTimeUs() + 1_100_000));
+  }
+
+  @Test
   void twoPassagesPerPeriodYieldTheFrequencyOfThePeriod() {
     FrequencyMap map = new FrequencyMap(SENSOR, FrequencyMapSettings.defaults());
     EventPacket events = new EventPacket(0);

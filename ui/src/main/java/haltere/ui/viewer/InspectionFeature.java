@@ -15,8 +15,10 @@ import haltere.ui.viewer.picture.RegionMarks;
 import haltere.ui.viewer.picture.RegionTool;
 import java.util.Optional;
 import java.util.function.Supplier;
+import javafx.animation.PauseTransition;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.util.Duration;
 
 /** Inspection: the pixel under the mouse, a region of interest, the measuring tape, zoom. */
 public final class InspectionFeature implements ViewerFeature {
@@ -26,6 +28,11 @@ public final class InspectionFeature implements ViewerFeature {
   private final BooleanProperty measuring = new SimpleBooleanProperty();
   private final BooleanProperty drawingRegion = new SimpleBooleanProperty();
   private final BooleanProperty pointing = new SimpleBooleanProperty();
+
+  /** Time at a pixel before a pause measures the rate around it. */
+  private final PauseTransition rest = new PauseTransition(Duration.millis(150));
+
+  private Optional<PixelRegion> pointed = Optional.empty();
   private RegionMeasurement reading = RegionMeasurement.NOTHING;
   private ViewerContext window;
 
@@ -33,8 +40,8 @@ public final class InspectionFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     EventView view = window.panels().view();
-    view.setPointerListener(
-        (x, y, over) -> window.ifOpen(open -> open.display().renderer().point(x, y, over)));
+    view.setPointerListener(this::point);
+    rest.setOnFinished(event -> window.ifOpen(open -> open.player().refresh()));
     view.addLayer(canvas -> region().ifPresent(marks -> marks.draw(canvas)));
     view.onFrame(frame -> reading = frame.region().orElse(reading));
     followLegend(view);
@@ -59,6 +66,16 @@ public final class InspectionFeature implements ViewerFeature {
     ViewBar bar = window.panels().viewBar();
     bar.tool("tool-measure", Icons.TAPE, "Measure a length and an angle (T)", measuring);
     bar.tool("tool-region", Icons.REGION, "Draw the region of interest (G)", drawingRegion);
+  }
+
+  private void point(int x, int y, boolean over) {
+    window.ifOpen(open -> open.display().renderer().point(x, y, over));
+    Optional<PixelRegion> pixel =
+        over ? Optional.of(PixelRegion.around(x, y, 0)) : Optional.empty();
+    if (!pixel.equals(pointed)) {
+      pointed = pixel;
+      rest.playFromStart();
+    }
   }
 
   private void dismiss() {

@@ -20,6 +20,7 @@ final class LayoutFeature implements ViewerFeature {
   private static final String PANELS = "panel.";
   private static final String SHARES = "share.";
   private final Map<String, Object> layouts = new TreeMap<>();
+  private Map<String, Object> beforeHiding = Map.of();
   private ViewerContext window;
 
   @Override
@@ -28,7 +29,7 @@ final class LayoutFeature implements ViewerFeature {
     layouts.putAll(window.settings().map(NAME));
     addKeys(window.actions(), window.panels().panelLayout());
     window.actions().add("keep-layout", this::ask);
-    window.actions().add("layout-picture", this::hidePanels);
+    window.actions().add("layout-picture", this::hideOrRestorePanels);
     offer();
   }
 
@@ -63,13 +64,23 @@ final class LayoutFeature implements ViewerFeature {
 
   /** Saves the present layout under a name, in place of an earlier one. */
   void keep(String name) {
-    layouts.put(name, window.settings().chosen(PANELS, SHARES));
+    layouts.put(name, window.settings().chosen(PANELS, SHARES, PlotFeature.LANES));
     offer();
   }
 
   private void remove(String name) {
     layouts.remove(name);
     offer();
+  }
+
+  private void hideOrRestorePanels() {
+    Map<String, Object> panels = window.settings().chosen(PANELS);
+    if (panels.containsValue(true)) {
+      beforeHiding = panels;
+      hidePanels();
+    } else {
+      window.settings().choose(beforeHiding);
+    }
   }
 
   private void hidePanels() {

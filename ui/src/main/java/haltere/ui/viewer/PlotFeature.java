@@ -1,6 +1,7 @@
 package haltere.ui.viewer;
 
 import haltere.core.format.AtomicFile;
+import haltere.ui.plot.PlotField;
 import haltere.ui.plot.PlotTable;
 import haltere.ui.rendering.Pictures;
 import haltere.ui.viewer.action.ViewerActions;
@@ -13,6 +14,7 @@ import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.plots.PlotPanel;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -23,12 +25,20 @@ import javafx.stage.Stage;
 
 /** Plots of published results, below the events or in a window of their own. */
 final class PlotFeature implements ViewerFeature {
+  /** Setting of the plotted fields. */
+  static final String LANES = "plots.lanes";
+
   @Override
   public void install(ViewerContext window) {
     PlotPanel plots = window.panels().plots();
     BooleanProperty shown = window.addPanel("plots", PanelLayout.Position.BELOW, () -> plots);
-    // lanes are not saved, so an open panel would be empty
+    BooleanProperty detached = new SimpleBooleanProperty();
+    window.settings().keep("panel.plots-apart", detached);
+    window.settings().keep(LANES, plots.fieldsProperty(), PlotFeature::write, PlotFeature::read);
+    // layouts restore plots, a start does not: another source publishes other fields
     shown.set(false);
+    detached.set(false);
+    plots.fieldsProperty().set(List.of());
     window.onSession(
         made -> {
           if (plots.dropFirst(made.chain())) {
@@ -38,11 +48,11 @@ final class PlotFeature implements ViewerFeature {
             shown.set(true);
           }
         });
-    BooleanProperty detached = new SimpleBooleanProperty();
     bindLocation(window, plots, shown, detached);
     ViewerActions actions = window.actions();
     FileDialogs dialogs = window.dialogs();
-    actions.add("plots-apart", detached);
+    actions.add(
+        "plots-apart", detached, () -> (detached.get() ? shown : detached).set(true), () -> "");
     Supplier<String> noPlots = () -> plots.lanes().isEmpty() ? "nothing is plotted" : "";
     actions.add(
         "save-plot-table",
@@ -55,6 +65,26 @@ final class PlotFeature implements ViewerFeature {
         "save-plot-picture",
         () -> dialogs.picture().ifPresent(file -> save(window, file, plots.snapshot(null, null))),
         noPlots);
+  }
+
+  /** The fields of lanes as lists of their names, for JSON. */
+  private static Object write(List<List<PlotField>> lanes) {
+    return lanes.stream()
+        .map(lane -> lane.stream().map(f -> List.of(f.stage(), f.outlet(), f.column())).toList())
+        .toList();
+  }
+
+  private static List<List<PlotField>> read(Object lanes) {
+    return ((List<?>) lanes)
+        .stream()
+            .map(lane -> ((List<?>) lane).stream().map(PlotFeature::field).toList())
+            .filter(lane -> !lane.isEmpty())
+            .toList();
+  }
+
+  private static PlotField field(Object names) {
+    List<?> parts = (List<?>) names;
+    return new PlotField((String) parts.get(0), (String) parts.get(1), (String) parts.get(2));
   }
 
   private static void save(ViewerContext window, Path file, PlotTable table) {
@@ -88,11 +118,10 @@ final class PlotFeature implements ViewerFeature {
             ViewerKeys.install(own[0].getScene(), window.actions());
             // it has no menus, which know the keys with Ctrl
             own[0].getScene().getAccelerators().putAll(window.stage().getScene().getAccelerators());
-            own[0].setOnHidden(event -> detached.set(false));
+            own[0].setOnHidden(event -> shown.set(shown.get() || detached.get()));
             own[0].show();
           } else {
             own[0].hide();
-            shown.set(true);
           }
         });
     shown.subscribe((was, is) -> detached.set(detached.get() && !is));

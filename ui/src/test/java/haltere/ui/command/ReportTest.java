@@ -125,6 +125,8 @@ class ReportTest {
     String track = page("track", dots, "--out", folder.resolve("tracks.csv"));
     assertPlots(track, "objects: x", "objects: y");
     assertTrue(track.contains("<h2>Objects</h2>") && track.contains("mean speed (px/s)"));
+    assertEquals(
+        plots(track).size(), track.split("time from the first event").length - 1, "one time axis");
     Path chain =
         Files.writeString(
             folder.resolve("chain.json"),
@@ -193,6 +195,17 @@ class ReportTest {
     assertTrue(page.replace("\n", "").contains(sha256(two)));
     assertPlots(page, "objects: x");
     assertTrue(picture(page).getWidth() > 400);
+  }
+
+  @Test
+  void recordingsWithoutEventsHaveNoPicturesInTheReportOfABatch() throws Exception {
+    Path table = Files.writeString(folder.resolve("empty.csv"), "t,x,y,p\n");
+    Path out = folder.resolve("out");
+    String page = page("batch", table, "--sensor", "8x8", "--track", "--out", out);
+    assertTrue(page.contains("No events.") && !page.contains("<img"));
+    String means = plots(page).get(0);
+    assertTrue(means.contains("\"middle\">1<"), "recordings have whole numbers");
+    assertFalse(means.contains("\"middle\">0.5<"), "and no others");
   }
 
   @Test

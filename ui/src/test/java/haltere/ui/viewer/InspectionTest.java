@@ -86,6 +86,23 @@ class InspectionTest {
   }
 
   @Test
+  void pauseShowsTheRateAtTheMouse() {
+    viewer.waitFor("some events", () -> viewer.status().elapsedUs() > 300_000);
+    viewer.pause();
+    for (double share : new double[] {0.4, 0.5, 0.6}) {
+      // the pause itself may still be about to measure the first one
+      String before = viewer.text("cursor-readout");
+      viewer.moveOver("event-view", share);
+      viewer.waitFor(
+          "a rate at " + share,
+          () -> {
+            String text = viewer.text("cursor-readout");
+            return text.endsWith("ev/s near") && !text.equals(before);
+          });
+    }
+  }
+
+  @Test
   void regionShowsItsRateAndFrequency() {
     viewer.run(() -> seeing().setRegion(Optional.of(PixelRegion.between(0, 0, 127, 127))));
     viewer.waitFor(

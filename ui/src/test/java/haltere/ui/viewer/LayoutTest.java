@@ -3,6 +3,8 @@ package haltere.ui.viewer;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.ui.plot.Lane;
+import haltere.ui.plot.PlotField;
 import haltere.ui.viewer.feature.UserSettings;
 import java.nio.file.Path;
 import java.util.List;
@@ -12,6 +14,7 @@ import javafx.scene.Node;
 import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.SplitPane;
 import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.scene.layout.Region;
 import javafx.stage.Popup;
@@ -63,6 +66,39 @@ class LayoutTest {
     assertEquals(
         Optional.empty(),
         viewer.onFx(() -> viewer.window.context().actions().find("layout-Wings")));
+  }
+
+  @Test
+  void pictureAloneHidesTheWindowOfThePlotsAndShowsItAgain() {
+    viewer = ViewerHarness.withBlob();
+    run("plots-apart");
+    viewer.waitFor("plots elsewhere", () -> viewer.isThere("plots") && !isInWindow("plots"));
+    run("layout-picture");
+    viewer.waitFor("the picture alone", () -> !viewer.isThere("plots"));
+    run("layout-picture");
+    viewer.waitFor("their window", () -> viewer.isThere("plots") && !isInWindow("plots"));
+  }
+
+  @Test
+  void layoutStoresThePlottedFields() throws Exception {
+    UserSettings settings = UserSettings.load(folder);
+    viewer = new ViewerHarness(settings);
+    PlotField x = new PlotField("object-tracker", "objects", "x_px");
+    List<List<PlotField>> lanes = List.of(List.of(PlotField.EVENT_RATE, x), List.of(x));
+    viewer.run(() -> viewer.window.context().panels().plots().fieldsProperty().set(lanes));
+    viewer.run(() -> viewer.window.feature(LayoutFeature.class).keep("positions"));
+    viewer.run(() -> viewer.window.context().panels().plots().fieldsProperty().set(List.of()));
+    settings.save();
+    viewer.close();
+    viewer = new ViewerHarness(UserSettings.load(folder));
+    assertEquals(List.of(), plotted());
+    run("layout-positions");
+    viewer.waitFor("the same lanes", () -> plotted().equals(lanes));
+  }
+
+  private List<List<PlotField>> plotted() {
+    return viewer.onFx(
+        () -> viewer.window.context().panels().plots().lanes().stream().map(Lane::fields).toList());
   }
 
   @Test
@@ -167,6 +203,20 @@ class LayoutTest {
     viewer.waitFor("it is closed", () -> !viewer.isThere("palette-search"));
     viewer.press(KeyCode.CONTROL, KeyCode.G);
     viewer.waitFor("plots below the events", () -> isInWindow("plots"));
+  }
+
+  @Test
+  void commandPaletteBelongsToTheWindowAlsoWhileATooltipIsShown() {
+    viewer = ViewerHarness.withBlob();
+    Tooltip tooltip = viewer.onFx(() -> new Tooltip("help"));
+    viewer.run(() -> tooltip.show(viewer.stage, 10, 10));
+    viewer.press(KeyCode.CONTROL, KeyCode.K);
+    viewer.waitFor("the palette", () -> viewer.isThere("palette-search"));
+    Popup palette =
+        (Popup) viewer.onFx(() -> viewer.node("palette-search", Node.class).getScene().getWindow());
+    viewer.run(tooltip::hide);
+    assertEquals(viewer.stage, palette.getOwnerWindow());
+    assertTrue(viewer.onFx(palette::isShowing), "it stays without the tooltip");
   }
 
   @Test

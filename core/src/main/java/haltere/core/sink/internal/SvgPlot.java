@@ -50,6 +50,7 @@ public final class SvgPlot {
   private final List<String> names = new ArrayList<>();
   private final List<String> colours = new ArrayList<>();
   private boolean legendLeft;
+  private boolean wholeX;
 
   /**
    * A plot of a range.
@@ -101,6 +102,16 @@ public final class SvgPlot {
    */
   public SvgPlot legendLeft() {
     legendLeft = true;
+    return this;
+  }
+
+  /**
+   * Labels whole numbers of the horizontal axis alone.
+   *
+   * @return this plot
+   */
+  public SvgPlot wholeX() {
+    wholeX = true;
     return this;
   }
 
@@ -250,8 +261,11 @@ public final class SvgPlot {
     StringBuilder labels = new StringBuilder();
     Ticks across = Ticks.of(fromX, toX, MAX_TICKS);
     for (double x : across.values()) {
+      if (wholeX && x != Math.rint(x)) {
+        continue;
+      }
       svg.append(segment(atX(x), TOP, atX(x), HEIGHT - BOTTOM));
-      String words = number(across, x - originX());
+      String words = wholeX ? Long.toString((long) x) : number(across, x - originX());
       labels.append(label(atX(x), HEIGHT - BOTTOM + 15, "middle", words));
     }
     Ticks up = Ticks.of(fromY, toY, MAX_TICKS);

@@ -16,7 +16,11 @@ import java.util.Locale;
 final class WingOverlay implements Overlay<WingSnapshot> {
   private static final double BODY_SHARE = 0.45;
   private static final double BODY_WIDTH_SHARE = 0.15;
-  private static final double LETTER_SHARE = 1.05;
+
+  /** Distance of a letter from the region's circle, and more on the side to which it extends. */
+  private static final double LETTER_SHARE = 0.07;
+
+  private static final double LETTER_EXTENT_SHARE = 0.1;
   private static final double HINGE_PX = 1.5;
   private static final double UNCERTAINTY_SD = 2;
 
@@ -55,10 +59,13 @@ final class WingOverlay implements Overlay<WingSnapshot> {
       Role role = side == 0 ? Role.LEFT : Role.RIGHT;
       canvas.circle(x, y, HINGE_PX, MarkStyle.of(role));
       double beside = heading + turn * Math.PI / 2;
-      double away = LETTER_SHARE * fly.sizePx();
+      double across = Math.cos(beside);
+      double up = Math.sin(beside);
+      double extent = LETTER_EXTENT_SHARE * (Math.max(0, -across) + Math.max(0, -up));
+      double away = snapshot.regionPx() + (LETTER_SHARE + extent) * fly.sizePx();
       canvas.text(
-          x + away * Math.cos(beside),
-          y + away * Math.sin(beside),
+          fly.centreX() + away * across,
+          fly.centreY() + away * up,
           side == 0 ? "L" : "R",
           MarkStyle.of(role));
       double min = Double.POSITIVE_INFINITY;

@@ -23,7 +23,9 @@ import haltere.filters.wing.WingTrackerState;
 import haltere.testing.EventPackets;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -34,6 +36,7 @@ class WingOverlayTest {
   private static final class Marks implements OverlayCanvas {
     final List<String> all = new ArrayList<>();
     final List<double[]> lines = new ArrayList<>();
+    final Map<String, double[]> texts = new HashMap<>();
 
     @Override
     public void circle(double x, double y, double radius, MarkStyle style) {
@@ -65,6 +68,7 @@ class WingOverlayTest {
     @Override
     public void text(double x, double y, String text, MarkStyle style) {
       all.add(text);
+      texts.put(text, new double[] {x, y});
     }
   }
 
@@ -94,6 +98,13 @@ class WingOverlayTest {
     assertTrue(marks.all.contains("ellipse OBJECT"));
     assertTrue(marks.all.contains("circle REGION"));
     assertTrue(marks.all.contains("head 90 %"));
+  }
+
+  @Test
+  void lettersAreOutsideTheCircleOfTheRegion() {
+    Marks marks = draw(1.5, 1.6);
+    assertTrue(marks.texts.get("L")[0] + 4 < 50 - 42, "with room for the letter");
+    assertTrue(marks.texts.get("R")[0] > 50 + 42);
   }
 
   @Test

@@ -29,6 +29,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
@@ -111,7 +112,10 @@ public record FolderReport(Path folder, RecordingJob.ChainFactory chains, ReadOp
       page.section("Pictures of events and results, from the first second");
       for (BatchItem item : done.subList(0, Math.min(MAX_PICTURES, done.size()))) {
         page.text(List.of(item.name()));
-        page.picture(pictures(item), item.name() + " at moments of its first second");
+        Optional<BufferedImage> sheet = pictures(item);
+        sheet.ifPresentOrElse(
+            drawn -> page.picture(drawn, item.name() + " at moments of its first second"),
+            () -> page.sentence("No events."));
       }
       page.folded("The chain as a file", List.of(ChainFile.write(chain).strip()));
     }
@@ -127,13 +131,14 @@ public record FolderReport(Path folder, RecordingJob.ChainFactory chains, ReadOp
     String unit = field.unit().isEmpty() ? "" : " (" + field.unit() + ")";
     page.plot(
         SvgPlot.around(new double[] {0.5, done.size() + 0.5}, values)
+            .wholeX()
             .dots("", ReportPage.colour("", 0), numbers, values)
             .draw(field.outlet() + ": " + field.label(), "recording", field.label() + unit),
         Map.of(),
         "");
   }
 
-  private BufferedImage pictures(BatchItem item) throws IOException {
+  private Optional<BufferedImage> pictures(BatchItem item) throws IOException {
     try (RecordingReader reader = Recordings.open(item.recording(), reading);
         FilterChain chain = chains.create(reader.geometry())) {
       ContactSheet sheet = new ContactSheet(chain);
@@ -147,7 +152,7 @@ public record FolderReport(Path folder, RecordingJob.ChainFactory chains, ReadOp
         // up to a second of events
       }
       runner.notified(new EndOfStream(runner.lastUs()));
-      return sheet.draw();
+      return seen.maxHz() > 0 ? Optional.of(sheet.draw()) : Optional.empty();
     }
   }
 

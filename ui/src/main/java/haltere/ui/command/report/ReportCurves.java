@@ -51,10 +51,10 @@ final class ReportCurves {
       newest.addLast(new Sample(timeUs, value));
     }
 
-    double[] timesS() {
+    double[] timesS(long originUs) {
       return IntStream.range(0, bins.size())
           .filter(bin -> bins.count(bin) > 0)
-          .mapToDouble(bin -> (baseUs + (bin + 0.5) * bins.binUs()) * 1e-6)
+          .mapToDouble(bin -> (baseUs - originUs + (bin + 0.5) * bins.binUs()) * 1e-6)
           .toArray();
     }
 
@@ -93,8 +93,11 @@ final class ReportCurves {
     }
   }
 
-  /** Adds the plots to a page: the whole time, and a close-up if that hides the samples. */
-  void addTo(ReportPage page) {
+  /**
+   * Adds the plots to a page: the whole time, and a close-up if that hides the samples; over the
+   * time since an origin, with the label of that axis.
+   */
+  void addTo(ReportPage page, long originUs, String timeLabel) {
     if (traces.isEmpty()) {
       return;
     }
@@ -102,10 +105,10 @@ final class ReportCurves {
     String label = first.label() + (first.unit().isEmpty() ? "" : " (" + first.unit() + ")");
     String title = first.outlet() + ": " + first.label();
     List<ReportCurve> all = List.copyOf(traces.values());
-    double[] times = join(all.stream().map(ReportCurve::timesS).toList());
+    double[] allTimes = join(all.stream().map(trace -> trace.timesS(originUs)).toList());
     SvgPlot whole =
         SvgPlot.around(
-            times,
+            allTimes,
             join(all.stream().map(trace -> trace.edge(true)).toList()),
             join(all.stream().map(trace -> trace.edge(false)).toList()));
     Map<String, String> colours = colours();
@@ -116,16 +119,17 @@ final class ReportCurves {
       double[] high = trace.edge(false);
       double[] middle =
           IntStream.range(0, low.length).mapToDouble(i -> (low[i] + high[i]) / 2).toArray();
-      whole.band("", colour, trace.timesS(), low, high);
-      whole.line("", colour, trace.timesS(), middle);
+      double[] times = trace.timesS(originUs);
+      whole.band("", colour, times, low, high);
+      whole.line("", colour, times, middle);
     }
     Map<String, String> legend =
         traces.size() <= MAX_NAMED && !traces.containsKey("") ? colours : Map.of();
     boolean dense = all.stream().anyMatch(ReportCurve::isDense);
-    page.plot(whole.draw(title, "time (s)", label), legend, dense ? BANDS : "");
+    page.plot(whole.draw(title, timeLabel, label), legend, dense ? BANDS : "");
     if (dense) {
       String text = title + ", last " + NEWEST + " samples";
-      page.plot(closeUp(colours).draw(text, "time (s)", label), legend, "");
+      page.plot(closeUp(colours, originUs).draw(text, timeLabel, label), legend, "");
     }
   }
 
@@ -135,11 +139,11 @@ final class ReportCurves {
     return colours;
   }
 
-  private SvgPlot closeUp(Map<String, String> colours) {
+  private SvgPlot closeUp(Map<String, String> colours, long originUs) {
     List<double[]> times = new ArrayList<>();
     List<double[]> values = new ArrayList<>();
     for (ReportCurve trace : traces.values()) {
-      times.add(trace.newest.stream().mapToDouble(sample -> sample.timeUs * 1e-6).toArray());
+      times.add(trace.newest.stream().mapToDouble(now -> (now.timeUs - originUs) * 1e-6).toArray());
       values.add(trace.newest.stream().mapToDouble(Sample::value).toArray());
     }
     SvgPlot plot = SvgPlot.around(join(times), join(values));

@@ -68,7 +68,7 @@ public final class ReportPage {
   void facts(Map<String, String> facts) {
     List<List<String>> rows =
         facts.entrySet().stream().map(fact -> List.of(fact.getKey(), fact.getValue())).toList();
-    body.append("<table>").append(rows(rows, true)).append("</table>\n");
+    body.append("<table class=\"facts\">").append(rows(rows, true)).append("</table>\n");
   }
 
   /** Adds a table. */

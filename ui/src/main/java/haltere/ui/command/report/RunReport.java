@@ -32,6 +32,7 @@ import java.util.stream.IntStream;
  */
 public final class RunReport implements JobResults {
   private static final int RATE_BINS = 400;
+  private static final String TIME = "time from the first event (s)";
 
   private final EventRate rate = new EventRate(RATE_BINS);
   private final List<ReportCurves> curves = new ArrayList<>();
@@ -133,7 +134,7 @@ public final class RunReport implements JobResults {
     page.picture(sheet.draw(), "The recording with the results at up to eight moments");
     page.section("Plots");
     addRate(page);
-    curves.forEach(curve -> curve.addTo(page));
+    curves.forEach(curve -> curve.addTo(page, events > 0 ? rate.firstUs() : 0, TIME));
     page.folded("The chain as a file", List.of(chainText.strip()));
   }
 
@@ -142,14 +143,14 @@ public final class RunReport implements JobResults {
     if (bins.size() > 1) {
       double[] timesS =
           IntStream.range(0, bins.size())
-              .mapToDouble(bin -> (rate.firstUs() + (bin + 0.5) * bins.binUs()) * 1e-6)
+              .mapToDouble(bin -> (bin + 0.5) * bins.binUs() * 1e-6)
               .toArray();
       double[] kevS =
           IntStream.range(0, bins.size()).mapToDouble(bin -> bins.rateHz(bin) * 1e-3).toArray();
       page.plot(
           SvgPlot.around(timesS, kevS)
               .line("", ReportPage.colour("", 0), timesS, kevS)
-              .draw("Event rate of the recording", "time (s)", "event rate (kev/s)"),
+              .draw("Event rate of the recording", TIME, "event rate (kev/s)"),
           Map.of(),
           "");
     }

@@ -44,10 +44,10 @@ public final class CommandPalette {
     }
     search.clear();
     filter("");
-    // the plots may have a window of their own
+    // the plots may have a window of their own; a tooltip is focused with its window
     Window over =
         Window.getWindows().stream()
-            .filter(other -> other != stage && other.isFocused())
+            .filter(other -> other instanceof Stage && other != stage && other.isFocused())
             .findFirst()
             .orElse(stage);
     popup.show(over, over.getX() + (over.getWidth() - WIDTH) / 2, over.getY() + 90);

@@ -27,6 +27,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.geometry.Orientation;
 import javafx.scene.control.Label;
 import javafx.scene.control.SplitPane;
+import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
@@ -105,17 +106,25 @@ public final class CompareFeature implements ViewerFeature {
     first
         .maxWidthProperty()
         .bind(Bindings.when(shown).then(named.widthProperty()).otherwise(Double.MAX_VALUE));
-    window.actions().add("compare", shown);
-    window
-        .panels()
-        .viewBar()
-        .tool("tool-compare", Icons.COMPARE, "Compare with a second chain (Ctrl+D)", shown);
+    window.actions().add("compare", shown, () -> shown.get() ? "" : window.nothingOpen());
+    ToggleButton button =
+        window
+            .panels()
+            .viewBar()
+            .tool("tool-compare", Icons.COMPARE, "Compare with a second chain (Ctrl+D)", shown);
     shown.subscribe(
         (was, is) -> {
           settingsShown.set(is);
           follow(window.sessions().session());
         });
-    window.sessions().sessionProperty().subscribe((was, is) -> follow(is));
+    window
+        .sessions()
+        .sessionProperty()
+        .subscribe(
+            is -> {
+              Controls.unless(window.nothingOpen(), button);
+              follow(is);
+            });
     window.editor().onChange(() -> running.ifPresent(this::listen));
     editor.onChange(() -> running.ifPresent(this::listen));
     first.onFrame(frame -> frame.beside().ifPresent(view::show));

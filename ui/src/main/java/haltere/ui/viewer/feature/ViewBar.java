@@ -76,11 +76,12 @@ public final class ViewBar extends HBox {
     getChildren().addAll(getChildren().indexOf(tools) - 1, List.of(button, slider));
   }
 
-  /** Adds the button of a tool or a panel. */
-  public void tool(String id, Icons icon, String help, BooleanProperty on) {
+  /** Adds the button of a tool or a panel, in a {@link Controls#place place}. */
+  public ToggleButton tool(String id, Icons icon, String help, BooleanProperty on) {
     ToggleButton button = Controls.toggle(id, icon, help, Styles.SMALL);
     button.selectedProperty().bindBidirectional(on);
-    tools.getChildren().add(button);
+    tools.getChildren().add(Controls.place(button));
+    return button;
   }
 
   private static <T> Region choice(

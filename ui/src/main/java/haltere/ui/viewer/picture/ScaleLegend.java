@@ -44,9 +44,7 @@ public final class ScaleLegend extends HBox {
   /** Shows the meaning of the far end; empty hides the legend. */
   void show(String farEnd) {
     Optional<ColourScale> scale = ColourScale.of(mode, gradient, farEnd);
-    if (isVisible() != scale.isPresent()) {
-      setVisible(scale.isPresent());
-    }
+    setVisible(scale.isPresent());
     scale.ifPresent(this::show);
   }
 

@@ -12,14 +12,15 @@ final class RateScale {
   /** Share of the columns with events that are not clipped. */
   private static final double UNCLIPPED = 0.97;
 
-  /** Decades of rate that the logarithmic scale has below the highest rate. */
-  private static final double DECADES = 3;
+  /** Minimum range of the logarithmic scale, so that similar rates have similar heights. */
+  private static final double MIN_DECADES = 1;
 
   private RateScale() {}
 
   /**
    * Heights of columns for rates of events per second, 0 to 1; above 1, to be clipped, for those
-   * beyond the percentile. Logarithmic, a decade has the same height everywhere.
+   * beyond the percentile. The logarithmic scale reaches from the lowest to the highest rate with
+   * events; each decade has the same height.
    */
   static double[] heights(double[] rates, boolean logarithmic) {
     double[] sorted = Arrays.stream(rates).filter(rate -> rate > 0).sorted().toArray();
@@ -28,12 +29,10 @@ final class RateScale {
     }
     double highest = sorted[sorted.length - 1];
     double full = sorted[(int) Math.floor(UNCLIPPED * (sorted.length - 1))];
+    double decades = Math.max(MIN_DECADES, Math.log10(highest / sorted[0]));
     return Arrays.stream(rates)
-        .map(rate -> logarithmic ? logarithmic(rate / highest) : rate / full)
+        .map(rate -> logarithmic ? 1 + Math.log10(rate / highest) / decades : rate / full)
+        .map(height -> Math.max(0, height))
         .toArray();
-  }
-
-  private static double logarithmic(double share) {
-    return share <= 0 ? 0 : Math.max(0, 1 + Math.log10(share) / DECADES);
   }
 }

@@ -17,6 +17,8 @@ import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.playback.PlaybackController;
 import java.util.ArrayList;
 import java.util.List;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.SimpleObjectProperty;
 import javafx.geometry.Side;
 import javafx.scene.control.Button;
 import javafx.scene.control.ContextMenu;
@@ -52,6 +54,8 @@ public final class PlotPanel extends BorderPane {
               + " of an inertial sensor.",
           "chain-empty");
   private final Label lost = Controls.label("", "problem");
+  private final ObjectProperty<List<List<PlotField>>> plotted =
+      new SimpleObjectProperty<>(List.of());
   private List<PlotField> offered = List.of();
   private boolean offersInertial;
   private PlotColours colours = PlotColours.DARK;
@@ -98,6 +102,12 @@ public final class PlotPanel extends BorderPane {
     offer(List.of());
     showSpan();
     editor.onChange(this::followChain);
+    plotted.subscribe(
+        wanted -> {
+          if (!wanted.equals(fields())) {
+            show(wanted);
+          }
+        });
   }
 
   /** Draws for a dark window, or for a light one. */
@@ -170,8 +180,12 @@ public final class PlotPanel extends BorderPane {
 
   /** Shows a set of plots in place of all others. */
   public void show(PlotSet set) {
+    show(set.lanes());
+  }
+
+  private void show(List<List<PlotField>> wanted) {
     List.copyOf(lanes).forEach(this::remove);
-    for (List<PlotField> fields : set.lanes()) {
+    for (List<PlotField> fields : wanted) {
       addLane(fields.get(0));
       PlotLane lane = lanes.get(lanes.size() - 1);
       fields.subList(1, fields.size()).forEach(field -> addTo(lane, field));
@@ -195,8 +209,7 @@ public final class PlotPanel extends BorderPane {
   /** Removes unchanged default plots for which another chain publishes nothing; false otherwise. */
   public boolean dropFirst(FilterChain chain) {
     boolean isAsInitially =
-        !first.isEmpty()
-            && lanes().stream().flatMap(lane -> lane.fields().stream()).toList().equals(first);
+        !first.isEmpty() && fields().stream().flatMap(List::stream).toList().equals(first);
     List<String> stages = chain.stages().stream().map(ChainStage::name).toList();
     boolean published = first.stream().map(PlotField::stage).anyMatch(stages::contains);
     if (!isAsInitially || published) {
@@ -218,7 +231,17 @@ public final class PlotPanel extends BorderPane {
     changed();
   }
 
+  /** The fields of each lane. */
+  public ObjectProperty<List<List<PlotField>>> fieldsProperty() {
+    return plotted;
+  }
+
+  private List<List<PlotField>> fields() {
+    return lanes().stream().map(Lane::fields).toList();
+  }
+
   private void changed() {
+    plotted.set(fields());
     Controls.show(lanes.isEmpty(), empty);
     dirty = true;
     followChain();

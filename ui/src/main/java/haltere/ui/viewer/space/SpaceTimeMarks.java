@@ -7,6 +7,8 @@ import haltere.core.overlay.OverlayCanvas;
 import haltere.core.sink.internal.Ticks;
 import haltere.ui.rendering.Letters;
 import haltere.ui.rendering.SpaceTimeProjection;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -72,12 +74,13 @@ record SpaceTimeMarks(
 
   /** Draws the twelve edges of the box, three of them with ticks and names. */
   void drawAxes() {
-    draw(Axis.COLUMN, Axis.ROW, Axis.TIME);
-    draw(Axis.ROW, Axis.COLUMN, Axis.TIME);
-    draw(Axis.TIME, Axis.COLUMN, Axis.ROW);
+    List<double[]> zeros = new ArrayList<>();
+    draw(Axis.COLUMN, Axis.ROW, Axis.TIME, zeros);
+    draw(Axis.ROW, Axis.COLUMN, Axis.TIME, zeros);
+    draw(Axis.TIME, Axis.COLUMN, Axis.ROW, zeros);
   }
 
-  private void draw(Axis axis, Axis other, Axis third) {
+  private void draw(Axis axis, Axis other, Axis third, List<double[]> zeros) {
     Edge labelled = null;
     for (double a : new double[] {0, end(other)}) {
       for (double b : new double[] {0, end(third)}) {
@@ -91,7 +94,7 @@ record SpaceTimeMarks(
       }
     }
     if (labelled.length() >= PER_TICK * density) {
-      drawScale(labelled);
+      drawScale(labelled, zeros);
     }
   }
 
@@ -124,7 +127,8 @@ record SpaceTimeMarks(
     }
   }
 
-  private void drawScale(Edge edge) {
+  /** Draws ticks and names along an edge; axes with a common corner share its label 0. */
+  private void drawScale(Edge edge, List<double[]> zeros) {
     boolean isTime = edge.axis == Axis.TIME;
     double unitUs = spanUs < 5_000 ? 1 : spanUs < 2_000_000 ? 1_000 : 1_000_000;
     double unit = isTime ? unitUs : 1;
@@ -138,7 +142,13 @@ record SpaceTimeMarks(
       double x = at[0] + outward[0] * TICK * density;
       double y = at[1] + outward[1] * TICK * density;
       canvas.line(at[0], at[1], x, y, AXIS);
+      if (value == 0 && zeros.stream().anyMatch(zero -> Arrays.equals(zero, at))) {
+        continue;
+      }
       text(ticks.label(value), at, outward, TICK_LABEL);
+      if (value == 0) {
+        zeros.add(at);
+      }
     }
     double[] middle = {edge.middle(0), edge.middle(1)};
     if (isTime) {

@@ -13,6 +13,7 @@ import haltere.ui.viewer.BlobSource;
 import haltere.ui.viewer.PresetFeature;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.chain.ChainEditor;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.picture.EventView;
 import java.nio.file.Files;
@@ -80,6 +81,20 @@ class CompareTest {
     viewer.run(() -> viewer.window.context().actions().run("compare"));
     viewer.waitFor("one chain again", () -> !viewer.isThere("second-event-view"));
     assertTrue(viewer.onFx(() -> compare().secondChain().isEmpty()));
+  }
+
+  @Test
+  void comparisonNeedsAnOpenSource() throws Exception {
+    viewer = new ViewerHarness();
+    viewer.run(() -> viewer.window.context().actions().run("compare"));
+    viewer.waitFor(
+        "the reason",
+        () -> viewer.text("status-message").equals("Compare with a second chain: nothing is open"));
+    Node button = viewer.node("tool-compare", Node.class);
+    assertTrue(viewer.onFx(button::isDisabled));
+    assertEquals("nothing is open", viewer.onFx(() -> Controls.help(button.getParent())));
+    viewer.openRecording(ViewerHarness.recording(folder, "blob.aedat"));
+    viewer.waitFor("an enabled button", () -> !button.isDisabled());
   }
 
   @Test

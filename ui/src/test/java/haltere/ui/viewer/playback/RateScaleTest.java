@@ -34,6 +34,18 @@ class RateScaleTest {
   }
 
   @Test
+  void logarithmicScaleReachesFromTheLowestToTheHighestRateWithEvents() {
+    double[] heights = RateScale.heights(new double[] {0, 10, 1e4, 1e6}, true);
+    assertArrayEquals(new double[] {0, 0, 0.6, 1}, heights, 1e-9);
+  }
+
+  @Test
+  void similarRatesHaveSimilarHeightsOnTheLogarithmicScale() {
+    double[] heights = RateScale.heights(new double[] {90, 100}, true);
+    assertArrayEquals(new double[] {1 + Math.log10(0.9), 1}, heights, 1e-9);
+  }
+
+  @Test
   void heightsAreZeroWithoutEvents() {
     assertArrayEquals(new double[3], RateScale.heights(new double[3], false));
   }

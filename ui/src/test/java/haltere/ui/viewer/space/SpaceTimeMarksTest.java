@@ -49,6 +49,7 @@ class SpaceTimeMarksTest {
   private static final class Notes implements OverlayCanvas {
     final Map<String, double[]> texts = new HashMap<>();
     final List<double[]> lines = new ArrayList<>();
+    int zeros;
 
     @Override
     public void polyline(double[] x, double[] y, int points, MarkStyle style) {
@@ -58,6 +59,7 @@ class SpaceTimeMarksTest {
     @Override
     public void text(double x, double y, String text, MarkStyle style) {
       texts.put(text, new double[] {x, y});
+      zeros += text.equals("0") ? 1 : 0;
     }
   }
 
@@ -84,6 +86,11 @@ class SpaceTimeMarksTest {
         notes.texts.keySet().containsAll(List.of("x, px", "y, px", "time, ms", "-40", "-100")),
         () -> "" + notes.texts.keySet());
     assertTrue(notes.texts.get("-100")[0] < notes.texts.get("-40")[0], "the past is at the left");
+  }
+
+  @Test
+  void axesThatMeetShareTheLabelOfTheirOrigin() {
+    assertEquals(2, notes(55, 100_000).zeros, "x and time meet, y begins elsewhere");
   }
 
   @Test
