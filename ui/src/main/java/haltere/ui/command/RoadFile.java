@@ -23,7 +23,6 @@ import haltere.filters.road.VehiclesOnRoad;
 import haltere.filters.track.RoadTracksSettings;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -63,12 +62,6 @@ record RoadFile(
     CountingLineSettings lines,
     VehiclePrior vehicles,
     List<PointPair> points) {
-  private static final String POINTS = "points";
-  private static final String VANISHING_POINT = "vanishingPoint";
-  private static final String LANES = "lanes";
-  private static final String LINES = "countingLines";
-  private static final String VEHICLES = "vehicles";
-
   /**
    * Reads a road from a JSON file; a {@link JsonProblem} names a file that is none.
    *
@@ -88,21 +81,17 @@ record RoadFile(
 
   private static RoadFile road(Map<?, ?> object, Consumer<String> notes) {
     Map<Object, Object> view = new LinkedHashMap<>(object);
-    Object lanes = view.remove(LANES);
-    Object lines = view.remove(LINES);
-    Object vehicles = view.remove(VEHICLES);
-    Object points = view.remove(POINTS);
-    if (view.get(VANISHING_POINT) instanceof Map<?, ?> point && !point.containsKey("marked")) {
+    LaneSettings lanes = part(view, "lanes", LaneSettings.class, notes);
+    CountingLineSettings lines = part(view, "countingLines", CountingLineSettings.class, notes);
+    VehiclePrior vehicles = part(view, "vehicles", VehiclePrior.class, notes);
+    List<PointPair> points = points(view.remove("points"));
+    if (view.get("vanishingPoint") instanceof Map<?, ?> point && !point.containsKey("marked")) {
       Map<Object, Object> marked = new LinkedHashMap<>(point);
       marked.put("marked", true);
-      view.put(VANISHING_POINT, marked);
+      view.put("vanishingPoint", marked);
     }
-    return new RoadFile(
-        SettingsJson.fromMap(view, SettingsSchema.of(RoadViewSettings.class), notes),
-        part(LANES, lanes, LaneSettings.class, notes),
-        part(LINES, lines, CountingLineSettings.class, notes),
-        part(VEHICLES, vehicles, VehiclePrior.class, notes),
-        points(points));
+    SettingsSchema<RoadViewSettings> schema = SettingsSchema.of(RoadViewSettings.class);
+    return new RoadFile(SettingsJson.fromMap(view, schema, notes), lanes, lines, vehicles, points);
   }
 
   private static List<PointPair> points(Object value) {
@@ -112,18 +101,18 @@ record RoadFile(
     if (!(value instanceof List<?> list)) {
       throw new SettingsProblem("\"points\" is an array of {xPx, yPx, xM, yM}");
     }
-    List<PointPair> points = new ArrayList<>();
-    for (Object one : list) {
-      points.add(
-          new PointPair(
-              number(one, "xPx"), number(one, "yPx"), number(one, "xM"), number(one, "yM")));
-    }
+    List<PointPair> points = list.stream().map(RoadFile::pair).toList();
     try {
       new Homography(points);
     } catch (IllegalArgumentException problem) {
       throw new SettingsProblem("\"points\": " + problem.getMessage());
     }
-    return List.copyOf(points);
+    return points;
+  }
+
+  private static PointPair pair(Object point) {
+    return new PointPair(
+        number(point, "xPx"), number(point, "yPx"), number(point, "xM"), number(point, "yM"));
   }
 
   private static double number(Object point, String name) {
@@ -148,16 +137,17 @@ record RoadFile(
   }
 
   private static <S extends Record> S part(
-      String name, Object value, Class<S> type, Consumer<String> notes) {
+      Map<?, ?> object, String name, Class<S> type, Consumer<String> notes) {
+    Object value = object.remove(name);
     SettingsSchema<S> schema = SettingsSchema.of(type);
     if (value == null) {
       return schema.defaults();
     }
-    if (!(value instanceof Map<?, ?> object)) {
+    if (!(value instanceof Map<?, ?> settings)) {
       List<String> keys = schema.parameters().stream().map(Parameter::name).toList();
       throw new SettingsProblem("\"" + name + "\" is an object with " + keys);
     }
-    return SettingsJson.fromMap(object, schema, notes);
+    return SettingsJson.fromMap(settings, schema, notes);
   }
 
   /** Tracks on this road, with the process noise of others. */

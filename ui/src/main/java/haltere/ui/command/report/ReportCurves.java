@@ -112,17 +112,16 @@ final class ReportCurves {
             join(all.stream().map(trace -> trace.edge(true)).toList()),
             join(all.stream().map(trace -> trace.edge(false)).toList()));
     Map<String, String> colours = colours();
-    for (Map.Entry<String, ReportCurve> each : traces.entrySet()) {
-      ReportCurve trace = each.getValue();
-      String colour = colours.get(each.getKey());
-      double[] low = trace.edge(true);
-      double[] high = trace.edge(false);
-      double[] middle =
-          IntStream.range(0, low.length).mapToDouble(i -> (low[i] + high[i]) / 2).toArray();
-      double[] times = trace.timesS(originUs);
-      whole.band("", colour, times, low, high);
-      whole.line("", colour, times, middle);
-    }
+    traces.forEach(
+        (key, trace) -> {
+          double[] low = trace.edge(true);
+          double[] high = trace.edge(false);
+          double[] middle =
+              IntStream.range(0, low.length).mapToDouble(i -> (low[i] + high[i]) / 2).toArray();
+          double[] times = trace.timesS(originUs);
+          whole.band("", colours.get(key), times, low, high);
+          whole.line("", colours.get(key), times, middle);
+        });
     Map<String, String> legend =
         traces.size() <= MAX_NAMED && !traces.containsKey("") ? colours : Map.of();
     boolean dense = all.stream().anyMatch(ReportCurve::isDense);
@@ -149,8 +148,7 @@ final class ReportCurves {
     SvgPlot plot = SvgPlot.around(join(times), join(values));
     int number = 0;
     for (String key : traces.keySet()) {
-      plot.line("", colours.get(key), times.get(number), values.get(number));
-      number++;
+      plot.line("", colours.get(key), times.get(number), values.get(number++));
     }
     return plot;
   }
