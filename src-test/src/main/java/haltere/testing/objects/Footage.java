@@ -66,6 +66,65 @@ record Footage(SensorGeometry geometry, EventPacket events, List<TruthMoment> tr
     return new Footage(geometry, mapped, moments);
   }
 
+  /** At another speed: times since the first event are longer by a factor. */
+  Footage stretched(double factor) {
+    long startUs = events.firstTimeUs();
+    EventPacket slower = new EventPacket(events.size());
+    for (int i = 0; i < events.size(); i++) {
+      slower.append(stretched(events.timeUs(i), startUs, factor), events.address(i));
+    }
+    List<TruthMoment> moments = new ArrayList<>();
+    for (TruthMoment moment : truth) {
+      long timeUs = stretched(moment.timeUs(), startUs, factor);
+      moments.add(new TruthMoment(timeUs, moment.objects(), moment.ignored()));
+    }
+    return new Footage(geometry, slower, moments);
+  }
+
+  private static long stretched(long timeUs, long startUs, double factor) {
+    return startUs + Math.round((timeUs - startUs) * factor);
+  }
+
+  /** With left and right exchanged. */
+  Footage mirrored() {
+    int lastX = geometry.width() - 1;
+    EventPacket mirrored = new EventPacket(events.size());
+    for (int i = 0; i < events.size(); i++) {
+      mirrored.append(events.timeUs(i), lastX - events.x(i), events.y(i), events.isOn(i));
+    }
+    List<TruthMoment> moments = new ArrayList<>();
+    for (TruthMoment moment : truth) {
+      moments.add(
+          new TruthMoment(
+              moment.timeUs(),
+              moment.objects().stream()
+                  .map(one -> new TrueObject(one.id(), one.box().mapped(-1, 1, lastX, 0)))
+                  .toList(),
+              moment.ignored().stream().map(box -> box.mapped(-1, 1, lastX, 0)).toList()));
+    }
+    return new Footage(geometry, mirrored, moments);
+  }
+
+  /** With events at random times, pixels and polarities between the others. */
+  Footage withNoise(double hzPerPixel, SplittableRandom random) {
+    EventPacket noisy = new EventPacket(2 * events.size());
+    double meanUs = 1e6 / (hzPerPixel * geometry.pixels());
+    double nextUs = events.firstTimeUs();
+    for (int i = 0; i < events.size(); i++) {
+      while (nextUs < events.timeUs(i)) {
+        noisy.append(
+            (long) nextUs,
+            random.nextInt(geometry.width()),
+            random.nextInt(geometry.height()),
+            random.nextBoolean());
+        // intervals of a Poisson process
+        nextUs -= meanUs * Math.log(1 - random.nextDouble());
+      }
+      noisy.append(events, i, i + 1);
+    }
+    return new Footage(geometry, noisy, truth);
+  }
+
   /** This and then another, which begins no earlier than this ends. */
   Footage then(Footage next) {
     EventPacket all = new EventPacket(events.size() + next.events.size());

@@ -88,12 +88,41 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
    */
   public ObjectScene part(long seed) throws IOException {
     SplittableRandom random = new SplittableRandom(seed);
+    return scene(seed, part(random).thinned(0.1, random));
+  }
+
+  /**
+   * A variant of the recording: it begins somewhere in the first half of its labels, lacks up to
+   * seven tenths of its events, runs at half to twice its speed, may be mirrored, and may have up
+   * to two events of noise a second in each pixel. Other cameras and other scenes differ so.
+   *
+   * @param seed the same seed makes the same scene
+   * @return a scene of the recording's kind
+   * @throws IOException if the file or its labels cannot be read
+   */
+  public ObjectScene variant(long seed) throws IOException {
+    SplittableRandom random = new SplittableRandom(seed);
+    Footage variant =
+        part(random)
+            .thinned(random.nextDouble(0.7), random)
+            .stretched(Math.pow(2, random.nextDouble(-1, 1)));
+    if (random.nextBoolean()) {
+      variant = variant.mirrored();
+    }
+    return scene(
+        seed, random.nextBoolean() ? variant.withNoise(random.nextDouble(2), random) : variant);
+  }
+
+  private Footage part(SplittableRandom random) throws IOException {
     Footage whole = playback == Playback.ONCE ? read() : footage();
     List<TruthMoment> labels = whole.truth();
     long firstUs = labels.get(0).timeUs();
     long lastUs = labels.get(labels.size() - 1).timeUs();
     long fromUs = firstUs + (long) (random.nextDouble(0.5) * (lastUs - firstUs));
-    Footage part = whole.between(fromUs, Long.MAX_VALUE).thinned(0.1, random);
+    return whole.between(fromUs, Long.MAX_VALUE);
+  }
+
+  private ObjectScene scene(long seed, Footage part) {
     return new ObjectScene(
         file + "-" + seed,
         file,

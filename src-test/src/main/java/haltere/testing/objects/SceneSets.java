@@ -12,7 +12,7 @@ public final class SceneSets {
 
   /** Names of all sets. */
   public static final List<String> NAMES =
-      List.of("recordings", "parts", "composites", "looks", "roads", "discs");
+      List.of("recordings", "parts", "variants", "composites", "looks", "roads", "discs");
 
   /** Makes a scene when it is needed, so that few are in memory. */
   public interface Later {
@@ -45,6 +45,13 @@ public final class SceneSets {
         for (LabelledRecording recording : LabelledRecording.all()) {
           for (long seed : range) {
             scenes.add(() -> recording.part(seed));
+          }
+        }
+      }
+      case "variants" -> {
+        for (LabelledRecording recording : LabelledRecording.all()) {
+          for (long seed : range) {
+            scenes.add(() -> recording.variant(seed));
           }
         }
       }

@@ -10,6 +10,7 @@ import haltere.testing.Recorded;
 import haltere.testing.SceneEvents;
 import java.io.IOException;
 import java.util.List;
+import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -55,6 +56,37 @@ class LabelledRecordingTest {
     assertEquals(0.9, events.size() / (double) rest.size(), 0.01);
     assertTrue(part.truth().get(0).timeUs() >= fromUs);
     assertEquals(part.truth(), recording.part(1).truth());
+  }
+
+  @Test
+  void stretchedAndMirroredFootageKeepsEventsInTheirBoxes() {
+    Footage changed = twoEvents().stretched(2).mirrored();
+    assertEquals(160, changed.events().timeUs(1));
+    assertEquals(4, changed.events().x(1));
+    assertEquals(120, changed.truth().get(0).timeUs());
+    assertTrue(changed.truth().get(0).objects().get(0).box().contains(4, 4, 0));
+  }
+
+  @Test
+  void noiseComesBetweenTheEventsAtItsRate() {
+    EventPacket events = new EventPacket(2);
+    events.append(0, 1, 2, true);
+    events.append(10_000_000, 3, 4, false);
+    Footage clean = new Footage(new SensorGeometry(8, 8), events, List.of());
+    EventPacket noisy = clean.withNoise(2, new SplittableRandom(1)).events();
+    assertEquals(2 * 64 * 10, noisy.size(), 100);
+    for (int i = 1; i < noisy.size(); i++) {
+      assertTrue(noisy.timeUs(i) >= noisy.timeUs(i - 1));
+    }
+  }
+
+  private static Footage twoEvents() {
+    EventPacket events = new EventPacket(2);
+    events.append(100, 1, 2, true);
+    events.append(130, 3, 4, false);
+    TrueObject object = new TrueObject(0, new Box(2, 3, 4, 5));
+    TruthMoment moment = new TruthMoment(110, List.of(object), List.of());
+    return new Footage(new SensorGeometry(8, 8), events, List.of(moment));
   }
 
   @Test
