@@ -16,11 +16,7 @@ import java.util.Locale;
 final class WingOverlay implements Overlay<WingSnapshot> {
   private static final double BODY_SHARE = 0.45;
   private static final double BODY_WIDTH_SHARE = 0.15;
-
-  /** Distance of a letter from the region's circle, and more on the side to which it extends. */
-  private static final double LETTER_SHARE = 0.07;
-
-  private static final double LETTER_EXTENT_SHARE = 0.1;
+  private static final double LETTER_GAP_SHARE = 0.15;
   private static final double HINGE_PX = 1.5;
   private static final double UNCERTAINTY_SD = 2;
 
@@ -59,13 +55,10 @@ final class WingOverlay implements Overlay<WingSnapshot> {
       Role role = side == 0 ? Role.LEFT : Role.RIGHT;
       canvas.circle(x, y, HINGE_PX, MarkStyle.of(role));
       double beside = heading + turn * Math.PI / 2;
-      double across = Math.cos(beside);
-      double up = Math.sin(beside);
-      double extent = LETTER_EXTENT_SHARE * (Math.max(0, -across) + Math.max(0, -up));
-      double away = snapshot.regionPx() + (LETTER_SHARE + extent) * fly.sizePx();
+      double away = snapshot.regionPx() + LETTER_GAP_SHARE * fly.sizePx();
       canvas.text(
-          fly.centreX() + away * across,
-          fly.centreY() + away * up,
+          fly.centreX() + away * Math.cos(beside),
+          fly.centreY() + away * Math.sin(beside),
           side == 0 ? "L" : "R",
           MarkStyle.of(role));
       double min = Double.POSITIVE_INFINITY;
