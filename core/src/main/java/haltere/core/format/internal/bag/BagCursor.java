@@ -86,7 +86,7 @@ final class BagCursor implements EventCursor {
 
   /** Opens the next readable message; false at the end. */
   private boolean nextMessage() throws IOException {
-    if (!walk.findUnlessInterrupted()) {
+    if (!walk.find()) {
       return false;
     }
     try {

@@ -12,7 +12,6 @@ import haltere.core.format.internal.decoding.SampleCursor;
 import haltere.core.format.internal.decoding.SensorGuess;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
-import java.io.InterruptedIOException;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
@@ -129,9 +128,6 @@ final class BagOpening {
     MessageBody body = new MessageBody();
     try (MessageWalk walk = messages(this::isRequested, ignored)) {
       while (walk.find()) {
-        if (Thread.currentThread().isInterrupted()) {
-          throw new InterruptedIOException("interrupted while looking for events");
-        }
         try {
           body.open(walk.payload(), walk.size());
           EventMessage message = EventMessage.read(walk.topic(), body);

@@ -55,7 +55,7 @@ final class BagTriggerCursor implements SampleCursor {
 
   /** Opens the next message; false at the end. */
   private boolean nextMessage() throws IOException, DamagedPacketException {
-    if (!walk.findUnlessInterrupted()) {
+    if (!walk.find()) {
       return false;
     }
     body.open(walk.payload(), walk.size());

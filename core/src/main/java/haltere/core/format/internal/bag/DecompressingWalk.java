@@ -5,6 +5,7 @@ import haltere.core.format.internal.compression.LittleEndian;
 import haltere.core.format.internal.compression.Payload;
 import haltere.core.format.internal.compression.ZstdPayload;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 
 /**
  * A walk that decompresses individually compressed messages ({@code compression_mode: message} of
@@ -32,8 +33,16 @@ final class DecompressingWalk implements MessageWalk {
     this.walk = walk;
   }
 
+  /**
+   * {@inheritDoc} All readers of a bag pass here, so an interrupt is noticed here.
+   *
+   * @throws InterruptedIOException if the thread is interrupted
+   */
   @Override
   public boolean find() throws IOException {
+    if (Thread.currentThread().isInterrupted()) {
+      throw new InterruptedIOException("interrupted while reading a bag");
+    }
     while (walk.find()) {
       try {
         decompressing = walk.topic().cdr() && isFrame(walk.payload(), walk.size());

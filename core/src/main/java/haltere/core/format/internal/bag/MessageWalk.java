@@ -4,7 +4,6 @@ import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.compression.Payload;
 import java.io.Closeable;
 import java.io.IOException;
-import java.io.InterruptedIOException;
 
 /**
  * Iterates over the messages of a bag, in the order of the file. Damaged ones are counted and
@@ -34,18 +33,6 @@ interface MessageWalk extends Closeable {
    * @return false at the end of the bag
    */
   boolean find() throws IOException;
-
-  /**
-   * As {@link #find}, for a reader that may be interrupted.
-   *
-   * @throws InterruptedIOException if the thread is interrupted
-   */
-  default boolean findUnlessInterrupted() throws IOException {
-    if (Thread.currentThread().isInterrupted()) {
-      throw new InterruptedIOException("interrupted while reading a bag");
-    }
-    return find();
-  }
 
   /** The topic of the current message. */
   BagTopic topic();
