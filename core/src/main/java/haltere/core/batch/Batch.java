@@ -109,7 +109,7 @@ public final class Batch {
       throws IOException {
     if (options.existing() == BatchOptions.Existing.REFUSE) {
       for (BatchItem item : items) {
-        requireNoResult(folder(item));
+        requireNoResult(folder(item), ResultFolder.done(folder(item)));
       }
     }
     Files.createDirectories(options.folder());
@@ -120,8 +120,8 @@ public final class Batch {
     return report;
   }
 
-  private static void requireNoResult(Path folder) throws RecordingProblem {
-    if (ResultFolder.done(folder).isPresent()) {
+  private static void requireNoResult(Path folder, Optional<?> done) throws RecordingProblem {
+    if (done.isPresent()) {
       throw new RecordingProblem(
           folder,
           "there is a result already; give --resume to keep it, or --overwrite to replace it");
@@ -241,9 +241,10 @@ public final class Batch {
       RecordingProgress progress = new RecordingProgress(item.bytes());
       Optional<Map<?, ?>> earlier = ResultFolder.done(path);
       if (options.existing() == BatchOptions.Existing.REFUSE) {
-        requireNoResult(path);
+        requireNoResult(path, earlier);
       }
-      if (options.existing() == BatchOptions.Existing.RESUME && results.isValid(item, path)) {
+      if (options.existing() == BatchOptions.Existing.RESUME
+          && results.isValid(item, path, earlier)) {
         progress.finish();
         update(() -> kept++);
         return;

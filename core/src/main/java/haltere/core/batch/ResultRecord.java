@@ -101,8 +101,7 @@ final class ResultRecord {
    * Whether a result is valid. The recording is read if its size or modification time differ from
    * those of the result.
    */
-  boolean isValid(BatchItem item, Path folder) throws IOException {
-    Optional<Map<?, ?>> done = ResultFolder.done(folder);
+  boolean isValid(BatchItem item, Path folder, Optional<Map<?, ?>> done) throws IOException {
     if (done.isEmpty()) {
       return false;
     }
