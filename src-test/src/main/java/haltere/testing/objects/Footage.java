@@ -3,9 +3,14 @@ package haltere.testing.objects;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.testing.MemoryRecording;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.IntUnaryOperator;
+import java.util.function.LongUnaryOperator;
+import java.util.function.UnaryOperator;
 
 /**
  * A stretch of events in memory and the truth of its objects.
@@ -15,6 +20,12 @@ import java.util.SplittableRandom;
  * @param truth in the order of time
  */
 record Footage(SensorGeometry geometry, EventPacket events, List<TruthMoment> truth) {
+  /** As a scene with labelled boxes. */
+  ObjectScene scene(String name, String kind) {
+    return new ObjectScene(
+        name, kind, () -> new MemoryRecording(geometry, events), truth, Matching.BOX);
+  }
+
   /** The events and moments of a stretch of time, its end excluded. */
   Footage between(long fromUs, long toUs) {
     int from = events.indexAtOrAfter(fromUs);
@@ -40,69 +51,65 @@ record Footage(SensorGeometry geometry, EventPacket events, List<TruthMoment> tr
 
   /** The same footage at other times. */
   Footage shifted(long shiftUs) {
-    return mapped(1, shiftUs);
+    return mapped(false, timeUs -> timeUs + shiftUs, address -> address, box -> box);
   }
 
   /** Backwards from a time on: ON and OFF change places. */
   Footage reversed(long turnUs) {
-    return mapped(-1, 2 * turnUs);
-  }
-
-  private Footage mapped(int sign, long shiftUs) {
-    int n = events.size();
-    EventPacket mapped = new EventPacket(n);
-    for (int k = 0; k < n; k++) {
-      int i = sign > 0 ? k : n - 1 - k;
-      int address = events.address(i);
-      mapped.append(
-          sign * events.timeUs(i) + shiftUs, sign > 0 ? address : address ^ EventAddress.ON_BIT);
-    }
-    List<TruthMoment> moments = new ArrayList<>();
-    for (TruthMoment moment : truth) {
-      moments.add(
-          sign > 0 ? moments.size() : 0,
-          new TruthMoment(sign * moment.timeUs() + shiftUs, moment.objects(), moment.ignored()));
-    }
-    return new Footage(geometry, mapped, moments);
+    return mapped(
+        true, timeUs -> 2 * turnUs - timeUs, address -> address ^ EventAddress.ON_BIT, box -> box);
   }
 
   /** At another speed: times since the first event are longer by a factor. */
   Footage stretched(double factor) {
     long startUs = events.firstTimeUs();
-    EventPacket slower = new EventPacket(events.size());
-    for (int i = 0; i < events.size(); i++) {
-      slower.append(stretched(events.timeUs(i), startUs, factor), events.address(i));
-    }
-    List<TruthMoment> moments = new ArrayList<>();
-    for (TruthMoment moment : truth) {
-      long timeUs = stretched(moment.timeUs(), startUs, factor);
-      moments.add(new TruthMoment(timeUs, moment.objects(), moment.ignored()));
-    }
-    return new Footage(geometry, slower, moments);
-  }
-
-  private static long stretched(long timeUs, long startUs, double factor) {
-    return startUs + Math.round((timeUs - startUs) * factor);
+    return mapped(
+        false,
+        timeUs -> startUs + Math.round((timeUs - startUs) * factor),
+        address -> address,
+        box -> box);
   }
 
   /** With left and right exchanged. */
   Footage mirrored() {
     int lastX = geometry.width() - 1;
-    EventPacket mirrored = new EventPacket(events.size());
-    for (int i = 0; i < events.size(); i++) {
-      mirrored.append(events.timeUs(i), lastX - events.x(i), events.y(i), events.isOn(i));
-    }
+    return mapped(
+        false,
+        timeUs -> timeUs,
+        address ->
+            EventAddress.pack(
+                lastX - EventAddress.x(address),
+                EventAddress.y(address),
+                address & EventAddress.ON_BIT),
+        box -> box.mapped(-1, 1, lastX, 0));
+  }
+
+  /** With other times, addresses and boxes; velocities are then unknown. */
+  private Footage mapped(
+      boolean isBackwards,
+      LongUnaryOperator time,
+      IntUnaryOperator address,
+      UnaryOperator<Box> box) {
     List<TruthMoment> moments = new ArrayList<>();
     for (TruthMoment moment : truth) {
       moments.add(
           new TruthMoment(
-              moment.timeUs(),
+              time.applyAsLong(moment.timeUs()),
               moment.objects().stream()
-                  .map(one -> new TrueObject(one.id(), one.box().mapped(-1, 1, lastX, 0)))
+                  .map(object -> new TrueObject(object.id(), box.apply(object.box())))
                   .toList(),
-              moment.ignored().stream().map(box -> box.mapped(-1, 1, lastX, 0)).toList()));
+              moment.ignored().stream().map(box).toList()));
     }
-    return new Footage(geometry, mirrored, moments);
+    int n = events.size();
+    if (isBackwards) {
+      Collections.reverse(moments);
+    }
+    EventPacket mapped = new EventPacket(n);
+    for (int k = 0; k < n; k++) {
+      int i = isBackwards ? n - 1 - k : k;
+      mapped.append(time.applyAsLong(events.timeUs(i)), address.applyAsInt(events.address(i)));
+    }
+    return new Footage(geometry, mapped, moments);
   }
 
   /** With events at random times, pixels and polarities between the others. */

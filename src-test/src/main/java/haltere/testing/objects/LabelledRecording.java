@@ -3,7 +3,6 @@ package haltere.testing.objects;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
-import haltere.testing.MemoryRecording;
 import haltere.testing.Recorded;
 import haltere.testing.SceneEvents;
 import java.io.IOException;
@@ -64,17 +63,9 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
    * @throws IOException if there are no labels of it
    */
   public ObjectScene scene() throws IOException {
-    List<TruthMoment> labels = LabelledBoxes.of(file);
-    if (playback == Playback.ONCE) {
-      return new ObjectScene(file, file, () -> open(path()), labels, Matching.BOX);
-    }
-    Footage footage = footage();
-    return new ObjectScene(
-        file,
-        file,
-        () -> new MemoryRecording(footage.geometry(), footage.events()),
-        footage.truth(),
-        Matching.BOX);
+    return playback == Playback.ONCE
+        ? new ObjectScene(file, file, () -> open(path()), LabelledBoxes.of(file), Matching.BOX)
+        : footage().scene(file, file);
   }
 
   /**
@@ -88,7 +79,7 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
    */
   public ObjectScene part(long seed) throws IOException {
     SplittableRandom random = new SplittableRandom(seed);
-    return scene(seed, part(random).thinned(0.1, random));
+    return part(random).thinned(0.1, random).scene(file + "-" + seed, file);
   }
 
   /**
@@ -109,8 +100,10 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
     if (random.nextBoolean()) {
       variant = variant.mirrored();
     }
-    return scene(
-        seed, random.nextBoolean() ? variant.withNoise(random.nextDouble(2), random) : variant);
+    if (random.nextBoolean()) {
+      variant = variant.withNoise(random.nextDouble(2), random);
+    }
+    return variant.scene(file + "-" + seed, file);
   }
 
   private Footage part(SplittableRandom random) throws IOException {
@@ -120,15 +113,6 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
     long lastUs = labels.get(labels.size() - 1).timeUs();
     long fromUs = firstUs + (long) (random.nextDouble(0.5) * (lastUs - firstUs));
     return whole.between(fromUs, Long.MAX_VALUE);
-  }
-
-  private ObjectScene scene(long seed, Footage part) {
-    return new ObjectScene(
-        file + "-" + seed,
-        file,
-        () -> new MemoryRecording(part.geometry(), part.events()),
-        part.truth(),
-        Matching.BOX);
   }
 
   /** All played events, in memory. */

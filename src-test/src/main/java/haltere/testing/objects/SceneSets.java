@@ -41,34 +41,11 @@ public final class SceneSets {
     switch (set) {
       case "recordings" ->
           LabelledRecording.all().forEach(recording -> scenes.add(recording::scene));
-      case "parts" -> {
-        for (LabelledRecording recording : LabelledRecording.all()) {
-          for (long seed : range) {
-            scenes.add(() -> recording.part(seed));
-          }
-        }
-      }
-      case "variants" -> {
-        for (LabelledRecording recording : LabelledRecording.all()) {
-          for (long seed : range) {
-            scenes.add(() -> recording.variant(seed));
-          }
-        }
-      }
-      case "composites" -> {
-        for (Composites.Arrangement kind : Composites.Arrangement.values()) {
-          for (long seed : range) {
-            scenes.add(() -> Composites.scene(kind, seed));
-          }
-        }
-      }
-      case "looks" -> {
-        for (Looks.Look look : Looks.Look.values()) {
-          for (long seed : range) {
-            scenes.add(() -> Looks.scene(look, seed));
-          }
-        }
-      }
+      case "parts" -> add(scenes, LabelledRecording.all(), range, LabelledRecording::part);
+      case "variants" -> add(scenes, LabelledRecording.all(), range, LabelledRecording::variant);
+      case "composites" ->
+          add(scenes, List.of(Composites.Arrangement.values()), range, Composites::scene);
+      case "looks" -> add(scenes, List.of(Looks.Look.values()), range, Looks::scene);
       case "roads" -> {
         for (Roads.Traffic traffic : Roads.Traffic.values()) {
           for (Roads.EdgeEvents events : Roads.EdgeEvents.values()) {
@@ -86,5 +63,17 @@ public final class SceneSets {
       default -> throw new IllegalArgumentException("there is no set " + set);
     }
     return scenes;
+  }
+
+  private interface Maker<K> {
+    ObjectScene make(K kind, long seed) throws IOException;
+  }
+
+  private static <K> void add(List<Later> scenes, List<K> kinds, long[] seeds, Maker<K> maker) {
+    for (K kind : kinds) {
+      for (long seed : seeds) {
+        scenes.add(() -> maker.make(kind, seed));
+      }
+    }
   }
 }

@@ -2,7 +2,6 @@ package haltere.testing.objects;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.testing.MemoryRecording;
 import haltere.testing.Recorded;
 import java.io.IOException;
 import java.util.List;
@@ -24,13 +23,7 @@ class RecordedObjectsTest {
   }
 
   private static void assertOneTrack(Footage footage, double minIdf1) throws IOException {
-    ObjectScene scene =
-        new ObjectScene(
-            "one object",
-            "recording",
-            () -> new MemoryRecording(footage.geometry(), footage.events()),
-            footage.truth(),
-            Matching.BOX);
+    ObjectScene scene = footage.scene("one object", "recording");
     List<TrackRow> rows =
         new ChainTracker(List.of("object-tracker"), "objects")
             .track(scene.name(), scene.events().open());
