@@ -1,26 +1,36 @@
 package haltere.testing;
 
 import java.io.IOException;
-import java.nio.file.Files;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 
 /**
- * Replaces files by new ones. On ext4, truncating and rewriting an old file blocks its writer until
- * the disk has its old content.
+ * Replaces the contents of files, ten thousands of times. On ext4, emptying an old file and
+ * rewriting it blocks its writer until the disk has the old content, and a new file takes five
+ * times as long as new bytes in an old one.
  */
 public final class NewFile {
   private NewFile() {}
 
   /**
-   * Writes a file, in the place of another if there is one.
+   * Writes a file, over another if there is one.
    *
-   * @param path where
+   * @param path where; no reader has it open
    * @param bytes all of them
    * @return the path
    * @throws IOException if that fails
    */
   public static Path write(Path path, byte[] bytes) throws IOException {
-    Files.deleteIfExists(path);
-    return Files.write(path, bytes);
+    try (FileChannel file =
+        FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
+      ByteBuffer remaining = ByteBuffer.wrap(bytes);
+      while (remaining.hasRemaining()) {
+        file.write(remaining);
+      }
+      file.truncate(bytes.length);
+    }
+    return path;
   }
 }

@@ -33,6 +33,20 @@ public final class SettingsSchema<S extends Record> {
   private static final Map<Class<?>, SettingsSchema<?>> CACHE = new ConcurrentHashMap<>();
   private static final Map<Class<?>, List<Parameter>> RANGES = new ConcurrentHashMap<>();
 
+  /** Components of a record by name, in order; the JVM makes them anew whenever it is asked. */
+  private static final ClassValue<Map<String, RecordComponent>> COMPONENTS =
+      new ClassValue<>() {
+        @Override
+        protected Map<String, RecordComponent> computeValue(Class<?> type) {
+          Map<String, RecordComponent> components = new LinkedHashMap<>();
+          for (RecordComponent component : type.getRecordComponents()) {
+            component.getAccessor().setAccessible(true);
+            components.put(component.getName(), component);
+          }
+          return Collections.unmodifiableMap(components);
+        }
+      };
+
   private final Class<S> type;
   private final S defaults;
   private final Map<String, Parameter> parameters;
@@ -87,8 +101,7 @@ public final class SettingsSchema<S extends Record> {
     for (int i = 0; i < values.length; i++) {
       components.get(i).check(values[i]);
       if (values[i] instanceof Record nested) {
-        Stream<String> names =
-            Stream.of(nested.getClass().getRecordComponents()).map(each -> each.getName());
+        Stream<String> names = COMPONENTS.get(nested.getClass()).keySet().stream();
         validate(nested.getClass(), names.map(name -> component(nested, name)).toArray());
       }
     }
@@ -270,24 +283,21 @@ public final class SettingsSchema<S extends Record> {
   }
 
   private static Object replaced(Object settings, String prefix, Map<String, Object> newValues) {
-    RecordComponent[] components = settings.getClass().getRecordComponents();
-    Object[] values = new Object[components.length];
-    for (int i = 0; i < components.length; i++) {
-      String name = prefix + components[i].getName();
-      Object old = component(settings, components[i].getName());
-      values[i] =
+    List<Object> values = new ArrayList<>();
+    for (String component : COMPONENTS.get(settings.getClass()).keySet()) {
+      String name = prefix + component;
+      Object old = component(settings, component);
+      values.add(
           old instanceof Record nested
               ? replaced(nested, name + ".", newValues)
-              : newValues.getOrDefault(name, old);
+              : newValues.getOrDefault(name, old));
     }
-    return construct(settings.getClass(), components, values);
+    return construct(settings.getClass(), values.toArray());
   }
 
-  private static Object construct(Class<?> type, RecordComponent[] components, Object[] values) {
-    Class<?>[] types = new Class<?>[components.length];
-    for (int i = 0; i < components.length; i++) {
-      types[i] = components[i].getType();
-    }
+  private static Object construct(Class<?> type, Object[] values) {
+    Stream<RecordComponent> components = COMPONENTS.get(type).values().stream();
+    Class<?>[] types = components.map(RecordComponent::getType).toArray(Class<?>[]::new);
     try {
       Constructor<?> constructor = type.getDeclaredConstructor(types);
       constructor.setAccessible(true);
@@ -303,14 +313,12 @@ public final class SettingsSchema<S extends Record> {
   }
 
   private static Object component(Object settings, String name) {
-    try {
-      for (RecordComponent component : settings.getClass().getRecordComponents()) {
-        if (component.getName().equals(name)) {
-          component.getAccessor().setAccessible(true);
-          return component.getAccessor().invoke(settings);
-        }
-      }
+    RecordComponent component = COMPONENTS.get(settings.getClass()).get(name);
+    if (component == null) {
       throw new SettingsProblem("there is no setting " + name);
+    }
+    try {
+      return component.getAccessor().invoke(settings);
     } catch (ReflectiveOperationException broken) {
       throw new IllegalStateException(settings.getClass() + "." + name, broken);
     }
@@ -332,7 +340,7 @@ public final class SettingsSchema<S extends Record> {
 
   private static void collect(
       Class<?> type, Object defaults, String prefix, Map<String, Parameter> found) {
-    for (RecordComponent component : type.getRecordComponents()) {
+    for (RecordComponent component : COMPONENTS.get(type).values()) {
       Object value = component(defaults, component.getName());
       String name = prefix + component.getName();
       if (component.getType().isRecord()) {
@@ -344,7 +352,7 @@ public final class SettingsSchema<S extends Record> {
   }
 
   private void collectFormerNames(Class<?> type, String prefix) {
-    for (RecordComponent component : type.getRecordComponents()) {
+    for (RecordComponent component : COMPONENTS.get(type).values()) {
       if (component.getType().isRecord()) {
         collectFormerNames(component.getType(), prefix + component.getName() + ".");
       }
@@ -367,7 +375,7 @@ public final class SettingsSchema<S extends Record> {
 
   private static List<Parameter> components(Class<?> type) {
     List<Parameter> components = new ArrayList<>();
-    for (RecordComponent component : type.getRecordComponents()) {
+    for (RecordComponent component : COMPONENTS.get(type).values()) {
       components.add(
           component.getType().isRecord()
               ? new Parameter(

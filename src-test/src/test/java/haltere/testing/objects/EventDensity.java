@@ -4,6 +4,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.stream.EventSource;
 import haltere.testing.SceneEvents;
 import java.io.IOException;
+import java.util.List;
 
 /**
  * How dense events are around moments of truth.
@@ -25,25 +26,32 @@ record EventDensity(double inBoxes, double elsewhere) {
     long outside = 0;
     double area = 0;
     for (TruthMoment moment : scene.truth()) {
+      List<Box> objects = moment.objects().stream().map(TrueObject::box).toList();
       for (int i = events.indexAtOrAfter(moment.timeUs() - NEAR_US);
           i < events.size() && events.timeUs(i) < moment.timeUs() + NEAR_US;
           i++) {
         int x = events.x(i);
         int y = events.y(i);
-        if (moment.objects().stream().anyMatch(o -> o.box().contains(x, y, 0.5))) {
+        if (isInOne(objects, x, y)) {
           inside++;
-        } else if (moment.ignored().stream().noneMatch(box -> box.contains(x, y, 0.5))) {
+        } else if (!isInOne(moment.ignored(), x, y)) {
           outside++;
         }
       }
-      area +=
-          moment.objects().stream()
-              .mapToDouble(o -> (o.box().width() + 1) * (o.box().height() + 1))
-              .sum();
+      area += objects.stream().mapToDouble(box -> (box.width() + 1) * (box.height() + 1)).sum();
     }
     // Overlaps and ignored regions make both areas too large, so densities are too small.
     return new EventDensity(
         inside / area, outside / Math.max(1, (double) pixels * scene.truth().size() - area));
+  }
+
+  private static boolean isInOne(List<Box> boxes, int x, int y) {
+    for (Box box : boxes) {
+      if (box.contains(x, y, 0.5)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   double ratio() {

@@ -138,7 +138,8 @@ class DocumentedCommandsTest {
       arguments.add("--help");
     } else {
       if (!command.equals(quick) || command.matches("simulate .*|.*--device .*")) {
-        arguments.addAll(List.of("--duration", "0.3"));
+        // images of a rendered scene are dear
+        arguments.addAll(List.of("--duration", command.contains("rendered") ? "0.02" : "0.3"));
       }
       if (arguments.get(0).equals("record") && !command.contains("--device")) {
         arguments.addAll(List.of("--device", "simulated:fly"));

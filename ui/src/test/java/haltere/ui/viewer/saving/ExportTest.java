@@ -51,9 +51,13 @@ class ExportTest {
     viewer.run(() -> viewer.window.context().playback().setSpeed(0.25));
     seek(500_000);
     viewer.run(viewer.window.context().playback()::markIn);
-    seek(620_000);
-    viewer.run(viewer.window.context().playback()::markOut);
+    markOut(620_000);
     assertEquals(OptionalLong.of(500_000), loop().inUs());
+  }
+
+  private void markOut(long elapsedUs) {
+    seek(elapsedUs);
+    viewer.run(viewer.window.context().playback()::markOut);
   }
 
   private void seek(long elapsedUs) {
@@ -251,6 +255,7 @@ class ExportTest {
           viewer.window.context().display().tapeProperty().set(Optional.of(TAPE));
         });
     savePicture(marked);
+    markOut(510_000);
     Path film = folder.resolve("part.gif");
     viewer.run(() -> export().exportFilm(film));
     viewer.waitFor("it says so", () -> said().startsWith("Exported part.gif"));
@@ -294,6 +299,7 @@ class ExportTest {
     Path picture = folder.resolve("picture.png");
     savePicture(picture);
     assertEquals(Gradient.CIVIDIS.colour(1), lastOfScale(ImageIO.read(picture.toFile())));
+    markOut(510_000);
     Path film = folder.resolve("part.gif");
     viewer.run(() -> export().exportFilm(film));
     viewer.waitFor("it says so", () -> said().startsWith("Exported part.gif"));

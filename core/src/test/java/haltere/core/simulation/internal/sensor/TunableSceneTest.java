@@ -17,11 +17,15 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class TunableSceneTest {
-  private static final long SETTLED_US = 20_000;
+  /** When a scene is changed. */
+  private static final long CHANGED_US = 20_000;
 
-  /** When a scene is changed, and half of its length; a rendered one is dear and rich in events. */
-  private static long halfUs(String name) {
-    return name.startsWith("rendered") ? 45_000 : 150_000;
+  /** From when a change is in effect. */
+  private static final long SETTLED_US = 40_000;
+
+  /** The end of a run; a rendered scene is dear and rich in events. */
+  private static long endUs(String name) {
+    return name.startsWith("rendered") ? 60_000 : 170_000;
   }
 
   static Stream<String> tunable() {
@@ -29,14 +33,14 @@ class TunableSceneTest {
         .filter(name -> Scenes.named(name).create(List.of()) instanceof TunableScene<?>);
   }
 
-  /** Events of a scene with a change in the middle. */
+  /** Events of a scene with a change. */
   private static StreamRecorder run(String name, UnaryOperator<SensorTuning> change)
       throws IOException {
     TunableScene<?> scene = (TunableScene<?>) Scenes.named(name).create(List.of());
     StreamRecorder recorder = new StreamRecorder();
-    drain(scene, recorder, halfUs(name));
+    drain(scene, recorder, CHANGED_US);
     scene.tune(change.apply(scene.tuning()));
-    drain(scene, recorder, 2 * halfUs(name));
+    drain(scene, recorder, endUs(name));
     return recorder;
   }
 
@@ -47,18 +51,17 @@ class TunableSceneTest {
     }
   }
 
-  /** Events of the second half, from when the change is in effect. */
+  /** Events from when the change is in effect. */
   private static long after(String name, StreamRecorder recorder) {
     EventPacket events = recorder.events();
-    long halfUs = halfUs(name);
-    return events.indexAtOrAfter(2 * halfUs, 0) - events.indexAtOrAfter(halfUs + SETTLED_US, 0);
+    return events.indexAtOrAfter(endUs(name), 0) - events.indexAtOrAfter(SETTLED_US, 0);
   }
 
   private static double shareOn(String name, StreamRecorder recorder) {
     EventPacket events = recorder.events();
     int on = 0;
-    int from = events.indexAtOrAfter(halfUs(name) + SETTLED_US, 0);
-    int to = events.indexAtOrAfter(2 * halfUs(name), 0);
+    int from = events.indexAtOrAfter(SETTLED_US, 0);
+    int to = events.indexAtOrAfter(endUs(name), 0);
     for (int i = from; i < to; i++) {
       on += events.isOn(i) ? 1 : 0;
     }
@@ -74,7 +77,7 @@ class TunableSceneTest {
   @MethodSource("tunable")
   void tuningToThePresentValueChangesNothing(String name) throws IOException {
     StreamRecorder untouched = new StreamRecorder();
-    drain((TunableScene<?>) Scenes.named(name).create(List.of()), untouched, 2 * halfUs(name));
+    drain((TunableScene<?>) Scenes.named(name).create(List.of()), untouched, endUs(name));
     StreamRecorder tuned = run(name, tuning -> tuning);
     assertEquals(after(name, untouched), after(name, tuned), 0.005 * after(name, untouched));
   }
@@ -110,7 +113,7 @@ class TunableSceneTest {
     UnaryOperator<SensorTuning> quiet = tuning -> tuning.with("shotHz", 0).with("leakHz", 0);
     long without = after("road", run("road", quiet));
     long with = after("road", run("road", tuning -> quiet.apply(tuning).with("shotHz", 10)));
-    double seconds = (halfUs("road") - SETTLED_US) * 1e-6;
+    double seconds = (endUs("road") - SETTLED_US) * 1e-6;
     assertEquals(128 * 128 * 10 * seconds, with - without, 0.1 * 128 * 128 * 10 * seconds);
   }
 
