@@ -26,6 +26,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
@@ -104,6 +105,23 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
           stream.notifications(EndOfStream.class));
       reader.seek(5);
       assertEquals(0, read(reader).events().size());
+    }
+  }
+
+  @Test
+  void completeFileAcceptsNothingMore() throws IOException {
+    EventPacket events = randomEvents(usualSensor(), 3, 60);
+    Path file = file("complete");
+    Optional<RecordingWriter> created = format().create(file, WriteOptions.of(usualSensor()));
+    assertEquals(format().writable(), created.isPresent());
+    if (created.isPresent()) {
+      try (RecordingWriter writer = created.get()) {
+        writer.write(events);
+        writer.finish();
+        assertThrows(IllegalStateException.class, () -> writer.write(events));
+        assertThrows(IllegalStateException.class, writer::finish);
+      }
+      assertEquals(events, read(file, options(usualSensor())).events());
     }
   }
 

@@ -230,14 +230,23 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   }
 
   /**
+   * Rejects data for a complete file, which would be lost.
+   *
+   * @throws IllegalStateException after {@link #commit()}
+   */
+  public void requireUncommitted() {
+    if (committed) {
+      throw new IllegalStateException(requested + " is complete; nothing can be added to it");
+    }
+  }
+
+  /**
    * Renames the file to its target, or prepares it for {@link #place} if it is {@link #staged}.
    *
    * @throws IOException if that fails; the target is then unchanged
    */
   public void commit() throws IOException {
-    if (committed) {
-      throw new IllegalStateException(requested + " is in its place already");
-    }
+    requireUncommitted();
     try {
       if (stream != null) {
         stream.flush();

@@ -107,7 +107,8 @@ final class RecordingFolder {
             .collect(Collectors.toSet());
     try (Stream<Path> files = Files.list(folder)) {
       return files
-          .filter(file -> endings.contains(FileHead.extension(file)) && Files.isRegularFile(file))
+          .filter(file -> endings.contains(FileHead.extension(file)))
+          .filter(file -> Files.isRegularFile(file) && Recordings.isRecording(file))
           .sorted()
           .toList();
     } catch (IOException ignored) {

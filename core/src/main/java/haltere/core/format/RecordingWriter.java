@@ -20,6 +20,7 @@ public interface RecordingWriter extends Closeable {
    *
    * @param packet borrowed, not modified
    * @throws IOException if it cannot be written
+   * @throws IllegalStateException after {@link #finish}
    */
   void write(EventPacket packet) throws IOException;
 
@@ -37,6 +38,7 @@ public interface RecordingWriter extends Closeable {
    * @param sample the sample
    * @return false if the format does not store its kind; the sample is then lost
    * @throws IOException if it cannot be written
+   * @throws IllegalStateException after {@link #finish}, if the format stores samples
    */
   default boolean write(SensorSample sample) throws IOException {
     return false;

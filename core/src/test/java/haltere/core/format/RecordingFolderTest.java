@@ -87,6 +87,7 @@ class RecordingFolderTest {
     EventPacket events = EventPackets.uniform(SENSOR, 1, 1_000, 500, 7);
     Path only = write(bag.resolve("fly.aedat4"), SENSOR, events);
     Files.writeString(bag.resolve("notes.md"), "of today");
+    Files.writeString(bag.resolve("notes.txt"), "of yesterday");
 
     try (RecordingReader reader = Recordings.open(bag)) {
       assertEquals(only, reader.path());

@@ -152,7 +152,7 @@ final class BatchCommand extends Subcommand {
     Collection<BatchItem> items =
         found.items().stream().filter(item -> item.shard(part.of) == part.number).toList();
     if (found.items().isEmpty()) {
-      throw new CommandProblem("the inputs contain no recording");
+      throw new CommandProblem("the inputs contain no recording; " + out + " is not searched");
     }
     if (found.leftOut() > 0) {
       message(Quantities.count(found.leftOut()) + " files in the folders are not recordings");

@@ -116,6 +116,13 @@ class BatchCommandTest {
   }
 
   @Test
+  void resultsAmongTheInputsAreNamedWhereNothingElseIsThere() {
+    CommandRun run = batch(in);
+    assertEquals(1, run.status());
+    assertTrue(run.err().contains("no recording; " + in + " is not searched"), run.err());
+  }
+
+  @Test
   void workersAndShardsWriteTheSameBytes() throws IOException {
     Path one = folder.resolve("one");
     Path four = folder.resolve("four");

@@ -79,6 +79,7 @@ final class Aedat2Writer implements RecordingWriter {
 
   @Override
   public void write(EventPacket packet) throws IOException {
+    output.requireUnfinished();
     if (packet.isEmpty()) {
       return;
     }

@@ -33,6 +33,7 @@ public final class Aedat4Writer implements RecordingWriter {
 
   private final SensorGeometry geometry;
   private final FileChannel channel;
+  private final Path path;
   private final Closeable owner;
   private final Commit commit;
   private final boolean inPlace;
@@ -61,6 +62,7 @@ public final class Aedat4Writer implements RecordingWriter {
       Aedat4Compression compression,
       boolean inPlace)
       throws IOException {
+    this.path = path;
     this.channel = channel;
     this.owner = owner;
     this.commit = commit;
@@ -132,6 +134,7 @@ public final class Aedat4Writer implements RecordingWriter {
 
   @Override
   public void write(EventPacket packet) throws IOException {
+    requireUnfinished();
     int size = packet.size();
     int from = 0;
     if (size > 0 && payload.events() > 0 && packet.firstTimeUs() < payload.lastUs()) {
@@ -155,7 +158,14 @@ public final class Aedat4Writer implements RecordingWriter {
    */
   @Override
   public boolean write(SensorSample sample) throws IOException {
+    requireUnfinished();
     return samples.add(sample);
+  }
+
+  private void requireUnfinished() {
+    if (finished) {
+      throw new IllegalStateException(path + " is complete; nothing can be added to it");
+    }
   }
 
   private void writeSamples(int stream, byte[] sample, int elements, long firstUs, long lastUs)
@@ -217,9 +227,7 @@ public final class Aedat4Writer implements RecordingWriter {
 
   @Override
   public void finish() throws IOException {
-    if (finished) {
-      throw new IllegalStateException("it is finished already");
-    }
+    requireUnfinished();
     writeEvents();
     samples.flush();
     long tablePosition = output.position();

@@ -69,6 +69,7 @@ final class McapWriter implements RecordingWriter {
 
   @Override
   public void write(EventPacket packet) throws IOException {
+    file.requireUncommitted();
     long[] times = packet.timesUs();
     int[] addresses = packet.addresses();
     int size = packet.size();
@@ -181,6 +182,7 @@ final class McapWriter implements RecordingWriter {
 
   @Override
   public void finish() throws IOException {
+    file.requireUncommitted();
     endChunk();
     summary.finish();
     file.commit();

@@ -49,6 +49,7 @@ final class CsvWriter implements RecordingWriter {
 
   @Override
   public void write(EventPacket packet) throws IOException {
+    file.requireUncommitted();
     int top = geometry.height() - 1;
     int size = packet.size();
     any |= size > 0;

@@ -54,6 +54,7 @@ final class DatWriter implements RecordingWriter {
 
   @Override
   public void write(EventPacket packet) throws IOException {
+    output.requireUnfinished();
     if (packet.isEmpty()) {
       return;
     }

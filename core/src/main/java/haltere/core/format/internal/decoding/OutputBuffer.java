@@ -38,6 +38,15 @@ public final class OutputBuffer implements Closeable {
   }
 
   /**
+   * Rejects data for a complete file.
+   *
+   * @throws IllegalStateException after {@link #finish}
+   */
+  public void requireUnfinished() {
+    file.requireUncommitted();
+  }
+
+  /**
    * Reserves space for a word.
    *
    * @param count its bytes, few

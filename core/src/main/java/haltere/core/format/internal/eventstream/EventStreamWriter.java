@@ -49,6 +49,7 @@ final class EventStreamWriter implements RecordingWriter {
 
   @Override
   public void write(EventPacket packet) throws IOException {
+    output.requireUnfinished();
     long[] times = packet.timesUs();
     int[] addresses = packet.addresses();
     int size = packet.size();

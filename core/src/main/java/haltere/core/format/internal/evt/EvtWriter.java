@@ -89,6 +89,7 @@ abstract sealed class EvtWriter implements RecordingWriter
 
   @Override
   public final void write(EventPacket packet) throws IOException {
+    output.requireUnfinished();
     if (!packet.isEmpty()) {
       startAt(packet.firstTimeUs());
     }
@@ -105,6 +106,7 @@ abstract sealed class EvtWriter implements RecordingWriter
   /** Writes an edge on one of the camera's inputs; other samples cannot be represented. */
   @Override
   public final boolean write(SensorSample sample) throws IOException {
+    output.requireUnfinished();
     if (!(sample instanceof Trigger trigger)
         || trigger.source() != Trigger.Source.EXTERNAL_INPUT
         || trigger.edge() == Trigger.Edge.PULSE

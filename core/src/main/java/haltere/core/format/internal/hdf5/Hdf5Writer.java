@@ -92,6 +92,7 @@ public final class Hdf5Writer implements RecordingWriter {
 
   @Override
   public void write(EventPacket packet) throws IOException {
+    file.requireUncommitted();
     int size = packet.size();
     int done = 0;
     while (done < size) {
@@ -165,6 +166,7 @@ public final class Hdf5Writer implements RecordingWriter {
 
   @Override
   public void finish() throws IOException {
+    file.requireUncommitted();
     Map<ChunkedColumn, Long> events = new LinkedHashMap<>();
     Map<ChunkedColumn, Long> beside = new LinkedHashMap<>();
     if (indexed) {

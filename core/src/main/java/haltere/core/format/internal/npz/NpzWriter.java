@@ -105,6 +105,7 @@ final class NpzWriter implements RecordingWriter {
 
   @Override
   public void write(EventPacket packet) throws IOException {
+    file.requireUncommitted();
     int top = geometry.height() - 1;
     int size = packet.size();
     for (int i = 0; i < size; i++) {
@@ -138,6 +139,7 @@ final class NpzWriter implements RecordingWriter {
 
   @Override
   public void finish() throws IOException {
+    file.requireUncommitted();
     flush();
     ZipOutputStream zip = new ZipOutputStream(file.stream());
     zip.setMethod(ZipOutputStream.STORED);
