@@ -35,6 +35,12 @@ public final class SvgPlot {
   private static final int TOP = 28;
   private static final int BOTTOM = 42;
 
+  /** Height of the row with the names of the lines. */
+  private static final int LEGEND = 16;
+
+  /** Space between two names. */
+  private static final int NAME_GAP = 14;
+
   /** Longest number below the plot that leaves a gap to the next one, in characters. */
   private static final int MAX_DIGITS = 8;
 
@@ -49,7 +55,6 @@ public final class SvgPlot {
   private final StringBuilder marks = new StringBuilder();
   private final List<String> names = new ArrayList<>();
   private final List<String> colours = new ArrayList<>();
-  private boolean legendLeft;
   private boolean wholeX;
 
   /**
@@ -93,16 +98,6 @@ public final class SvgPlot {
         width > 0 ? across.getMax() : across.getMin() + 1,
         min - margin,
         max + margin);
-  }
-
-  /**
-   * Puts the legend at the left edge instead of the right one.
-   *
-   * @return this plot
-   */
-  public SvgPlot legendLeft() {
-    legendLeft = true;
-    return this;
   }
 
   /**
@@ -218,13 +213,18 @@ public final class SvgPlot {
    */
   public String draw(String title, String xLabel, String yLabel) {
     StringBuilder svg = new StringBuilder();
+    int top = names.isEmpty() ? 0 : -LEGEND;
     svg.append(
         text(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\""
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 %d %d %d\""
                 + " font-family=\"sans-serif\" font-size=\"11\">%n",
-            WIDTH, HEIGHT));
-    svg.append(text("<rect width=\"%d\" height=\"%d\" fill=\"white\"/>%n", WIDTH, HEIGHT));
-    svg.append(label(WIDTH / 2.0, 16, "middle", title));
+            top, WIDTH, HEIGHT - top));
+    svg.append(
+        text(
+            "<rect y=\"%d\" width=\"%d\" height=\"%d\" fill=\"white\"/>%n",
+            top, WIDTH, HEIGHT - top));
+    svg.append(label(WIDTH / 2.0, top + 16, "middle", title));
+    svg.append(legend());
     grid(svg);
     svg.append(marks);
     String after =
@@ -236,16 +236,22 @@ public final class SvgPlot {
         text(
             "<g transform=\"translate(14 %d) rotate(-90)\">%n%s</g>%n",
             (TOP + HEIGHT - BOTTOM) / 2, label(0, 0, "middle", yLabel)));
-    for (int i = 0; i < names.size(); i++) {
-      svg.append(text("<g fill=\"%s\">%n", colours.get(i)));
-      int y = TOP + 16 + 14 * i;
-      svg.append(
-          legendLeft
-              ? label(left + 6, y, "start", names.get(i))
-              : label(WIDTH - RIGHT - 6, y, "end", names.get(i)));
-      svg.append("</g>\n");
-    }
     return svg.append("</svg>\n").toString().replace(System.lineSeparator(), "\n");
+  }
+
+  /** The names in a row of their own above the plot, where they cover no line. */
+  private String legend() {
+    if (names.isEmpty()) {
+      return "";
+    }
+    StringBuilder row = new StringBuilder();
+    for (int i = 0; i < names.size(); i++) {
+      row.append(text("<tspan dx=\"%d\" fill=\"%s\">", i == 0 ? 0 : NAME_GAP, colours.get(i)));
+      row.append(escaped(names.get(i))).append("</tspan>");
+    }
+    return text(
+        "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%s</text>%n",
+        (left + WIDTH - RIGHT) / 2.0, TOP - 10, row);
   }
 
   private SvgPlot named(String name, String colour) {

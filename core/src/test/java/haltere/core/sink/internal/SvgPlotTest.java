@@ -28,6 +28,16 @@ class SvgPlotTest {
   }
 
   @Test
+  void namesOfLinesStandAboveThePlot() {
+    double[] x = {0, 1};
+    String svg =
+        SvgPlot.around(x, x).line("a", "red", x, x).line("b & c", "blue", x, x).draw("t", "x", "y");
+    assertTrue(svg.contains("fill=\"red\">a</tspan>"), svg);
+    assertTrue(svg.contains("fill=\"blue\">b &amp; c</tspan>"), svg);
+    assertTrue(svg.contains("viewBox=\"0 -16 640 316\""), svg);
+  }
+
+  @Test
   void shortNumbersAreUnchanged() {
     String svg = plot(100, 101.5);
     assertTrue(svg.contains(">100.2<"), svg);

@@ -71,31 +71,23 @@ public final class ExamplePlots {
     double[] fitS = column("fit_s_m");
     double[] fitV = column("fit_v_m_s");
     double[] differences = column("difference_v_m_s");
-    SvgPlot displacement = around(t, measured, fitS).dots("measured", GREY, t, measured);
+    SvgPlot displacement = SvgPlot.around(t, measured, fitS).dots("measured", GREY, t, measured);
     band(displacement, FILTERED, BLUE, "s_m").line(fit, RED, t, fitS);
     put("displacement", displacement, "Displacement", "s (m)");
-    SvgPlot velocity = around(t, differences, fitV);
+    SvgPlot velocity = SvgPlot.around(t, differences, fitV);
     velocity.dots("finite differences", GREY, t, differences);
     band(velocity, FILTERED, BLUE, "v_m_s").line(fit, RED, t, fitV);
     put("velocity", velocity, "Velocity", "v (m/s)");
-    SvgPlot phase = around(measured, differences, fitV);
+    SvgPlot phase = SvgPlot.around(measured, differences, fitV);
     phase.dots("finite differences", GREY, measured, differences);
     phase.line("filtered", BLUE, column("s_m"), column("v_m_s")).line(fit, RED, fitS, fitV);
     plots.put("phase-plane", phase.draw("Phase plane" + what, "s (m)", "v (m/s)"));
     double[] closeT = closeUp("t_s");
     double[] closeX = closeUp("x_m");
     double[] closeFit = closeUp("fit_s_m");
-    SvgPlot close = around(closeT, closeX, closeFit);
+    SvgPlot close = SvgPlot.around(closeT, closeX, closeFit);
     close.dots("measured", GREY, closeT, closeX).line(fit, RED, closeT, closeFit);
     put("quantisation", close, "Quantisation", "s (m)");
-  }
-
-  /** A plot with its legend at the side where the displacement begins, if it only grows. */
-  private SvgPlot around(double[] x, double[]... ys) {
-    double[] s = column("fit_s_m");
-    double last = s[s.length - 1];
-    SvgPlot plot = SvgPlot.around(x, ys);
-    return Arrays.stream(s).max().orElse(last) > last ? plot : plot.legendLeft();
   }
 
   private void gains(String... columns) {
