@@ -174,9 +174,8 @@ public final class RecordingFile implements Closeable {
    *
    * @param buffer is cleared first
    * @param offset byte offset in the file; nothing is read after its end
-   * @throws RecordingProblem if the file can no longer be read
+   * @throws RecordingProblem if the file can no longer be read, or was closed
    * @throws java.io.InterruptedIOException if the thread is interrupted; reading may continue
-   * @throws IOException if the file is closed
    */
   public void read(ByteBuffer buffer, long offset) throws IOException {
     buffer.clear();
@@ -200,7 +199,7 @@ public final class RecordingFile implements Closeable {
     } catch (ClosedChannelException e) {
       buffer.limit(0);
       if (closed) {
-        throw e;
+        throw new RecordingProblem(path, "it was closed before");
       }
       throw interrupted(e);
     } catch (IOException e) {

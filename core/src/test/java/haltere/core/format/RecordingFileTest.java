@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InterruptedIOException;
+import java.nio.ByteBuffer;
 import java.nio.channels.Channels;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -51,6 +52,16 @@ class RecordingFileTest {
       assertEquals(0, stream.read(BYTES + 3_000_000_000L, 10).length);
       assertEquals(5, stream.read(BYTES - 5, 10).length);
     }
+  }
+
+  @Test
+  void closedFileIsNamed(@TempDir Path folder) throws IOException {
+    Path path = Files.write(folder.resolve("closed.bin"), new byte[8]);
+    RecordingFile file = new RecordingFile(path);
+    file.close();
+    RecordingProblem problem =
+        assertThrows(RecordingProblem.class, () -> file.read(ByteBuffer.allocate(8), 0));
+    assertEquals(path + ": it was closed before", problem.getMessage());
   }
 
   @Test

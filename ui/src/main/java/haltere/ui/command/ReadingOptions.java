@@ -7,12 +7,17 @@ import haltere.core.format.Recordings;
 import haltere.core.format.ViolationCounts;
 import haltere.core.pipeline.RecordingJob;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import picocli.CommandLine.Option;
 
 /** Options of every command that reads a recording. */
 final class ReadingOptions extends SourceOptions {
+  /** Name of a camera, such as dvs128:0012; a drive of Windows has one letter. */
+  private static final Pattern CAMERA = Pattern.compile("\\w{2,}:[^/\\\\]+");
+
   @Option(
       names = "--format",
       paramLabel = "NAME",
@@ -52,6 +57,10 @@ final class ReadingOptions extends SourceOptions {
     }
     if (isStandard(file) && !subcommand().surroundings().in().isOpen()) {
       throw new CommandProblem("standard input is read only once: name a file instead of -");
+    }
+    if (CAMERA.matcher(file.toString()).matches() && !Files.exists(file)) {
+      throw new CommandProblem(
+          file + ": this is a camera, no file; open it in the window, or with --device");
     }
     return indexed(
         isStandard(file)

@@ -68,6 +68,13 @@ class BadInputTest {
   }
 
   @Test
+  void cameraIsNoRecording() {
+    for (String command : List.of("info", "view")) {
+      assertFails(CommandRun.of(command, "simulated:fly"), "simulated:fly", "camera", "--device");
+    }
+  }
+
+  @Test
   void emptyFileIsReportedAsEmpty() throws IOException {
     Path empty = Files.createFile(folder.resolve("empty.aedat"));
     assertFails(CommandRun.of("info", empty), empty, "empty");
