@@ -50,17 +50,6 @@ class CommandTablesTest {
     Files.createDirectories(folder.resolve("in"));
     haltere("simulate", "dots", folder.resolve("in/dots.aedat"), "--duration", "0.25");
     haltere("simulate", "fly", folder.resolve("in/fly.aedat"), "--duration", "0.25");
-    wings(".csv");
-  }
-
-  private static void wings(String ending) throws IOException, InterruptedException {
-    haltere(
-        "wings",
-        folder.resolve("in/fly.aedat"),
-        "--out",
-        folder.resolve("wings" + ending),
-        "--beats",
-        folder.resolve("beats" + ending));
   }
 
   /** The same rows: numbers within the digits of the text, texts the same. */
@@ -93,7 +82,15 @@ class CommandTablesTest {
   @Test
   void wingAndBeatTablesMatchCsvAndNameTheirRecording() throws Exception {
     Path fly = folder.resolve("in/fly.aedat");
-    wings(".parquet");
+    for (String ending : List.of(".csv", ".parquet")) {
+      haltere(
+          "wings",
+          fly,
+          "--out",
+          folder.resolve("wings" + ending),
+          "--beats",
+          folder.resolve("beats" + ending));
+    }
     assertSame(folder.resolve("wings.csv"), folder.resolve("wings.parquet"));
     assertSame(folder.resolve("beats.csv"), folder.resolve("beats.parquet"));
     Map<String, String> metadata = ParquetTables.read(folder.resolve("wings.parquet")).metadata();
@@ -157,7 +154,7 @@ class CommandTablesTest {
           "flight",
           folder.resolve("flight" + ending.replace('.', '-') + ".aedat"),
           "--duration",
-          "0.1",
+          "0.3",
           "--truth",
           folder.resolve("truth" + ending),
           "--observations",
@@ -201,9 +198,10 @@ class CommandTablesTest {
       Path other = folder.resolve("batch2").resolve(folder.resolve("batch1").relativize(file));
       assertArrayEquals(Files.readAllBytes(file), Files.readAllBytes(other), file.toString());
     }
+    haltere("batch", folder.resolve("in"), "--wings", "--out", folder.resolve("batch"));
     assertSame(
-        folder.resolve("wings.csv"),
-        folder.resolve("batch1/fly.aedat/wing-tracker.estimates.parquet"));
+        folder.resolve("batch/fly.aedat/wing-tracker.wings.csv"),
+        folder.resolve("batch1/fly.aedat/wing-tracker.wings.parquet"));
   }
 
   @Test

@@ -15,7 +15,7 @@ import picocli.CommandLine.Option;
 
 /** Options of every command that reads a recording. */
 final class ReadingOptions extends SourceOptions {
-  /** Name of a camera, such as dvs128:0012; a drive of Windows has one letter. */
+  /** What the id of a camera looks like, such as dvs128:0012; a drive of Windows has one letter. */
   private static final Pattern CAMERA = Pattern.compile("\\w{2,}:[^/\\\\]+");
 
   @Option(
@@ -60,7 +60,7 @@ final class ReadingOptions extends SourceOptions {
     }
     if (CAMERA.matcher(file.toString()).matches() && !Files.exists(file)) {
       throw new CommandProblem(
-          file + ": this is a camera, no file; open it in the window, or with --device");
+          file + ": there is no such file; a camera is opened in the window, or with --device");
     }
     return indexed(
         isStandard(file)

@@ -71,7 +71,7 @@ class CurveTest {
   @Test
   void hoursOfSamplesFitIntoFourMegabytes() {
     Curve curve = new Curve("a", 0);
-    int samples = 7_200_000;
+    int samples = 36_000_000;
     for (int i = 0; i < samples; i++) {
       curve.add(i * 1000L, i % 1000);
     }

@@ -16,19 +16,19 @@ import org.junit.jupiter.api.io.TempDir;
 /** The window goes on while files are opened, sought and exported. */
 class UiBlocksTest {
   private static final int BLOCK_EVENTS = 1 << 17;
-  private static final int BLOCKS = 256;
+  private static final int BLOCKS = 1024;
 
   @TempDir Path folder;
 
   @Test
-  void largeFileBlocksTheWindowForLessThan50Ms() throws IOException {
+  void gigabyteFileBlocksTheWindowForLessThan50Ms() throws IOException {
     assumeTrue(
-        Files.getFileStore(folder).getUsableSpace() > 1L << 30,
-        "the disk has no 1 GB free for a file of 268 MB and its copies");
+        Files.getFileStore(folder).getUsableSpace() > 4L << 30,
+        "the disk has no 4 GB free for a file of 1 GB and its copies");
     Path small = folder.resolve("small.aedat");
     ViewerHarness.writeRecording(small, 2_000_000);
     Path large = folder.resolve("large.aedat");
-    writeLarge(large);
+    writeGigabyte(large);
     try (ViewerHarness viewer = new ViewerHarness()) {
       // once before: what classes cost when they are first used is the start's
       UiBlocks.work(viewer, small, folder.resolve("first.aedat4"));
@@ -40,8 +40,8 @@ class UiBlocksTest {
     }
   }
 
-  /** AEDAT-2 of a DVS128: an event in each microsecond, 34 seconds long. */
-  private static void writeLarge(Path file) throws IOException {
+  /** AEDAT-2 of a DVS128: an event in each microsecond, 134 seconds long. */
+  private static void writeGigabyte(Path file) throws IOException {
     ByteBuffer block = ByteBuffer.allocate(8 * BLOCK_EVENTS);
     try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
       out.write("#!AER-DAT2.0\r\n".getBytes(StandardCharsets.US_ASCII));
