@@ -63,7 +63,7 @@ public final class FormatFuzzer {
    * @throws IOException if the file cannot be written, or a reader fails as none should
    */
   public static void check(RecordingFormat format, byte[] bytes, Path file) throws IOException {
-    NewFile.write(file, bytes);
+    ReplacedFile.write(file, bytes);
     ReadOptions options = ReadOptions.DEFAULT.withPacketEvents(PACKET_EVENTS);
     try (RecordingReader reader = format.open(file, options)) {
       reader.outline();

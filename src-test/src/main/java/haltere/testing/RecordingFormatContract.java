@@ -136,7 +136,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
     Path cut = file("cut");
     int step = 1 + (bytes.length - 1) / MAX_CUTS;
     for (int length = 0; length < bytes.length; length += length < EVERY_BYTE ? 1 : step) {
-      NewFile.write(cut, Arrays.copyOf(bytes, length));
+      ReplacedFile.write(cut, Arrays.copyOf(bytes, length));
       try (RecordingReader reader = format().open(cut, options(usualSensor()))) {
         EventPacket got = read(reader).events();
         cutsRead++;
@@ -161,7 +161,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
     assertFalse(lies.isEmpty());
     Path file = file("lie");
     for (byte[] lie : lies) {
-      NewFile.write(file, lie);
+      ReplacedFile.write(file, lie);
       try (RecordingReader reader = format().open(file, options(usualSensor()))) {
         StreamRecorder stream = read(reader);
         assertTrue(stream.events().size() <= lie.length, stream.events().toString());

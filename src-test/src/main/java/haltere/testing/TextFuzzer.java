@@ -138,7 +138,7 @@ public final class TextFuzzer {
       file = Files.createTempFile("haltere-fuzz", ".json");
       file.toFile().deleteOnExit();
     }
-    NewFile.write(file, bytes);
+    ReplacedFile.write(file, bytes);
     try {
       for (CameraModel camera : CameraFile.read(file).cameras()) {
         camera.id();

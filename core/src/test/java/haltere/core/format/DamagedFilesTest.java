@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.event.EventPacket;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
-import haltere.testing.NewFile;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -104,7 +104,7 @@ class DamagedFilesTest {
   }
 
   private EventPacket read(RecordingFormat format, byte[] bytes) throws IOException {
-    Path file = NewFile.write(folder.resolve("damaged"), bytes);
+    Path file = ReplacedFile.write(folder.resolve("damaged"), bytes);
     StreamRecorder recorder = new StreamRecorder();
     ReadOptions options = ReadOptions.DEFAULT.withSensor(SmallFiles.sensor(format));
     try (RecordingReader reader = format.open(file, options)) {

@@ -12,7 +12,7 @@ import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.ObservationFile;
 import haltere.filters.orientation.camera.Vectors;
-import haltere.testing.NewFile;
+import haltere.testing.ReplacedFile;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
@@ -214,7 +214,7 @@ class FlydraFileTest {
     Path broken = folder.resolve("broken.h5");
     int refused = 0;
     for (int length = 600; length < whole.length; length += 1217) {
-      NewFile.write(broken, Arrays.copyOf(whole, length));
+      ReplacedFile.write(broken, Arrays.copyOf(whole, length));
       refused += isRefused(broken) ? 1 : 0;
     }
     assertTrue(refused >= 20, refused + " of the cut files are refused");
@@ -226,7 +226,7 @@ class FlydraFileTest {
         case 1 -> bytes.putLong(at, Long.MAX_VALUE / 3);
         default -> bytes.putInt(at, bytes.getInt(at) + 3);
       }
-      NewFile.write(broken, lie);
+      ReplacedFile.write(broken, lie);
       isRefused(broken);
     }
   }

@@ -17,7 +17,7 @@ import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.aedat4.Aedat4Compression;
 import haltere.core.format.internal.aedat4.Aedat4Writer;
 import haltere.testing.EventPackets;
-import haltere.testing.NewFile;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -184,7 +184,7 @@ class Aedat4PeersTest {
       }
       // Two packets of six are left out, the second but for its first part.
       int end = (int) (bytes.length - 1.5 * (bytes.length - 2000) / 6);
-      NewFile.write(file, Arrays.copyOf(bytes, end));
+      ReplacedFile.write(file, Arrays.copyOf(bytes, end));
       command.add(file.toString());
       expected.add("dv-processing" + facts);
       expected.add("aedat" + facts);

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import haltere.testing.NewFile;
+import haltere.testing.ReplacedFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -113,7 +113,7 @@ class BadInputTest {
     byte[] whole = TinyRecording.hundred().bytes();
     Path cut = folder.resolve("cut.aedat");
     for (int length = TinyRecording.headerBytes() + 8; length < whole.length; length += 13) {
-      NewFile.write(cut, Arrays.copyOf(whole, length));
+      ReplacedFile.write(cut, Arrays.copyOf(whole, length));
       int events = (length - TinyRecording.headerBytes()) / 8;
       boolean between = (length - TinyRecording.headerBytes()) % 8 == 0;
       CommandRun run = CommandRun.of("info", "--json", cut);

@@ -14,7 +14,7 @@ import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
-import haltere.testing.NewFile;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -105,7 +105,7 @@ class AedatFuzzTest {
       int which = random.nextInt(files.length);
       byte[] whole = files[which];
       int firstDamage = damage(whole, random, damaged);
-      NewFile.write(file, damaged[0]);
+      ReplacedFile.write(file, damaged[0]);
       String label = format.name() + " case " + i + ", damage at byte " + firstDamage;
       int header = whole.length - EVENTS * recordBytes;
       int sound = Math.max(0, (firstDamage - header) / recordBytes);

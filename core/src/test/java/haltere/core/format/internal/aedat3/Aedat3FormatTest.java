@@ -15,8 +15,8 @@ import haltere.core.format.Recordings;
 import haltere.core.format.Violation;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
-import haltere.testing.NewFile;
 import haltere.testing.RecordingFormatContract;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -261,7 +261,7 @@ class Aedat3FormatTest extends RecordingFormatContract {
         first = random.nextInt(bytes.length);
         bytes = Arrays.copyOf(whole, first);
       }
-      NewFile.write(file, bytes);
+      ReplacedFile.write(file, bytes);
       StreamRecorder recorder = new StreamRecorder();
       try (RecordingReader reader =
           new Aedat3Format().open(file, options(DAVIS240).withPacketEvents(40))) {

@@ -15,8 +15,8 @@ import haltere.core.format.Violation;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.compression.LittleEndian;
 import haltere.testing.EventPackets;
-import haltere.testing.NewFile;
 import haltere.testing.RecordingFormatContract;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -209,7 +209,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
               withInt(bytes, second + 4, -5),
               withInt(bytes, second + 4, 25),
               withInt(bytes, second + 8, 0x7777_7777))) {
-        NewFile.write(file, damaged);
+        ReplacedFile.write(file, damaged);
         StreamRecorder recorder = new StreamRecorder();
         try (RecordingReader reader = Recordings.open(file)) {
           reader.drainTo(recorder);
@@ -304,7 +304,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
     write(file, DAVIS346, written);
     byte[] bytes = Files.readAllBytes(file);
     for (String info : List.of("<dv><node name=", "", "<!DOCTYPE dv [<!ENTITY a \"b\">]><dv>&a;")) {
-      NewFile.write(file, withHeader(bytes, info, -1));
+      ReplacedFile.write(file, withHeader(bytes, info, -1));
       try (RecordingReader reader = Recordings.open(file)) {
         assertEquals(new SensorGeometry(301, 10, Origin.TOP), reader.geometry());
         assertEquals(2, reader.remarks().size(), reader.remarks().toString());

@@ -14,7 +14,7 @@ import haltere.core.format.Violation;
 import haltere.core.format.WriteOptions;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
-import haltere.testing.NewFile;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -121,7 +121,7 @@ class Aedat4FuzzTest {
   private StreamRecorder read(byte[] bytes, int packetEvents, String label, boolean[] cut)
       throws IOException {
     Path file = folder.resolve("damaged.aedat4");
-    NewFile.write(file, bytes);
+    ReplacedFile.write(file, bytes);
     StreamRecorder recorder = new StreamRecorder();
     ReadOptions options = ReadOptions.DEFAULT.withPacketEvents(packetEvents);
     try (RecordingReader reader = new Aedat4Format().open(file, options)) {

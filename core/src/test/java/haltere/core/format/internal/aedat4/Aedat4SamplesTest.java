@@ -25,8 +25,8 @@ import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.compression.LittleEndian;
 import haltere.core.pipeline.Conversion;
 import haltere.testing.EventPackets;
-import haltere.testing.NewFile;
 import haltere.testing.Recorded;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -239,7 +239,7 @@ class Aedat4SamplesTest {
       for (int i = 0; i < 4; i++) {
         bytes[random.nextInt(2500, bytes.length)] ^= (byte) (1 << random.nextInt(8));
       }
-      NewFile.write(damaged, round % 3 == 0 ? Arrays.copyOf(bytes, bytes.length / 2) : bytes);
+      ReplacedFile.write(damaged, round % 3 == 0 ? Arrays.copyOf(bytes, bytes.length / 2) : bytes);
       StreamRecorder recorder = new StreamRecorder();
       try (RecordingReader reader =
           Recordings.open(damaged, ReadOptions.DEFAULT.withSamples(true))) {

@@ -12,7 +12,7 @@ import haltere.core.format.Recordings;
 import haltere.core.format.Violation;
 import haltere.core.format.WriteOptions;
 import haltere.testing.EventPackets;
-import haltere.testing.NewFile;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -89,7 +89,7 @@ class DecodeAheadTest {
       damaged[at + 8] ^= 1;
       boolean inHeader = packet % 2 == 0;
       damaged[at] ^= (byte) (inHeader ? 64 : 0);
-      NewFile.write(path, damaged);
+      ReplacedFile.write(path, damaged);
       StreamRecorder recorder = new StreamRecorder();
       try (RecordingReader reader = Recordings.open(path)) {
         reader.drainTo(recorder);

@@ -13,9 +13,9 @@ import haltere.core.format.Recordings;
 import haltere.core.format.TimeSegment;
 import haltere.core.format.WriteOptions;
 import haltere.testing.EventPackets;
-import haltere.testing.NewFile;
 import haltere.testing.Recorded;
 import haltere.testing.RecordedPackets;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -140,7 +140,7 @@ class PacketTableTest {
     for (int i = 0; i < 200; i++) {
       byte[] lying = bytes.clone();
       lying[random.nextInt(table, bytes.length)] ^= (byte) (1 << random.nextInt(8));
-      Path path = NewFile.write(folder.resolve("lying.aedat4"), lying);
+      Path path = ReplacedFile.write(folder.resolve("lying.aedat4"), lying);
       if (!isBelieved(path)) {
         lies++;
       }

@@ -16,8 +16,8 @@ import haltere.core.format.Recordings;
 import haltere.core.format.Violation;
 import haltere.core.format.WriteOptions;
 import haltere.core.stream.StreamGrammar;
-import haltere.testing.NewFile;
 import haltere.testing.RecordingFormatContract;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -111,7 +111,7 @@ class McapFormatTest extends RecordingFormatContract {
     for (int damagedAt : new int[] {first, first + 41, first + 51}) {
       byte[] damaged = bytes.clone();
       damaged[damagedAt] = 0x7e;
-      Path file = NewFile.write(folder.resolve("damaged.mcap"), damaged);
+      Path file = ReplacedFile.write(folder.resolve("damaged.mcap"), damaged);
       StreamRecorder recorder = new StreamRecorder();
       try (RecordingReader reader = Recordings.open(file)) {
         reader.drainTo(new StreamGrammar(recorder));
@@ -160,7 +160,7 @@ class McapFormatTest extends RecordingFormatContract {
       if (random.nextInt(3) == 0) {
         bytes = Arrays.copyOf(bytes, random.nextInt(bytes.length));
       }
-      NewFile.write(file, bytes);
+      ReplacedFile.write(file, bytes);
       StreamRecorder recorder = new StreamRecorder();
       try (RecordingReader reader =
           new McapFormat().open(file, ReadOptions.DEFAULT.withPacketEvents(40))) {

@@ -19,8 +19,8 @@ import haltere.core.format.Violation;
 import haltere.core.format.WriteOptions;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
-import haltere.testing.NewFile;
 import haltere.testing.RecordingFormatContract;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -324,7 +324,7 @@ class RosbagFormatTest extends RecordingFormatContract {
       if (random.nextInt(3) == 0) {
         bytes = Arrays.copyOf(bytes, 4100 + random.nextInt(bytes.length - 4100));
       }
-      NewFile.write(file, bytes);
+      ReplacedFile.write(file, bytes);
       StreamRecorder recorder = new StreamRecorder();
       try (RecordingReader reader =
           new RosbagFormat().open(file, ReadOptions.DEFAULT.withPacketEvents(40))) {

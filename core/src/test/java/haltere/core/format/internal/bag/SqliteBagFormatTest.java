@@ -16,9 +16,9 @@ import haltere.core.format.Recordings;
 import haltere.core.format.Support;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
-import haltere.testing.NewFile;
 import haltere.testing.RecordedPackets;
 import haltere.testing.RecordingFormatContract;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -149,7 +149,7 @@ class SqliteBagFormatTest extends RecordingFormatContract {
       for (int flips = 1 + random.nextInt(6); flips > 0; flips--) {
         bytes[random.nextInt(bytes.length)] ^= (byte) (1 << random.nextInt(8));
       }
-      NewFile.write(file, bytes);
+      ReplacedFile.write(file, bytes);
       StreamRecorder recorder = new StreamRecorder();
       try (RecordingReader reader =
           new SqliteBagFormat().open(file, ReadOptions.DEFAULT.withPacketEvents(40))) {

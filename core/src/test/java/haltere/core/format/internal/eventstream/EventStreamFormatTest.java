@@ -18,9 +18,9 @@ import haltere.core.format.ViolationCounts;
 import haltere.core.format.WriteOptions;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
-import haltere.testing.NewFile;
 import haltere.testing.Recorded;
 import haltere.testing.RecordingFormatContract;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -194,7 +194,7 @@ class EventStreamFormatTest extends RecordingFormatContract {
       Path file = folder.resolve("generic-" + i);
       byte[] bytes = Arrays.copyOf(head, head.length + messages[i].length);
       System.arraycopy(bytes(messages[i]), 0, bytes, head.length, messages[i].length);
-      NewFile.write(file, bytes);
+      ReplacedFile.write(file, bytes);
       try (RecordingReader reader = Recordings.open(file)) {
         read(reader);
         assertTrue(reader.violations().count(found[i]) > 0, reader.violations().describe() + "");

@@ -17,8 +17,8 @@ import haltere.core.format.WriteOptions;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
-import haltere.testing.NewFile;
 import haltere.testing.RecordingFormatContract;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -260,7 +260,7 @@ abstract class EvtContract extends RecordingFormatContract {
       SplittableRandom random = new SplittableRandom(seed);
       byte[] words = randomWords(random);
       Path file = folder.resolve("any-" + seed);
-      NewFile.write(file, words);
+      ReplacedFile.write(file, words);
       ReadOptions options =
           ReadOptions.DEFAULT.withSensor(new SensorGeometry(600, 400)).withFormat(format().name());
       try (RecordingReader usual = Recordings.open(file, options);

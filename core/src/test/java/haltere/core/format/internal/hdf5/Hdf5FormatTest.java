@@ -16,8 +16,8 @@ import haltere.core.format.Recordings;
 import haltere.core.format.Violation;
 import haltere.core.format.WriteOptions;
 import haltere.testing.EventPackets;
-import haltere.testing.NewFile;
 import haltere.testing.RecordingFormatContract;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.io.InputStream;
@@ -234,7 +234,8 @@ class Hdf5FormatTest extends RecordingFormatContract {
       for (int flips = random.nextInt(1, 6); flips > 0; flips--) {
         bytes[random.nextInt(bytes.length)] = (byte) random.nextInt(256);
       }
-      NewFile.write(file, i % 5 == 0 ? Arrays.copyOf(bytes, i * bytes.length / DAMAGES) : bytes);
+      ReplacedFile.write(
+          file, i % 5 == 0 ? Arrays.copyOf(bytes, i * bytes.length / DAMAGES) : bytes);
       try (RecordingReader reader = format().open(file, ReadOptions.DEFAULT.withSensor(SENSOR))) {
         assertTrue(read(reader).events().size() <= whole.length);
       } catch (RecordingProblem problem) {
@@ -252,7 +253,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
     EventPacket events = theirEvents();
     Path file = folder.resolve("cut");
     for (int length = whole.length - 1; length > 0; length -= CUT_STEP_BYTES) {
-      NewFile.write(file, Arrays.copyOf(whole, length));
+      ReplacedFile.write(file, Arrays.copyOf(whole, length));
       try (RecordingReader reader = format().open(file, ReadOptions.DEFAULT.withSensor(SENSOR))) {
         EventPacket got = read(reader).events();
         assertEquals(EventPackets.part(events, 0, got.size()), got, "cut to " + length + " bytes");

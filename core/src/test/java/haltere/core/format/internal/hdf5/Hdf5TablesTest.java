@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.internal.hdf5.Hdf5TableWriter.Hdf5Column;
 import haltere.core.format.internal.hdf5.Hdf5TableWriter.NumberType;
-import haltere.testing.NewFile;
+import haltere.testing.ReplacedFile;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -129,7 +129,7 @@ class Hdf5TablesTest {
     int refused = 0;
     for (int length = 0; length < whole.length; length += length < 4096 ? 31 : 997) {
       Path cut = folder.resolve("cut.h5");
-      NewFile.write(cut, java.util.Arrays.copyOf(whole, length));
+      ReplacedFile.write(cut, java.util.Arrays.copyOf(whole, length));
       double[] sum = new double[1];
       try (Hdf5Tables tables = Hdf5Tables.open(cut)) {
         tables.read("lines", List.of("frame"), 1, row -> sum[0] += row.number(0));

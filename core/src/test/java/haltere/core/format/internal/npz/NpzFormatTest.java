@@ -14,8 +14,8 @@ import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
 import haltere.core.format.Violation;
 import haltere.testing.EventPackets;
-import haltere.testing.NewFile;
 import haltere.testing.RecordingFormatContract;
+import haltere.testing.ReplacedFile;
 import haltere.testing.StreamRecorder;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -196,7 +196,7 @@ class NpzFormatTest extends RecordingFormatContract {
             events.size() + ",",
             data.flip());
     for (byte[] bytes : List.of(array, zipped(Map.of("arr_0", array)))) {
-      Path file = NewFile.write(folder.resolve("structured"), bytes);
+      Path file = ReplacedFile.write(folder.resolve("structured"), bytes);
       try (RecordingReader reader = Recordings.open(file)) {
         assertEquals(events, read(reader).events());
       }
@@ -250,7 +250,7 @@ class NpzFormatTest extends RecordingFormatContract {
     byte[] whole = stored(arrays);
     Path file = folder.resolve("cut.npz");
     for (int length = whole.length - 1; length > 0; length--) {
-      NewFile.write(file, Arrays.copyOf(whole, length));
+      ReplacedFile.write(file, Arrays.copyOf(whole, length));
       try (RecordingReader reader = format().open(file, ReadOptions.DEFAULT.withSensor(SENSOR))) {
         EventPacket got = read(reader).events();
         assertEquals(EventPackets.part(events, 0, got.size()), got, "cut to " + length + " bytes");

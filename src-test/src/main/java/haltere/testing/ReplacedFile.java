@@ -11,8 +11,8 @@ import java.nio.file.StandardOpenOption;
  * rewriting it blocks its writer until the disk has the old content, and a new file takes five
  * times as long as new bytes in an old one.
  */
-public final class NewFile {
-  private NewFile() {}
+public final class ReplacedFile {
+  private ReplacedFile() {}
 
   /**
    * Writes a file, over another if there is one.
