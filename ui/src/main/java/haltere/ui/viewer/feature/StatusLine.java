@@ -138,11 +138,12 @@ public final class StatusLine extends HBox {
         showError(playerMessage);
       }
     }
-    time.setText(
-        status.timeUs() == StreamNotification.NO_TIME_US
-            ? ""
-            : "t " + status.timeUs() + " \u00b5s");
-    rate.setText(Texts.rate(status.eventRateEps()));
+    boolean timed = status.timeUs() != StreamNotification.NO_TIME_US;
+    if (timed || !isReverse) {
+      // backwards, numbers of the last shown moment remain until the next is computed
+      time.setText(timed ? "t " + status.timeUs() + " \u00b5s" : "");
+      rate.setText(Texts.rate(status.eventRateEps()));
+    }
     boolean playing = status.state() == State.PLAYING;
     speed.setText(playing ? Texts.reached(status) : "");
     Controls.help(speed, SPEED_HELP + " " + Texts.limit(status));
