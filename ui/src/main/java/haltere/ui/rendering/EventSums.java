@@ -26,7 +26,7 @@ final class EventSums implements StyleState {
   /** Approximate number of sampled pixels for the scale. */
   private static final int SAMPLES = 20_000;
 
-  private static final double SHARE_BELOW_FULL = 0.995;
+  private static final double SHARE_BELOW_FULL = 0.97;
   private static final double SMOOTHING = 0.2;
 
   private final int width;
