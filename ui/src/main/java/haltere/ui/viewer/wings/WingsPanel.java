@@ -79,7 +79,7 @@ final class WingsPanel extends ScrollPane {
     List<WingFilterState> filters = now.map(WingsView::filters).orElse(List.of());
     now.ifPresent(view -> showEdges(view.settings().output()));
     search.setText(now.map(SearchText::of).orElse(""));
-    edges.forEach(box -> box.setDisable(now.isEmpty()));
+    body.getChildren().forEach(part -> Controls.show(now.isPresent() || part == empty, part));
     List<WingPart> parts = filters.stream().map(WingFilterState::part).toList();
     if (!choice.getItems().equals(parts)) {
       WingPart before = choice.getValue();
