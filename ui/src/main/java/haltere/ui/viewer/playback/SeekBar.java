@@ -110,10 +110,7 @@ public final class SeekBar extends Region {
   private long fromUs;
 
   private long spanUs = 1;
-
-  /** The position at the last update. */
   private long followedUs;
-
   private Grip grip = Grip.NEEDLE;
   private long lastGrowthNanos;
   private List<Mark> marks = List.of();
