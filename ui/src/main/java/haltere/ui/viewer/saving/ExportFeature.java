@@ -54,7 +54,7 @@ public final class ExportFeature implements ViewerFeature {
         "export-film",
         () ->
             dialogs
-                .save("Export film", "haltere.gif", "Films", "*.gif", "*.mp4")
+                .save("Export film", "film.gif", "Films", "*.gif", "*.mp4")
                 .ifPresent(this::exportFilm),
         window::nothingOpen);
     actions.add(
