@@ -46,7 +46,8 @@ public final class FileDialogs {
 
   /** Asks for a file of several calibrated cameras. */
   public Optional<Path> cameras() {
-    return open("Open their cameras", new ExtensionFilter("Cameras", "*.json", "*.xml"), ALL_FILES);
+    return open(
+        "Open calibrated cameras", new ExtensionFilter("Cameras", "*.json", "*.xml"), ALL_FILES);
   }
 
   /** Asks for a file to read, with the name and the extensions of its kind. */
