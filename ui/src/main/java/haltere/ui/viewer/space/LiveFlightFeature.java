@@ -56,8 +56,9 @@ public final class LiveFlightFeature implements ViewerFeature {
         .panels()
         .onPulse(
             () ->
-                flight.ifPresent(
-                    live -> pane.update(live.latest(), window.editor()::onProcessing)));
+                flight
+                    .filter(live -> pane.update(live.latest(), window.editor()::onProcessing))
+                    .ifPresent(changed -> window.panels().view().redraw()));
   }
 
   /** Opens the simulated flight. */

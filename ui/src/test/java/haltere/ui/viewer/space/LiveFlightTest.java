@@ -245,6 +245,23 @@ class LiveFlightTest {
   }
 
   @Test
+  void linesOverTheFirstPictureAreOfTheMomentOfAStep() {
+    try (ViewerHarness viewer = new ViewerHarness()) {
+      LiveFlightFeature feature = viewer.window.feature(LiveFlightFeature.class);
+      viewer.run(feature::openScene);
+      pauseWhereEachCameraSeesTheBody(viewer);
+      for (int step = 0; step < 4; step++) {
+        long before = viewer.status().elapsedUs();
+        viewer.run(() -> viewer.session().player().step(-1));
+        viewer.waitFor("a step", () -> viewer.status().elapsedUs() < before);
+        waitUntilStill(viewer, "event-view");
+        Runnable again = viewer.window.context().panels().view()::redraw;
+        assertEquals(0, changedBy(viewer, "event-view", again), "step " + step);
+      }
+    }
+  }
+
+  @Test
   void windowShowsTheFlightDuringPlayback() {
     try (ViewerHarness viewer = new ViewerHarness()) {
       LiveFlightFeature feature = viewer.window.feature(LiveFlightFeature.class);
