@@ -26,7 +26,7 @@ public final class FileDialogs {
 
   /** Sets what is open, with which names of files to write begin. */
   public void setSource(String name) {
-    source = Path.of(name).getFileName().toString().replaceFirst("\\.\\w+$", "") + "-";
+    source = name.replaceFirst("\\.\\w+$", "").replaceAll("\\W+", "-") + "-";
   }
 
   /** A recording to be read. */

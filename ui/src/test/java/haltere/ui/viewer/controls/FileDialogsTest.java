@@ -10,9 +10,9 @@ class FileDialogsTest {
   @Test
   void suggestedNamesBeginWithTheRecording() {
     assertEquals("picture.png", dialogs.suggested("picture.png"));
-    dialogs.setSource("recordings/walk.2.aedat4");
-    assertEquals("walk.2-picture.png", dialogs.suggested("picture.png"));
-    dialogs.setSource("fly");
-    assertEquals("fly-picture.png", dialogs.suggested("picture.png"));
+    dialogs.setSource("walk.2.aedat4");
+    assertEquals("walk-2-picture.png", dialogs.suggested("picture.png"));
+    dialogs.setSource("Fly scene");
+    assertEquals("Fly-scene-picture.png", dialogs.suggested("picture.png"));
   }
 }

@@ -271,6 +271,9 @@ class LiveFlightTest {
       viewer.waitFor(
           "another one",
           () -> !viewer.node("live-flight-words", Label.class).getText().equals(text));
+      viewer.run(() -> viewer.window.context().actions().run("open-scene"));
+      viewer.waitUntilOpen("Fly scene");
+      viewer.waitFor("no panel of a flight", () -> !viewer.isThere("live-flight"));
     }
   }
 }
