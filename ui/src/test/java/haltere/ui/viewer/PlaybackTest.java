@@ -190,12 +190,11 @@ class PlaybackTest {
     viewer = ViewerHarness.withRecording(folder, LENGTH_US);
     viewer.pause();
     ViewerHarness.join(viewer.session().player().seek(2_000_000));
-    viewer.wheel("seek-bar", 1);
-    viewer.wheel("seek-bar", 1);
-    viewer.wheel("seek-bar", 1);
-    viewer.wheel("seek-bar", 1);
     Node needle = viewer.onFx(() -> viewer.node("seek-bar", Parent.class).lookup(".needle"));
-    viewer.waitFor("the needle", needle::isVisible);
+    viewer.waitFor("the needle in the middle", () -> viewer.onFx(needle::getLayoutX) > 100);
+    for (int i = 0; i < 4; i++) {
+      viewer.wheel("seek-bar", 1);
+    }
     viewer.press(KeyCode.HOME);
     viewer.waitFor("the start", () -> viewer.status().elapsedUs() == 0);
     viewer.waitFor(
