@@ -35,7 +35,7 @@ final class SummaryRing {
     int slot;
     if (size == fromUs.length) {
       slot = start;
-      start = next(start);
+      start = (start + 1) % fromUs.length;
     } else {
       slot = slot(size);
       size++;
@@ -61,10 +61,6 @@ final class SummaryRing {
     toUs = Arrays.copyOf(toUs, length);
     lowest = Arrays.copyOf(lowest, length);
     highest = Arrays.copyOf(highest, length);
-  }
-
-  private int next(int slot) {
-    return slot + 1 == fromUs.length ? 0 : slot + 1;
   }
 
   private int slot(int index) {

@@ -14,7 +14,7 @@ final class EventSums implements StyleState {
   /** Steps of the colours. */
   private static final int ENTRIES = 1024;
 
-  /** Events of one polarity that saturate a pixel's intensity. */
+  /** Events of one polarity that always saturate a pixel's intensity. */
   private static final double FULL_INTENSITY = 6;
 
   /** The reference is moved before weights grow beyond e to this. */
@@ -23,10 +23,10 @@ final class EventSums implements StyleState {
   /** A weight serves for events within this share of the time constant. */
   private static final double WEIGHT_TOLERANCE = 1.0 / 256;
 
-  /** Approximate number of sampled pixels for the scale of counts. */
+  /** Approximate number of sampled pixels for the scale. */
   private static final int SAMPLES = 20_000;
 
-  private static final double SHARE_BELOW_FULL = 0.995;
+  private static final double SHARE_BELOW_FULL = 0.97;
   private static final double SMOOTHING = 0.2;
 
   private final int width;
@@ -98,7 +98,7 @@ final class EventSums implements StyleState {
     clear();
   }
 
-  /** The next picture computes the scale of counts from its own events. */
+  /** The next picture computes the scale from its own events. */
   @Override
   public void settle() {
     fullCount = 0;
@@ -175,14 +175,9 @@ final class EventSums implements StyleState {
             ? 1
             : Math.exp(-(double) (nowUs - referenceUs) / style.timeConstantUs());
     boolean signed = style.mode() == DisplayMode.INTENSITY;
-    if (!signed) {
-      findFullCount(present);
-    }
-    float gain =
-        (float)
-            (signed
-                ? present * (ENTRIES - 1) / (2 * FULL_INTENSITY)
-                : present * (ENTRIES - 1) / Math.max(1e-9, fullCount));
+    findFullCount(present);
+    double range = signed ? 2 * Math.min(FULL_INTENSITY, fullCount) : fullCount;
+    float gain = (float) (present * (ENTRIES - 1) / range);
     float middle = signed ? (ENTRIES - 1) / 2f : 0;
     for (int y = 0; y < height; y++) {
       indices(sums, y * width, width, gain, middle, row);
@@ -208,8 +203,9 @@ final class EventSums implements StyleState {
   private void findFullCount(double present) {
     int found = 0;
     for (int i = 0; i < sums.length; i += sampling) {
-      if (sums[i] * present > 0.05) {
-        samples[found++] = sums[i];
+      float size = Math.abs(sums[i]);
+      if (size * present > 0.05) {
+        samples[found++] = size;
       }
     }
     double now = 1;

@@ -1,7 +1,5 @@
 package haltere.ui.rendering;
 
-import java.util.Objects;
-
 /**
  * The style of a picture of events.
  *
@@ -19,9 +17,6 @@ public record PictureStyle(
 
   /** Checks the time. */
   public PictureStyle {
-    Objects.requireNonNull(mode, "mode");
-    Objects.requireNonNull(colours, "colours");
-    Objects.requireNonNull(gradient, "gradient");
     if (timeConstantUs < 1
         || timeConstantUs > FramePainter.MAX_TIME_CONSTANT_US
             && !(sharp && timeConstantUs == ACCUMULATED_US)) {

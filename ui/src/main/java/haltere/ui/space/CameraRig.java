@@ -2,6 +2,7 @@ package haltere.ui.space;
 
 import haltere.core.camera.Cameras;
 import haltere.core.event.SensorGeometry;
+import haltere.core.playback.BufferedPlayable;
 import haltere.core.playback.CameraPlayable;
 import haltere.core.playback.Playable;
 import haltere.core.playback.ScenePlayable;
@@ -25,6 +26,9 @@ import java.util.List;
  */
 public record CameraRig(List<CameraModel> cameras, Playable first, List<Playable> others)
     implements AutoCloseable {
+  /** Events of each other simulated camera, 24 MB, for going back without another simulation. */
+  private static final int BUFFERED_EVENTS = 3_000_000;
+
   /** Copies, and checks the numbers. */
   public CameraRig {
     cameras = List.copyOf(cameras);
@@ -41,7 +45,9 @@ public record CameraRig(List<CameraModel> cameras, Playable first, List<Playable
     List<Playable> scenes = new ArrayList<>();
     for (FlightCamera each : new FlightScene(settings.with("view.camera=0")).cameras()) {
       FlightSettings own = settings.with("view.camera=" + cameras.size());
-      scenes.add(new ScenePlayable(() -> new FlightScene(own), "Flight, " + each.id()));
+      Playable scene = new ScenePlayable(() -> new FlightScene(own), "Flight, " + each.id());
+      // its player buffers the first one
+      scenes.add(scenes.isEmpty() ? scene : new BufferedPlayable(scene, BUFFERED_EVENTS));
       double[] matrix =
           each.matrix().stream().flatMap(List::stream).mapToDouble(Double::doubleValue).toArray();
       cameras.add(

@@ -90,7 +90,7 @@ final class FollowedCamera implements StreamHandler {
     clear();
     long elapsedUs = source.elapsedUs(timeUs) - RUN_UP_US;
     try {
-      source.seek(source.seekable() ? Math.max(0, elapsedUs) : 0);
+      source.seek(source.seekable() && elapsedUs >= source.earliestUs() ? elapsedUs : 0);
       ended = false;
     } catch (IOException unreadable) {
       ended = true;

@@ -1,8 +1,6 @@
 package haltere.ui.viewer;
 
-import haltere.core.format.AtomicFile;
 import haltere.ui.plot.PlotField;
-import haltere.ui.plot.PlotTable;
 import haltere.ui.rendering.Pictures;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.action.ViewerKeys;
@@ -18,7 +16,6 @@ import java.util.List;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
-import javafx.scene.image.PixelFormat;
 import javafx.scene.image.WritableImage;
 import javafx.scene.layout.StackPane;
 import javafx.stage.Stage;
@@ -59,7 +56,7 @@ final class PlotFeature implements ViewerFeature {
         () ->
             dialogs
                 .save("Save plots as table", "plots.csv", "Tables", "*.csv")
-                .ifPresent(file -> save(window, file, plots.table())),
+                .ifPresent(file -> window.save(file, plots.table().text())),
         noPlots);
     actions.add(
         "save-plot-picture",
@@ -87,21 +84,14 @@ final class PlotFeature implements ViewerFeature {
     return new PlotField((String) parts.get(0), (String) parts.get(1), (String) parts.get(2));
   }
 
-  private static void save(ViewerContext window, Path file, PlotTable table) {
-    String text = table.text();
-    window.run(() -> AtomicFile.write(file, text, true));
-  }
-
   private static void save(ViewerContext window, Path file, WritableImage image) {
     int width = (int) image.getWidth();
     int height = (int) image.getHeight();
-    int[] argb = new int[width * height];
-    image
-        .getPixelReader()
-        .getPixels(0, 0, width, height, PixelFormat.getIntArgbInstance(), argb, 0, width);
     BufferedImage copy = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
-    copy.setRGB(0, 0, width, height, argb, 0, width);
-    window.run(() -> Pictures.write(file, copy));
+    for (int i = 0; i < width * height; i++) {
+      copy.setRGB(i % width, i / width, image.getPixelReader().getArgb(i % width, i / width));
+    }
+    window.save(file, () -> Pictures.write(file, copy));
   }
 
   /** Plots are in one place at a time: closing their window moves them below the events again. */

@@ -23,7 +23,7 @@ final class SettingsFeature implements ViewerFeature {
 
   private static void save(ViewerContext window) {
     if (window.settings().hasChanged()) {
-      window.run(window.settings()::save);
+      window.background().file(window.settings()::save, () -> {}, window.status()::showProblem);
     }
   }
 

@@ -99,6 +99,9 @@ class EventPictureTest {
       signs[i] = on ? 1 : -1;
       event(picture, timeUs, 5, 5, on);
     }
+    for (int i = 0; i < 20; i++) {
+      event(picture, timeUs, 2, 2, true);
+    }
     picture.advanceTo(timeUs + 300);
     double sum = 0;
     for (int i = 0; i < 400; i++) {
@@ -107,6 +110,16 @@ class EventPictureTest {
     double expected = Math.max(0, Math.min(1, 0.5 + sum / 12));
     assertEquals(expected, grey(pixel(picture, 5, 5)), 0.01);
     assertEquals(0.5, grey(pixel(picture, 6, 5)), 0.01);
+  }
+
+  @Test
+  void intensityOfSingleEventsHasFullContrast() {
+    EventPicture picture = picture(DisplayMode.INTENSITY, true);
+    event(picture, 10, 3, 2, true);
+    event(picture, 10, 4, 2, false);
+    assertEquals(1, grey(pixel(picture, 3, 2)), 0.01);
+    assertEquals(0, grey(pixel(picture, 4, 2)), 0.01);
+    assertEquals(0.5, grey(pixel(picture, 5, 2)), 0.01);
   }
 
   @Test

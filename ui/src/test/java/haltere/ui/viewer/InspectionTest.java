@@ -16,6 +16,7 @@ import java.util.Optional;
 import java.util.Set;
 import javafx.scene.Node;
 import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
@@ -83,6 +84,22 @@ class InspectionTest {
     viewer.waitFor(
         "polarity, age and rate",
         () -> viewer.text("cursor-readout").matches("x 6\\d   y .* (ON|OFF) .* ago .*ev/s near"));
+  }
+
+  @Test
+  void readOutStandsAboveTheLegendInANarrowPicture() {
+    viewer.run(() -> viewer.window.context().actions().run("show-as-frequency"));
+    viewer.run(() -> viewer.stage.setWidth(ViewerWindow.MIN_WIDTH));
+    EventView view = viewer.window.context().panels().view();
+    double shareX = viewer.onFx(() -> view.viewpoint().viewX(64) / view.getWidth());
+    double shareY = viewer.onFx(() -> view.viewpoint().viewY(BlobSource.Y) / view.getHeight());
+    viewer.click("event-view", shareX, shareY);
+    Label readout = viewer.node("cursor-readout", Label.class);
+    viewer.waitFor("a long read-out", () -> readout.getText().contains("ev/s near"));
+    viewer.waitFor(
+        "no overlap",
+        () -> !readout.getBoundsInParent().intersects(view.legend().getBoundsInParent()));
+    assertTrue(viewer.onFx(() -> view.legend().isVisible()));
   }
 
   @Test

@@ -12,6 +12,7 @@ import java.util.Optional;
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
 import javafx.scene.control.ContentDisplay;
+import javafx.scene.control.Label;
 import javafx.scene.control.SplitPane;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
@@ -156,6 +157,19 @@ class LayoutTest {
     for (String id : List.of("event-view", "side-tabs", "seek-bar", "elapsed", "status-line")) {
       viewer.waitFor(id + " is within the window", () -> isWithinWindow(id));
     }
+  }
+
+  @Test
+  void pauseIsNamedInFullBesideALongFileName() throws Exception {
+    Path file = folder.resolve("a-rather-long-name-of-a-recording-2026.aedat4");
+    ViewerHarness.writeRecording(file, 2_000_000);
+    viewer = new ViewerHarness();
+    viewer.run(() -> viewer.stage.setWidth(1024));
+    viewer.openRecording(file);
+    viewer.pause();
+    viewer.waitFor("its name", () -> viewer.text("status-message").endsWith("paused"));
+    Label message = viewer.node("status-message", Label.class);
+    viewer.waitFor("room", () -> message.getWidth() >= message.prefWidth(-1) - 0.5);
   }
 
   private boolean isWithinWindow(String id) {

@@ -1,6 +1,7 @@
 package haltere.ui.viewer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import atlantafx.base.theme.Styles;
@@ -22,6 +23,7 @@ import java.util.List;
 import java.util.OptionalLong;
 import java.util.concurrent.CopyOnWriteArrayList;
 import javafx.scene.Node;
+import javafx.scene.Parent;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
@@ -166,6 +168,37 @@ class PlaybackTest {
     viewer.click("play-backwards");
     viewer.waitFor("its stop", () -> !viewer.window.context().playback().reverseProperty().get());
     assertEquals(PlayerStatus.State.PAUSED, viewer.status().state());
+  }
+
+  @Test
+  void backwardPlaybackShowsItsNumbersAndIsPausedBySpace() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, LENGTH_US);
+    viewer.pause();
+    ViewerHarness.join(viewer.session().player().seek(3_000_000));
+    viewer.waitFor("its time", () -> viewer.text("status-time").startsWith("t 3"));
+    viewer.press(KeyCode.SHIFT, KeyCode.SPACE);
+    viewer.waitFor("what it does", () -> viewer.text("status-message").endsWith("backwards"));
+    viewer.waitFor("an earlier time", () -> viewer.text("status-time").startsWith("t 2"));
+    assertNotEquals("0 ev/s", viewer.text("status-rate"));
+    viewer.press(KeyCode.SPACE);
+    viewer.waitFor("its stop", () -> viewer.text("status-message").endsWith("paused"));
+    assertEquals(PlayerStatus.State.PAUSED, viewer.status().state());
+  }
+
+  @Test
+  void zoomedBarFollowsAJumpInAPause() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, LENGTH_US);
+    viewer.pause();
+    ViewerHarness.join(viewer.session().player().seek(2_000_000));
+    Node needle = viewer.onFx(() -> viewer.node("seek-bar", Parent.class).lookup(".needle"));
+    viewer.waitFor("the needle in the middle", () -> viewer.onFx(needle::getLayoutX) > 100);
+    for (int i = 0; i < 4; i++) {
+      viewer.wheel("seek-bar", 1);
+    }
+    viewer.press(KeyCode.HOME);
+    viewer.waitFor("the start", () -> viewer.status().elapsedUs() == 0);
+    viewer.waitFor(
+        "the needle there", () -> needle.isVisible() && viewer.onFx(needle::getLayoutX) < 10);
   }
 
   @Test

@@ -167,7 +167,7 @@ class SamplesTest {
     viewer.pause();
     viewer.run(() -> viewer.window.context().playback().seek(signal.elapsedUs()));
     viewer.waitFor("its name", () -> viewer.isThere("trigger-mark"));
-    assertEquals("Trigger 0 rising", viewer.text("trigger-mark"));
+    assertEquals("Trigger 0 falling, Trigger 0 rising", viewer.text("trigger-mark"));
   }
 
   private static void writeWithTriggerAt(long timeUs, Path file) throws IOException {
@@ -175,7 +175,9 @@ class SamplesTest {
         WriteOptions.of(BlobSource.GEOMETRY).withSamples(EnumSet.of(SampleKind.TRIGGER));
     try (RecordingWriter writer = Recordings.forWriting(file).create(file, options).orElseThrow()) {
       writer.write(events(0, timeUs));
-      writer.write(new Trigger(timeUs, Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.RISING, 0));
+      for (Trigger.Edge edge : List.of(Trigger.Edge.RISING, Trigger.Edge.FALLING)) {
+        writer.write(new Trigger(timeUs, Trigger.Source.EXTERNAL_INPUT, edge, 0));
+      }
       writer.write(events(timeUs, 2 * timeUs));
       writer.finish();
     }

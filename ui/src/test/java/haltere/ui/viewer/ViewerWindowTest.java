@@ -235,7 +235,7 @@ class ViewerWindowTest {
     viewer = ViewerHarness.withBlob();
     Path file = folder.resolve("picture.png");
     viewer.run(() -> viewer.window.feature(SavingFeature.class).savePicture(file));
-    viewer.waitFor("the file", () -> Files.exists(file));
+    viewer.waitFor("a word of it", () -> viewer.text("status-message").equals("Saved picture.png"));
     assertEquals(768, ImageIO.read(file.toFile()).getWidth());
   }
 

@@ -2,7 +2,6 @@ package haltere.ui.viewer.action;
 
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -20,15 +19,15 @@ import javafx.beans.value.ObservableBooleanValue;
  * built from them.
  */
 public final class ViewerActions {
-  private final Map<String, ViewerAction> actions = new LinkedHashMap<>();
-  private final Map<String, List<ViewerAction>> offers = new HashMap<>();
+  /** Actions by what added them, in the order of the first additions. */
+  private final Map<String, List<ViewerAction>> actions = new LinkedHashMap<>();
+
   private final List<Runnable> listeners = new ArrayList<>();
   private Consumer<String> refusals = words -> {};
 
   /** Adds actions in the order of their menus; rejects a used id or key. */
   public void add(ViewerAction... added) {
-    put(List.of(added));
-    listeners.forEach(Runnable::run);
+    offer("added " + actions.size(), List.of(added));
   }
 
   /** The table's label of a command. */
@@ -74,37 +73,33 @@ public final class ViewerActions {
     }
   }
 
-  /** Replaces the actions that were offered under the same name. */
+  /** Replaces the actions that were offered under the same name, at their place. */
   public void offer(String name, List<ViewerAction> offered) {
-    offers.getOrDefault(name, List.of()).forEach(old -> actions.remove(old.id()));
-    offers.put(name, offered);
-    put(offered);
-    listeners.forEach(Runnable::run);
-  }
-
-  private void put(List<ViewerAction> added) {
-    for (ViewerAction action : added) {
-      if (actions.containsKey(action.id())) {
-        throw new IllegalArgumentException("there is an action " + action.id() + " already");
-      }
-      for (ViewerAction other : actions.values()) {
+    List<ViewerAction> here = new ArrayList<>();
+    actions.put(name, here);
+    for (ViewerAction action : offered) {
+      for (ViewerAction other : all()) {
+        if (other.id().equals(action.id())) {
+          throw new IllegalArgumentException("there is an action " + action.id() + " already");
+        }
         if (!action.key().isEmpty() && other.key().equals(action.key())) {
           throw new IllegalArgumentException(
               action.key() + " is the key of " + other.id() + ", not of " + action.id());
         }
       }
-      actions.put(action.id(), action);
+      here.add(action);
     }
+    listeners.forEach(Runnable::run);
   }
 
-  /** All actions, in the order of their addition. */
+  /** All actions, in the order of their menus. */
   List<ViewerAction> all() {
-    return List.copyOf(actions.values());
+    return actions.values().stream().flatMap(List::stream).toList();
   }
 
   /** The action of an id. */
   public Optional<ViewerAction> find(String id) {
-    return Optional.ofNullable(actions.get(id));
+    return all().stream().filter(action -> action.id().equals(id)).findFirst();
   }
 
   /** Runs the action of an id. */
@@ -129,7 +124,7 @@ public final class ViewerActions {
 
   /** The items of a menu, in order. */
   public List<ViewerAction> inMenu(String menu) {
-    return actions.values().stream().filter(action -> action.menu().equals(menu)).toList();
+    return all().stream().filter(action -> action.menu().equals(menu)).toList();
   }
 
   /** Adds a listener to changes of the actions. */

@@ -70,7 +70,8 @@ final class CameraPanel extends ScrollPane {
     }
     Label name =
         Controls.named(
-            new Label(Texts.source(shown.get().info().id()) + "   " + shown.get().info().model()),
+            Controls.paragraph(
+                Texts.source(shown.get().info().id()) + "   " + shown.get().info().model()),
             "camera-name",
             Styles.TEXT_BOLD);
     content.getChildren().addAll(name, statistics, problem);

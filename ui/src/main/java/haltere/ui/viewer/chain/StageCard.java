@@ -50,7 +50,6 @@ final class StageCard extends VBox {
 
   private SettingsSearch search = SettingsSearch.ALL;
   private FilterTiming last;
-  private long lastNanos = System.nanoTime();
   private boolean followingStage;
   private Optional<StageList> chainAbove = Optional.empty();
 
@@ -146,10 +145,7 @@ final class StageCard extends VBox {
 
   private void setUpCounts() {
     Controls.named(counts, "counts-" + id, Styles.TEXT_SMALL, "stage-counts");
-    Controls.help(
-        counts,
-        "Events into and out of the filter per second of real time, the share that it"
-            + " passes, and its time for a thousand events");
+    Controls.help(counts, "Share of events that the filter passes, and its mean time per event");
     counts.setText("\u2013");
   }
 
@@ -200,7 +196,6 @@ final class StageCard extends VBox {
       power.setSelected(stage.isEnabled());
       followingStage = false;
     }
-    long nanos = System.nanoTime();
     FilterTiming now = stage.timing();
     FilterTiming since = now.since(last);
     last = now;
@@ -209,16 +204,13 @@ final class StageCard extends VBox {
     } else if (since.eventsIn() == 0) {
       counts.setText("idle");
     } else {
-      double seconds = (nanos - lastNanos) / 1e9;
       counts.setText(
           String.format(
               Locale.ROOT,
-              "%s \u00b7 %d %% \u00b7 %s ns/ev",
-              Texts.rates(since.eventsIn() / seconds, since.eventsOut() / seconds),
+              "%d %% of events pass \u00b7 %s ns/ev",
               Math.round(100.0 * since.eventsOut() / since.eventsIn()),
               Texts.digits(since.microsPerThousandEvents())));
     }
-    lastNanos = nanos;
   }
 
   private void toggleSettings() {

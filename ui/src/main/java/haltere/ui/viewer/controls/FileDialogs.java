@@ -17,10 +17,16 @@ public final class FileDialogs {
 
   private final Window owner;
   private File folder;
+  private String source = "";
 
   /** Dialogs that belong to a window, which waits while one is open. */
   public FileDialogs(Window owner) {
     this.owner = owner;
+  }
+
+  /** Sets what is open, with which names of files to write begin. */
+  public void setSource(String name) {
+    source = name.replaceFirst("\\.\\w+$", "").replaceAll("\\W+", "-") + "-";
   }
 
   /** A recording to be read. */
@@ -35,12 +41,13 @@ public final class FileDialogs {
 
   /** Asks for the file of a picture. */
   public Optional<Path> picture() {
-    return save("Save picture", "haltere.png", "Pictures", "*.png");
+    return save("Save picture", "picture.png", "Pictures", "*.png");
   }
 
   /** Asks for a file of several calibrated cameras. */
   public Optional<Path> cameras() {
-    return open("Open their cameras", new ExtensionFilter("Cameras", "*.json", "*.xml"), ALL_FILES);
+    return open(
+        "Open calibrated cameras", new ExtensionFilter("Cameras", "*.json", "*.xml"), ALL_FILES);
   }
 
   /** Asks for a file to read, with the name and the extensions of its kind. */
@@ -58,8 +65,13 @@ public final class FileDialogs {
   public Optional<Path> save(String title, String name, String kind, String... endings) {
     FileChooser chooser = chooser(title);
     chooser.getExtensionFilters().addAll(new ExtensionFilter(kind, endings));
-    chooser.setInitialFileName(name);
+    chooser.setInitialFileName(suggested(name));
     return withFolder(chooser.showSaveDialog(owner));
+  }
+
+  /** A name that begins with that of what is open. */
+  String suggested(String name) {
+    return source + name;
   }
 
   private FileChooser chooser(String title) {

@@ -109,13 +109,6 @@ public final class Texts {
     return number + (number.contains(" ") ? "ev/s" : " ev/s");
   }
 
-  /** Event rates before and after, in the unit that suits the first: 3.51 → 3.40 kev/s. */
-  public static String rates(double before, double after) {
-    String first = rate(before);
-    double unit = before >= 999.5e3 ? 1e6 : before >= 999.5 ? 1e3 : 1;
-    return first.replace(" ", " \u2192 " + digits(after / unit) + " ");
-  }
-
   /** A count: whole below a thousand. */
   public static String count(long value) {
     return Math.abs(value) < 1000 ? Long.toString(value) : quantity(value);

@@ -42,7 +42,7 @@ public final class StatusLine extends HBox {
   private final Label dropped =
       number(
           "status-dropped",
-          190,
+          USE_PREF_SIZE,
           "Events that were lost (off the sensor, by the source, or in a filter that failed), and"
               + " pictures that a newer one replaced before the screen could show them");
   private final Label live =
@@ -73,8 +73,7 @@ public final class StatusLine extends HBox {
     more =
         Controls.button(
             "details", Icons.MORE, "All that is known of this", this::showDetails, Styles.SMALL);
-    getChildren().addAll(message, more, dismiss, live, time, rate, speed, frames, dropped);
-    Controls.bindVisible(widthProperty().greaterThan(WIDE_PX), frames);
+    getChildren().addAll(message, more, dismiss, live, dropped, frames, speed, time, rate);
     setLive("");
     clearError();
   }
@@ -138,12 +137,15 @@ public final class StatusLine extends HBox {
         showError(playerMessage);
       }
     }
-    time.setText(
-        status.timeUs() == StreamNotification.NO_TIME_US
-            ? ""
-            : "t " + status.timeUs() + " \u00b5s");
-    rate.setText(Texts.rate(status.eventRateEps()));
+    boolean timed = status.timeUs() != StreamNotification.NO_TIME_US;
+    if (timed || !isReverse) {
+      // backwards, numbers of the last shown moment remain until the next is computed
+      time.setText(timed ? "t " + status.timeUs() + " \u00b5s" : "");
+      rate.setText(Texts.rate(status.eventRateEps()));
+    }
     boolean playing = status.state() == State.PLAYING;
+    Controls.show(playing, speed);
+    Controls.show(playing && getWidth() > WIDE_PX, frames);
     speed.setText(playing ? Texts.reached(status) : "");
     Controls.help(speed, SPEED_HELP + " " + Texts.limit(status));
     if (status.runUpUs() == 0) {

@@ -3,6 +3,7 @@ package haltere.ui.viewer.feature;
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.AtomicFile;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.controls.FileDialogs;
@@ -98,9 +99,15 @@ public record ViewerContext(
     background.file(work, done, status::showProblem);
   }
 
-  /** Runs a file task without a result in the background; the bottom line shows problems. */
-  public void run(BackgroundWork.Action work) {
-    background.file(work, () -> {}, status::showProblem);
+  /** Writes a file in the background; the bottom line confirms it, or shows problems. */
+  public void save(Path file, BackgroundWork.Action work) {
+    String saved = "Saved " + file.getFileName();
+    background.file(work, () -> status.setActivity(saved), status::showProblem);
+  }
+
+  /** Writes a text to a file. */
+  public void save(Path file, String text) {
+    save(file, () -> AtomicFile.write(file, text, true));
   }
 
   /** Reads from the chain between two packets and returns the result on the JavaFX thread. */

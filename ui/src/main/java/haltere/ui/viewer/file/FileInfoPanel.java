@@ -86,8 +86,8 @@ final class FileInfoPanel extends ScrollPane {
 
   private void line(String name, String value) {
     int row = grid.getRowCount();
-    Label left = Controls.label(name, Styles.TEXT_MUTED);
-    Label right = Controls.paragraph(value);
+    Label left = Controls.label(name, Styles.TEXT_MUTED, Styles.TEXT_SMALL);
+    Label right = Controls.paragraph(value, Styles.TEXT_SMALL);
     left.setLabelFor(right);
     GridPane.setValignment(left, VPos.TOP);
     grid.addRow(row, left, right);

@@ -93,6 +93,7 @@ public final class SamplesFeature implements ViewerFeature {
         signals.subList(before + 1, lastAt(signals, shownUs) + 1).stream()
             .map(Mark::name)
             .distinct()
+            .sorted()
             .limit(MAX_NAMES)
             .collect(Collectors.joining(", "));
     trigger.setText(text);

@@ -20,7 +20,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
 /**
- * Warnings of the open file above the picture: one line that can be expanded and dismissed, and the
+ * Warnings of the open file above the picture, the first of several until it is expanded, and the
  * question for an unknown camera.
  */
 final class WarningBanner extends VBox {
@@ -36,7 +36,7 @@ final class WarningBanner extends VBox {
           "1280x720", "Gen4, IMX636");
 
   private final Consumer<SensorGeometry> chosen;
-  private final Label first = Controls.named(new Label(), "warning-first");
+  private final Label first = Controls.named(Controls.paragraph(""), "warning-first");
   private final Hyperlink more = Controls.named(new Hyperlink(), "warnings-more");
   private final VBox all = new VBox(2);
 
@@ -98,9 +98,9 @@ final class WarningBanner extends VBox {
     Controls.show(opened, all);
     more.setText(opened ? "Less" : "More");
     int count = warnings.size();
-    String counted = count + (count == 1 ? " warning" : " warnings");
+    Controls.show(count > 1, more);
     String single = count == 0 ? "" : warnings.get(0);
-    first.setText(opened ? counted : count > 1 ? counted + ": " + single : single);
+    first.setText(count < 2 ? single : count + " warnings" + (opened ? "" : ": " + single));
   }
 
   private void offer(SensorGeometry guess) {

@@ -217,9 +217,9 @@ public final class EventView extends Region implements ArrowKeys {
     frame.setWidth(geometry.width() * scale + 1);
     frame.setHeight(geometry.height() * scale + 1);
     redraw();
-    showReadout(readout.getText());
     legend.autosize();
     legend.relocate(getWidth() - legend.getWidth() - 12, getHeight() - legend.getHeight() - 10);
+    showReadout(readout.getText());
   }
 
   private void drawLayers(OverlayCanvas canvas) {
@@ -332,6 +332,8 @@ public final class EventView extends Region implements ArrowKeys {
   private void showReadout(String text) {
     readout.setText(text);
     readout.autosize();
-    readout.relocate(12, getHeight() - readout.getHeight() - 10);
+    boolean above = legend.isVisible() && readout.getWidth() + 24 > legend.getLayoutX();
+    double bottom = above ? legend.getLayoutY() - 4 : getHeight() - 10;
+    readout.relocate(12, bottom - readout.getHeight());
   }
 }

@@ -117,10 +117,13 @@ public final class PlaybackController {
     return loop.getReadOnlyProperty();
   }
 
-  /** Pauses or resumes. */
+  /** Pauses in either direction, or resumes. */
   public void togglePause() {
-    reverse.set(false);
-    player.ifPresent(open -> report(open.togglePause()));
+    if (reverse.get()) {
+      toggleReverse();
+    } else {
+      player.ifPresent(open -> report(open.togglePause()));
+    }
   }
 
   /** Steps forward by slices, or back for negative numbers, and pauses. */

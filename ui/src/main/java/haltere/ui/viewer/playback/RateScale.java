@@ -12,15 +12,12 @@ final class RateScale {
   /** Share of the columns with events that are not clipped. */
   private static final double UNCLIPPED = 0.97;
 
-  /** Minimum range of the logarithmic scale, so that similar rates have similar heights. */
-  private static final double MIN_DECADES = 1;
-
   private RateScale() {}
 
   /**
    * Heights of columns for rates of events per second, 0 to 1; above 1, to be clipped, for those
-   * beyond the percentile. The logarithmic scale reaches from the lowest to the highest rate with
-   * events; each decade has the same height.
+   * beyond the percentile. The logarithmic scale begins a decade below the lowest rate with events,
+   * so that a burst leaves height for the others; each decade has the same height.
    */
   static double[] heights(double[] rates, boolean logarithmic) {
     double[] sorted = Arrays.stream(rates).filter(rate -> rate > 0).sorted().toArray();
@@ -29,7 +26,7 @@ final class RateScale {
     }
     double highest = sorted[sorted.length - 1];
     double full = sorted[(int) Math.floor(UNCLIPPED * (sorted.length - 1))];
-    double decades = Math.max(MIN_DECADES, Math.log10(highest / sorted[0]));
+    double decades = 1 + Math.log10(highest / sorted[0]);
     return Arrays.stream(rates)
         .map(rate -> logarithmic ? 1 + Math.log10(rate / highest) / decades : rate / full)
         .map(height -> Math.max(0, height))

@@ -110,6 +110,7 @@ public final class SeekBar extends Region {
   private long fromUs;
 
   private long spanUs = 1;
+  private long followedUs;
   private Grip grip = Grip.NEEDLE;
   private long lastGrowthNanos;
   private List<Mark> marks = List.of();
@@ -295,11 +296,12 @@ public final class SeekBar extends Region {
     showHover(x);
   }
 
-  /** Scrolls to the present position of playback. */
+  /** Scrolls to a position when it changes; in a pause the bar can be moved elsewhere. */
   private void ensureVisible(long positionUs) {
-    if (status.state() == PlayerStatus.State.PLAYING && !isInView(positionUs)) {
+    if (positionUs != followedUs && !isInView(positionUs)) {
       show(positionUs - spanUs / 10, spanUs);
     }
+    followedUs = positionUs;
   }
 
   private boolean isInView(long positionUs) {
@@ -385,6 +387,7 @@ public final class SeekBar extends Region {
     graphics.setFill(colours.mark());
     drawTicks(graphics, width);
     double namedTo = 0;
+    double nameY = ticks.isEmpty() ? 11 : 11 + TICK_HEIGHT;
     for (Mark mark : marks) {
       if (!isInView(mark.elapsedUs())) {
         continue;
@@ -393,7 +396,7 @@ public final class SeekBar extends Region {
       graphics.fillPolygon(new double[] {x - 4, x + 4, x}, new double[] {0, 0, 7}, 3);
       graphics.fillRect(x - 0.5, 0, 1, height);
       if (x >= namedTo) {
-        graphics.fillText(mark.name(), x + 5, 11, MARK_NAME_WIDTH);
+        graphics.fillText(mark.name(), x + 5, nameY, MARK_NAME_WIDTH);
         namedTo = x + 5 + Math.min(MARK_NAME_WIDTH, mark.name().length() * DIGIT_WIDTH);
       }
     }

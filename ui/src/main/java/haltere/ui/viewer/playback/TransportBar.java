@@ -135,7 +135,7 @@ public final class TransportBar extends HBox {
   /** Shows the player's status. */
   public void update(PlayerStatus status) {
     Optional<SeekableRange> reach = playback.reach();
-    boolean playing = status.state() == State.PLAYING;
+    boolean playing = status.state() == State.PLAYING || playback.reverseProperty().get();
     Node icon = playing ? pauseIcon : playIcon;
     if (play.getGraphic() != icon) {
       String help = playing ? "Pause (Space)" : "Play (Space)";

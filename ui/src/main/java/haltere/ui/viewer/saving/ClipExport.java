@@ -18,9 +18,6 @@ final class ClipExport extends PartExport {
   /** Pictures of the film per second. */
   static final double FRAMES_PER_SECOND = 25;
 
-  /** Sent through the chain before the part, so that trackers are warm. */
-  private static final long RUN_UP_US = 500_000;
-
   /** Maximum number of pictures; longer films are probably a mistake. */
   private static final long MAX_PICTURES = 20_000;
 
@@ -42,7 +39,7 @@ final class ClipExport extends PartExport {
   ClipExport(
       ExportedPart part, Path file, DisplayOptions options, Overlays overlays, double pictureUs)
       throws IOException {
-    super(part, RUN_UP_US);
+    super(part, part.runUpUs());
     long wanted = Math.round((part.toUs() - part.fromUs()) / pictureUs);
     if (wanted > MAX_PICTURES) {
       throw new IOException(

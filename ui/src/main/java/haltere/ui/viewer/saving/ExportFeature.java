@@ -33,7 +33,8 @@ public final class ExportFeature implements ViewerFeature {
   private static final String EXPORTING = "Exporting to %s \u2026 ";
 
   /** A request, on the elapsed timeline of the playable of {@code open}. */
-  private record Wanted(Callable<Playable> open, String chain, long fromUs, long toUs) {}
+  private record Wanted(
+      Callable<Playable> open, String chain, long runUpUs, long fromUs, long toUs) {}
 
   /** Begins to export a part. */
   private interface Exporter {
@@ -54,7 +55,7 @@ public final class ExportFeature implements ViewerFeature {
         "export-film",
         () ->
             dialogs
-                .save("Export film", "haltere.gif", "Films", "*.gif", "*.mp4")
+                .save("Export film", "film.gif", "Films", "*.gif", "*.mp4")
                 .ifPresent(this::exportFilm),
         window::nothingOpen);
     actions.add(
@@ -156,11 +157,13 @@ public final class ExportFeature implements ViewerFeature {
     long fromUs = Math.max(playing.earliestUs(), loop.inUs().orElse(0));
     long endUs = playing.durationUs().orElseGet(() -> playing.nearestUs(Long.MAX_VALUE));
     long toUs = Math.min(endUs, loop.outUs().orElse(Long.MAX_VALUE));
+    long sliceUs = open.player().status().sliceUs();
+    long runUpUs = Math.max(chain.memoryUs(), open.display().memoryUs(sliceUs));
     if (playing instanceof BufferedPlayable kept) {
-      Playable copy = kept.copy(fromUs, toUs);
-      return new Wanted(() -> copy, json, fromUs, toUs);
+      Playable copy = kept.copy(fromUs - runUpUs, toUs);
+      return new Wanted(() -> copy, json, runUpUs, fromUs, toUs);
     }
-    return new Wanted(open.request().playable(), json, fromUs, toUs);
+    return new Wanted(open.request().playable(), json, runUpUs, fromUs, toUs);
   }
 
   private static String export(Wanted wanted, Exporter exporter, LongConsumer progress)
@@ -169,7 +172,8 @@ public final class ExportFeature implements ViewerFeature {
         FilterChain chain = ChainFile.parse(wanted.chain(), "the chain", playable.geometry());
         PartExport export =
             exporter.begin(
-                new PartExport.ExportedPart(playable, chain, wanted.fromUs(), wanted.toUs()))) {
+                new PartExport.ExportedPart(
+                    playable, chain, wanted.runUpUs(), wanted.fromUs(), wanted.toUs()))) {
       return export.run(progress);
     }
   }

@@ -16,10 +16,11 @@ abstract class PartExport implements StreamHandler, AutoCloseable {
    *
    * @param playable at its start, closed by the caller
    * @param chain for its sensor, closed by the caller
+   * @param runUpUs memory of the chain and the picture before it, microseconds
    * @param fromUs start on the elapsed timeline, microseconds
    * @param toUs end, not included
    */
-  record ExportedPart(Playable playable, FilterChain chain, long fromUs, long toUs) {}
+  record ExportedPart(Playable playable, FilterChain chain, long runUpUs, long fromUs, long toUs) {}
 
   final ExportedPart part;
   private final long startUs;

@@ -1,7 +1,6 @@
 package haltere.ui.viewer.saving;
 
 import haltere.core.chain.ChainFile;
-import haltere.core.format.AtomicFile;
 import haltere.ui.rendering.Pictures;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.FileDialogs;
@@ -57,7 +56,7 @@ public final class SavingFeature implements ViewerFeature {
 
   /** Saves the chain that is open. */
   public void saveChain(Path file) {
-    window.read(ChainFile::write, json -> window.run(() -> AtomicFile.write(file, json, true)));
+    window.read(ChainFile::write, json -> window.save(file, json));
   }
 
   /** Saves the shown picture. */
@@ -67,7 +66,7 @@ public final class SavingFeature implements ViewerFeature {
         open ->
             window.read(
                 chain -> open.display().picture(overlays),
-                image -> window.run(() -> Pictures.write(file, image))));
+                image -> window.save(file, () -> Pictures.write(file, image))));
   }
 
   /** Stops the running recording, or asks for the file of the next one. */

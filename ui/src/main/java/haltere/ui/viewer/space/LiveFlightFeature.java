@@ -56,8 +56,9 @@ public final class LiveFlightFeature implements ViewerFeature {
         .panels()
         .onPulse(
             () ->
-                flight.ifPresent(
-                    live -> pane.update(live.latest(), window.editor()::onProcessing)));
+                flight
+                    .filter(live -> pane.update(live.latest(), window.editor()::onProcessing))
+                    .ifPresent(changed -> window.panels().view().redraw()));
   }
 
   /** Opens the simulated flight. */
@@ -115,18 +116,17 @@ public final class LiveFlightFeature implements ViewerFeature {
   private void follow(Optional<ViewerSession> was, Optional<ViewerSession> is) {
     was.ifPresent(before -> flight.ifPresent(before.player()::removeSink));
     flight = Optional.empty();
-    if (rig.isPresent() && is.isPresent()) {
-      if (is.get().source() == rig.get().first()) {
-        LiveFlight live =
-            new LiveFlight(rig.get(), pane.reset(rig.get().others(), window.display().options()));
-        is.get().player().addRawSink(live);
-        flight = Optional.of(live);
-        shown.set(true);
-      } else {
-        window.background().close(rig.get());
-        rig = Optional.empty();
-        pane.clear();
-      }
+    boolean isFlight = rig.isPresent() && is.isPresent() && is.get().source() == rig.get().first();
+    if (isFlight) {
+      LiveFlight live =
+          new LiveFlight(rig.get(), pane.reset(rig.get().others(), window.display().options()));
+      is.get().player().addRawSink(live);
+      flight = Optional.of(live);
+    } else if (is.isPresent()) {
+      rig.ifPresent(window.background()::close);
+      rig = Optional.empty();
+      pane.clear();
     }
+    is.ifPresent(open -> shown.set(isFlight));
   }
 }

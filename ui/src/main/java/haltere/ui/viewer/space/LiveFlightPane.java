@@ -65,18 +65,20 @@ final class LiveFlightPane extends BorderPane {
 
   /**
    * Shows the last moment of a flight, null if it is the one that is shown, and the newest
-   * pictures.
+   * pictures. True if lines have to be drawn again over a picture that came first.
    */
-  void update(BodyFlight flight, Executor processing) {
+  boolean update(BodyFlight flight, Executor processing) {
     if (flight != null) {
       int last = flight.moments().size() - 1;
       canvas.show(new BodyFlightDrawing(flight), Math.max(0, last));
       text.setText(last < 0 ? "no orientation yet" : SpaceCanvas.label(flight.moments().get(last)));
       lines = last < 0 ? List.of() : flight.moments().get(last).lines();
+      views.forEach(EventView::redraw);
     }
     for (int i = 0; i < views.size(); i++) {
       views.get(i).show(sinks.get(i), processing);
     }
+    return flight != null;
   }
 
   /** Draws the newest line of a camera, counted from 0, while lines are shown. */

@@ -96,7 +96,7 @@ final class SpaceCanvas extends RotatablePane {
     var now = moment.estimate();
     return String.format(
         Locale.ROOT,
-        "%.3f s   axis (%.2f, %.2f, %.2f) \u00b1 %.1f\u00b0   head %.0f %%   used %d, rejected %d",
+        "%.3f s   axis (%.2f, %.2f, %.2f) \u00b1 %.1f\u00b0   head %.0f\u00a0%%   used %d, rejected %d",
         now.timeUs() * 1e-6,
         now.ux(),
         now.uy(),

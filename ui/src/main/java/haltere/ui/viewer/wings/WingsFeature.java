@@ -100,17 +100,18 @@ public final class WingsFeature implements ViewerFeature {
     panel =
         new WingsPanel(
             List.of(
-                button("flip", "Flip", "Exchanges head and tail"),
-                button("place", "Place", "Click the body, drag the head or the circle"),
-                button("search", "Search", "Searches the fly again"),
-                button("log", "Log\u2026", "Starts or ends a log")),
+                button("flip", "The other end of the body is the head"),
+                button("place", "Click the body, drag the head or the circle"),
+                button("search", "Manual offsets of the fly remain"),
+                button("log", "Starts or ends a log")),
             this);
     return panel;
   }
 
   /** A button of the panel that does a command of the menu. */
-  private Button button(String command, String text, String help) {
+  private Button button(String command, String help) {
     Runnable work = () -> window.actions().run("wings-" + command);
+    String text = ViewerActions.label("wings-" + command);
     return Controls.button("wings-panel-" + command, text, help, work, Styles.SMALL);
   }
 

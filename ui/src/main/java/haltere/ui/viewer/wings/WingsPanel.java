@@ -79,7 +79,7 @@ final class WingsPanel extends ScrollPane {
     List<WingFilterState> filters = now.map(WingsView::filters).orElse(List.of());
     now.ifPresent(view -> showEdges(view.settings().output()));
     search.setText(now.map(SearchText::of).orElse(""));
-    edges.forEach(box -> box.setDisable(now.isEmpty()));
+    body.getChildren().forEach(part -> Controls.show(now.isPresent(), part));
     List<WingPart> parts = filters.stream().map(WingFilterState::part).toList();
     if (!choice.getItems().equals(parts)) {
       WingPart before = choice.getValue();
@@ -91,6 +91,7 @@ final class WingsPanel extends ScrollPane {
             ? "There is no wing tracker in the chain. Press Track wings beside the picture."
                 + " Then the state, the covariance and the noise of each wing are shown here."
             : filters.isEmpty() ? "No Kalman filter tracks a wing now." : "");
+    Controls.show(!empty.getText().isEmpty(), empty);
     Optional<WingFilterState> chosen =
         filters.stream().filter(filter -> filter.part() == choice.getValue()).findFirst();
     if (chosen.isEmpty()) {

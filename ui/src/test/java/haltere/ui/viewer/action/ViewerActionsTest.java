@@ -44,6 +44,18 @@ class ViewerActionsTest {
   }
 
   @Test
+  void offeredActionsKeepTheirPlaceWhenTheyAreReplaced() {
+    ViewerActions actions = new ViewerActions();
+    actions.add(action("first", "First"));
+    actions.offer("files", List.of());
+    actions.add(action("last", "Last"));
+    actions.offer("files", List.of(action("a", "A")));
+    actions.offer("files", List.of(action("b", "B"), action("a", "A")));
+    assertEquals(
+        List.of("first", "b", "a", "last"), actions.all().stream().map(ViewerAction::id).toList());
+  }
+
+  @Test
   void duplicateIdsAndKeysAreRejected() {
     ViewerActions actions = new ViewerActions();
     actions.add(keyed("one", "X"));

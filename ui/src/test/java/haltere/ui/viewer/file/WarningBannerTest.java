@@ -1,5 +1,6 @@
 package haltere.ui.viewer.file;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -7,6 +8,8 @@ import haltere.core.event.SensorGeometry;
 import haltere.ui.viewer.ViewerHarness;
 import java.util.List;
 import java.util.Optional;
+import javafx.scene.control.Hyperlink;
+import javafx.scene.control.Labeled;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -31,6 +34,22 @@ class WarningBannerTest {
     assertTrue(isSeenAfter(CUT, Optional.empty()));
     viewer.run(banner::hide);
     assertFalse(isSeenAfter(CUT, Optional.empty()));
+  }
+
+  private Labeled part(String id) {
+    return (Labeled) banner.lookup("#" + id);
+  }
+
+  @Test
+  void severalWarningsAreOpenedAndASingleOneIsWhole() {
+    assertTrue(isSeenAfter(CUT, Optional.empty()));
+    assertEquals("The file is cut off", part("warning-first").getText());
+    assertFalse(part("warnings-more").isVisible());
+    assertTrue(isSeenAfter(List.of(CUT.get(0), "no camera is named"), Optional.empty()));
+    assertTrue(part("warnings-more").isVisible());
+    viewer.run(() -> ((Hyperlink) part("warnings-more")).fire());
+    assertEquals("2 warnings", part("warning-first").getText());
+    assertEquals("Less", part("warnings-more").getText());
   }
 
   @Test

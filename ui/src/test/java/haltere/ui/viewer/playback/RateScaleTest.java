@@ -30,19 +30,23 @@ class RateScaleTest {
   @Test
   void decadesHaveEqualHeightsOnTheLogarithmicScale() {
     double[] heights = RateScale.heights(new double[] {0, 1, 10, 100, 1000}, true);
-    assertArrayEquals(new double[] {0, 0, 1 / 3.0, 2 / 3.0, 1}, heights, 1e-9);
+    assertArrayEquals(new double[] {0, 0.25, 0.5, 0.75, 1}, heights, 1e-9);
   }
 
   @Test
-  void logarithmicScaleReachesFromTheLowestToTheHighestRateWithEvents() {
-    double[] heights = RateScale.heights(new double[] {0, 10, 1e4, 1e6}, true);
-    assertArrayEquals(new double[] {0, 0, 0.6, 1}, heights, 1e-9);
+  void burstLeavesHeightForOtherRatesOnTheLogarithmicScale() {
+    double[] rates = new double[100];
+    Arrays.fill(rates, 50_000);
+    rates[40] = 9_000_000;
+    double[] heights = RateScale.heights(rates, true);
+    assertTrue(heights[10] > 0.25, "height " + heights[10]);
+    assertEquals(1, heights[40], 1e-9);
   }
 
   @Test
   void similarRatesHaveSimilarHeightsOnTheLogarithmicScale() {
     double[] heights = RateScale.heights(new double[] {90, 100}, true);
-    assertArrayEquals(new double[] {1 + Math.log10(0.9), 1}, heights, 1e-9);
+    assertArrayEquals(new double[] {0.95, 1}, heights, 0.01);
   }
 
   @Test

@@ -20,6 +20,7 @@ import haltere.ui.rendering.Gradient;
 import haltere.ui.viewer.InspectionFeature;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.picture.MeasuredLine;
+import haltere.ui.viewer.playback.PlaybackController;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
@@ -266,6 +267,31 @@ class ExportTest {
       assertTrue(differs(before, image, 6 * 90 - 3, 6 * (127 - 15)), "the region's left edge");
       assertFalse(differs(before, image, 6 * 60, 6 * (127 - 110)), "nothing elsewhere");
     }
+  }
+
+  @Test
+  void filmOfASceneBeginsWithTheMarksOfItsTracker() throws IOException {
+    PlaybackController playback = viewer.window.context().playback();
+    viewer.run(() -> viewer.window.context().actions().run("open-scene"));
+    viewer.waitUntilOpen("Fly scene");
+    viewer.waitFor("wings", () -> playback.speedProperty().get() < 0.1);
+    viewer.run(() -> playback.setSpeed(1));
+    viewer.waitFor("some beats", () -> viewer.status().elapsedUs() > 700_000);
+    viewer.pause();
+    viewer.run(() -> playback.setSpeed(0.1));
+    seek(600_000);
+    viewer.run(playback::markIn);
+    markOut(605_000);
+    Path film = folder.resolve("scene.gif");
+    viewer.run(() -> export().exportFilm(film));
+    viewer.waitFor("it says so", () -> said().startsWith("Exported scene.gif"));
+    BufferedImage first = ImageIO.read(film.toFile());
+    int pink = 0;
+    for (int i = 0; i < first.getWidth() * first.getHeight(); i++) {
+      int rgb = first.getRGB(i % first.getWidth(), i / first.getWidth());
+      pink += (rgb >> 16 & 0xFF) > 200 && (rgb & 0xFF) > 170 && (rgb >> 8 & 0xFF) < 180 ? 1 : 0;
+    }
+    assertTrue(pink > 50, pink + " pixels of the left wing");
   }
 
   private static final PixelRegion REGION = PixelRegion.between(90, 10, 110, 20);

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.camera.Cameras;
 import haltere.core.format.ReadOptions;
+import haltere.core.playback.BufferedPlayable;
 import haltere.core.playback.Playable;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.simulation.internal.flight.FlightScene;
@@ -54,6 +55,26 @@ class LiveFlightTest {
       assertNear(flight);
       rig.first().seek(0);
       assertEquals(flight, play(rig, live), "from the start again");
+    }
+  }
+
+  @Test
+  void goingBackDoesNotSimulateTheOtherCamerasAgain() throws IOException {
+    try (CameraRig rig = CameraRig.simulated(SETTINGS)) {
+      LiveFlight live = new LiveFlight(rig, List.of());
+      BufferedPlayable first = new BufferedPlayable(rig.first(), 1_000_000);
+      while (first.next(live)) {
+        // until the end
+      }
+      BufferedPlayable other = (BufferedPlayable) rig.others().get(0);
+      long seenUs = other.bufferedToUs();
+      first.seek(300_000);
+      while (first.next(live)) {
+        assertEquals(seenUs, other.bufferedToUs());
+      }
+      live.sliceEnd(0, 1);
+      List<BodyFlight.Moment> again = live.latest().moments();
+      assertEquals(2, again.get(again.size() - 1).lines().size());
     }
   }
 
@@ -224,6 +245,23 @@ class LiveFlightTest {
   }
 
   @Test
+  void linesOverTheFirstPictureAreOfTheMomentOfAStep() {
+    try (ViewerHarness viewer = new ViewerHarness()) {
+      LiveFlightFeature feature = viewer.window.feature(LiveFlightFeature.class);
+      viewer.run(feature::openScene);
+      pauseWhereEachCameraSeesTheBody(viewer);
+      for (int step = 0; step < 4; step++) {
+        long before = viewer.status().elapsedUs();
+        viewer.run(() -> viewer.session().player().step(-1));
+        viewer.waitFor("a step", () -> viewer.status().elapsedUs() < before);
+        waitUntilStill(viewer, "event-view");
+        Runnable again = viewer.window.context().panels().view()::redraw;
+        assertEquals(0, changedBy(viewer, "event-view", again), "step " + step);
+      }
+    }
+  }
+
+  @Test
   void windowShowsTheFlightDuringPlayback() {
     try (ViewerHarness viewer = new ViewerHarness()) {
       LiveFlightFeature feature = viewer.window.feature(LiveFlightFeature.class);
@@ -233,6 +271,9 @@ class LiveFlightTest {
       viewer.waitFor(
           "another one",
           () -> !viewer.node("live-flight-words", Label.class).getText().equals(text));
+      viewer.run(() -> viewer.window.context().actions().run("open-scene"));
+      viewer.waitUntilOpen("Fly scene");
+      viewer.waitFor("no panel of a flight", () -> !viewer.isThere("live-flight"));
     }
   }
 }

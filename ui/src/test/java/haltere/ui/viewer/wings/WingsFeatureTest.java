@@ -93,6 +93,15 @@ class WingsFeatureTest {
   }
 
   @Test
+  void panelHasTheCommandsOfTheMenuOnlyWithATracker() {
+    assertEquals("Exchange head and tail", viewer.text("wings-panel-flip"));
+    viewer.run(
+        () -> viewer.session().chain().stages().forEach(viewer.window.context().editor()::remove));
+    viewer.waitFor("no commands", () -> !viewer.isThere("wings-panel-flip"));
+    assertFalse(viewer.isThere("wings-restart"));
+  }
+
+  @Test
   void filterValuesAreShownAndEditedDuringPlayback() {
     enter("process-noise-3-0", "77");
     viewer.waitFor(
