@@ -223,8 +223,6 @@ final class CameraPanel extends ScrollPane {
   static String line(CameraStatistics now) {
     return now.waiting()
         + " waiting, "
-        + Texts.count(now.lostEvents())
-        + " lost, "
         + Texts.duration(now.medianLatencyUs())
         + (now.medianLatencyUs() > BEHIND_US ? " behind" : "");
   }

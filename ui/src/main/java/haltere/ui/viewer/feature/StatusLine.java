@@ -49,8 +49,8 @@ public final class StatusLine extends HBox {
       number(
           "status-live",
           0,
-          "Of the camera: transfers that wait for this program, events lost because it did not keep"
-              + " up, and the time from a transfer's arrival to the end of its work");
+          "Of the camera: transfers that wait for this program, and the time from a transfer's"
+              + " arrival to the end of its work");
   private long runUpNanos;
   private String error = "";
   private String details = "";

@@ -70,7 +70,7 @@ final class FileInfoPanel extends ScrollPane {
       line("Mean rate", Quantities.rate(summary.meanRateEps()));
       line("Peak rate", Quantities.rate(summary.peakRateEps()) + " over 10 ms");
       line(
-          "Bytes per event",
+          "File bytes per event",
           String.format(Locale.ROOT, "%.2f", facts.sizeBytes() / (double) summary.events()));
       line(
           "Clock",
