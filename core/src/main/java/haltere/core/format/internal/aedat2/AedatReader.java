@@ -11,7 +11,6 @@ import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -50,22 +49,15 @@ final class AedatReader {
       found.add(Violation.CUT_OFF, header.dataOffset());
     }
     InertialRange range = InertialRange.of(file.read(0, header.dataOffset()));
-    List<String> allRemarks = new ArrayList<>(remarks);
     boolean fromCamera =
         sensor.layout() == AedatSensor.AddressLayout.DAVIS && header.sensor().isEmpty();
-    if (options.samples() && fromCamera && !range.stated()) {
-      allRemarks.add(
-          "the header does not state the range of the inertial sensor; "
-              + range.accelerationG()
-              + " g and "
-              + range.rotationDegS()
-              + " degrees a second, the usual ones, are assumed");
-    }
+    Optional<String> rangeRemark =
+        fromCamera && !range.stated() ? Optional.of(assumed(range)) : Optional.empty();
     return new DecodingReader(
         formatName,
         file,
         sensor.geometry(),
-        allRemarks,
+        remarks,
         options,
         found,
         violations ->
@@ -85,6 +77,15 @@ final class AedatReader {
                     sensor,
                     header.firstTurnUs().orElse(0),
                     range,
+                    rangeRemark,
                     violations)));
+  }
+
+  private static String assumed(InertialRange range) {
+    return "the header does not state the range of the inertial sensor; "
+        + range.accelerationG()
+        + " g and "
+        + range.rotationDegS()
+        + " degrees a second, the usual ones, are assumed";
   }
 }

@@ -1,5 +1,6 @@
 package haltere.core.format.internal.aedat2;
 
+import haltere.core.event.InertialSample;
 import haltere.core.event.SensorSample;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.ViolationCounts;
@@ -9,6 +10,7 @@ import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.Optional;
 
 /**
  * Finds the samples among the records of an AEDAT-1.0 or AEDAT-2.0 file. Events advance its clock,
@@ -24,10 +26,12 @@ final class AedatSampleCursor implements SampleCursor {
   private final AddressDecoder addresses;
   private final SampleAssembly assembly;
   private final WrappingClock clock;
+  private final Optional<String> rangeRemark;
   private final ByteBuffer buffer =
       ByteBuffer.allocateDirect(BUFFER_BYTES / 24 * 24).order(ByteOrder.BIG_ENDIAN).limit(0);
   private long offset;
   private SensorSample sample;
+  private boolean hasInertialSamples;
 
   /** Assembles samples from the words that are not events. */
   interface SampleAssembly {
@@ -52,9 +56,11 @@ final class AedatSampleCursor implements SampleCursor {
       AedatSensor sensor,
       long firstTurnUs,
       InertialRange range,
+      Optional<String> rangeRemark,
       ViolationCounts violations) {
     this.file = file;
     this.recordBytes = recordBytes;
+    this.rangeRemark = rangeRemark;
     addresses = sensor.decoder();
     assembly =
         sensor.layout() == AedatSensor.AddressLayout.DVS128
@@ -79,6 +85,7 @@ final class AedatSampleCursor implements SampleCursor {
         } else if (address == AddressDecoder.OTHER) {
           sample = assembly.take(word, clock.read(time), offset - recordBytes);
           if (sample != null) {
+            hasInertialSamples |= sample instanceof InertialSample;
             return SampleStep.SAMPLE;
           }
         }
@@ -105,6 +112,11 @@ final class AedatSampleCursor implements SampleCursor {
   @Override
   public SensorSample sample() {
     return sample;
+  }
+
+  @Override
+  public Optional<String> remark() {
+    return hasInertialSamples ? rangeRemark : Optional.empty();
   }
 
   @Override

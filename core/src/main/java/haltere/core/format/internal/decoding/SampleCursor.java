@@ -5,6 +5,7 @@ import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.Closeable;
 import java.io.IOException;
+import java.util.Optional;
 
 /**
  * Reads the frames, inertial samples and triggers of a recording. It is independent of the {@link
@@ -60,6 +61,15 @@ public interface SampleCursor extends Closeable {
    * @return byte offset in the file, or of the packet that holds it
    */
   long offset();
+
+  /**
+   * A remark on the samples that were read, such as the assumed range of an inertial sensor.
+   *
+   * @return one line, if there is one so far
+   */
+  default Optional<String> remark() {
+    return Optional.empty();
+  }
 
   /**
    * Goes to a position saved by the {@link EventCursor} of the same recording. A sample that is

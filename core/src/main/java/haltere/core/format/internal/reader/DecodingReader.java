@@ -162,7 +162,11 @@ public final class DecodingReader implements RecordingReader {
 
   @Override
   public List<String> remarks() {
-    return List.copyOf(remarks);
+    List<String> all = new ArrayList<>(remarks);
+    if (order != null) {
+      order.remark().ifPresent(all::add);
+    }
+    return List.copyOf(all);
   }
 
   @Override

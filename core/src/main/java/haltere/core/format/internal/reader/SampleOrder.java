@@ -7,6 +7,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.PriorityQueue;
 
 /**
@@ -48,6 +49,11 @@ final class SampleOrder implements Closeable {
 
   SampleOrder(SampleCursor cursor) {
     this.cursor = cursor;
+  }
+
+  /** {@link SampleCursor#remark()}. */
+  Optional<String> remark() {
+    return cursor.remark();
   }
 
   /** Whether a sample precedes an event at or after an offset of the file. */

@@ -1,6 +1,7 @@
 package haltere.core.format.internal.aedat2;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
@@ -28,6 +29,7 @@ class AedatSamplesTest {
 
   @TempDir Path folder;
   private long incomplete;
+  private List<String> remarks;
 
   private static AedatFile davis() {
     return AedatFile.version2().text("# AEChip: eu.seebetter.ini.chips.davis.DAVIS240C\r\n");
@@ -38,6 +40,7 @@ class AedatSamplesTest {
     StreamRecorder recorder = new StreamRecorder();
     try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withSamples(true))) {
       reader.drainTo(recorder);
+      remarks = reader.remarks();
       incomplete = reader.violations().count(Violation.INCOMPLETE_SAMPLE);
     }
     return recorder;
@@ -137,6 +140,22 @@ class AedatSamplesTest {
     assertEquals(
         List.of(new InertialSample(50, 1, -1, 2 / 32768f, 32767 * least, -250, 0, 36)), samples);
     assertEquals(6, incomplete);
+  }
+
+  @Test
+  void assumedRangeIsStatedOnlyForInertialSamples() throws IOException {
+    AedatFile withFrames = davis();
+    readOut(withFrames, 1000, false, 0, WIDTH - 1, 0, HEIGHT - 1);
+    read(withFrames);
+    assertEquals(List.of(), remarks);
+
+    AedatFile withInertial = davis();
+    for (int code = 0; code < 7; code++) {
+      withInertial.record(APS | code << 28 | 0xc00, 50);
+    }
+    read(withInertial);
+    assertEquals(1, remarks.size());
+    assertTrue(remarks.get(0).contains("range of the inertial sensor"), remarks.get(0));
   }
 
   @Test
