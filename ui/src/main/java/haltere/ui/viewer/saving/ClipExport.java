@@ -39,7 +39,7 @@ final class ClipExport extends PartExport {
   ClipExport(
       ExportedPart part, Path file, DisplayOptions options, Overlays overlays, double pictureUs)
       throws IOException {
-    super(part, part.runUpUs());
+    super(part);
     long wanted = Math.round((part.toUs() - part.fromUs()) / pictureUs);
     if (wanted > MAX_PICTURES) {
       throw new IOException(

@@ -15,12 +15,13 @@ import java.nio.file.Path;
 /** Exports the events that the chain passes; the file name gives the format. */
 final class DataExport extends PartExport {
   private final RecordingWriter writer;
+  private final EventPacket written = new EventPacket(4096);
   private long events;
   private long lastUs = StreamNotification.NO_TIME_US;
   private boolean ended;
 
   DataExport(ExportedPart part, Path file) throws IOException {
-    super(part, 0);
+    super(part);
     writer =
         Recordings.forWriting(file)
             .create(file, WriteOptions.of(part.playable().geometry()).withOverwrite(true))
@@ -31,8 +32,11 @@ final class DataExport extends PartExport {
   void take(EventPacket packet, long offsetUs) throws IOException {
     lastUs = packet.lastTimeUs();
     part.chain().packet(packet);
-    events += packet.size();
-    writer.write(packet);
+    int from = packet.indexAtOrAfter(part.fromUs() - offsetUs);
+    written.clear();
+    written.append(packet, from, packet.size());
+    events += written.size();
+    writer.write(written);
     report(lastUs + offsetUs);
   }
 

@@ -28,10 +28,9 @@ abstract class PartExport implements StreamHandler, AutoCloseable {
   private LongConsumer progress;
   private boolean past;
 
-  /** An export with a run-up before the part, microseconds. */
-  PartExport(ExportedPart part, long runUpUs) {
+  PartExport(ExportedPart part) {
     this.part = part;
-    startUs = Math.max(0, part.fromUs() - runUpUs);
+    startUs = Math.max(0, part.fromUs() - part.runUpUs());
   }
 
   /** Runs, and reports its position on the elapsed timeline; returns a message on the output. */

@@ -6,13 +6,19 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.Filters;
+import haltere.core.event.EventPacket;
 import haltere.core.format.ProgressListener;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
 import haltere.core.format.summary.RecordingSummary;
 import haltere.core.playback.Loop;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
 import haltere.filters.frequency.PixelRegion;
+import haltere.testing.StreamRecorder;
 import haltere.ui.export.Mp4Writer;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.rendering.FontLetters;
@@ -130,6 +136,40 @@ class ExportTest {
         part.events() > 100 && part.events() < whole.events() / 5, part.events() + " events");
     assertTrue(part.firstUs() >= whole.firstUs() + loop().inUs().getAsLong());
     assertTrue(part.lastUs() < whole.firstUs() + loop().outUs().getAsLong());
+  }
+
+  @Test
+  void exportedPartHasTheEventsThatPassThereInTheWholeRecording() throws IOException {
+    viewer.addNoiseFilters();
+    viewer.run(() -> export().exportData(folder.resolve("part.aedat4")));
+    viewer.waitFor("it says so", () -> said().startsWith("Exported part.aedat4"));
+    Path whole = folder.resolve("blob.aedat");
+    long startUs = summary(whole).firstUs();
+    EventPacket expected = new EventPacket(0);
+    try (RecordingReader reader = Recordings.open(whole);
+        FilterChain chain = new FilterChain(reader.geometry())) {
+      viewer.session().chain().stages().forEach(stage -> chain.add(Filters.named(stage.kind())));
+      reader.drainTo(
+          new StreamHandler() {
+            @Override
+            public void packet(EventPacket packet) {
+              chain.packet(packet);
+              int from = packet.indexAtOrAfter(startUs + loop().inUs().getAsLong());
+              int to = packet.indexAtOrAfter(startUs + loop().outUs().getAsLong());
+              expected.append(packet, from, to);
+            }
+
+            @Override
+            public void notified(StreamNotification notification) {
+              chain.notified(notification);
+            }
+          });
+    }
+    StreamRecorder exported = new StreamRecorder();
+    try (RecordingReader reader = Recordings.open(folder.resolve("part.aedat4"))) {
+      reader.drainTo(exported);
+    }
+    assertEquals(expected, exported.events());
   }
 
   private static RecordingSummary summary(Path file) throws IOException {
