@@ -1,5 +1,7 @@
 package haltere.ui.rendering;
 
+import java.util.Objects;
+
 /**
  * The style of a picture of events.
  *
@@ -17,6 +19,9 @@ public record PictureStyle(
 
   /** Checks the time. */
   public PictureStyle {
+    Objects.requireNonNull(mode, "mode");
+    Objects.requireNonNull(colours, "colours");
+    Objects.requireNonNull(gradient, "gradient");
     if (timeConstantUs < 1
         || timeConstantUs > FramePainter.MAX_TIME_CONSTANT_US
             && !(sharp && timeConstantUs == ACCUMULATED_US)) {

@@ -84,8 +84,8 @@ public final class Pictures {
     return canvas;
   }
 
-  /** The pixels of a picture of the type INT_RGB, to be drawn into. */
-  static int[] pixels(BufferedImage image) {
+  /** The pixels of a picture of the type INT_RGB or INT_ARGB, to be drawn into. */
+  public static int[] pixels(BufferedImage image) {
     return ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
   }
 

@@ -36,8 +36,6 @@ final class FileFeature implements ViewerFeature {
     actions.add("open", () -> window.dialogs().recording().ifPresent(window.sessions()::open));
     addScenes(actions, window.sessions());
     window.onSession(made -> made.request().file().ifPresent(this::opened));
-    window.onSession(
-        made -> window.dialogs().setSource(Texts.source(made.player().playable().name())));
     actions.add(
         "open-last",
         () -> window.sessions().open(files.get(0)),

@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.scene.image.PixelFormat;
 import javafx.scene.image.WritableImage;
 import javafx.scene.layout.StackPane;
 import javafx.stage.Stage;
@@ -88,9 +89,10 @@ final class PlotFeature implements ViewerFeature {
     int width = (int) image.getWidth();
     int height = (int) image.getHeight();
     BufferedImage copy = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
-    for (int i = 0; i < width * height; i++) {
-      copy.setRGB(i % width, i / width, image.getPixelReader().getArgb(i % width, i / width));
-    }
+    int[] argb = Pictures.pixels(copy);
+    image
+        .getPixelReader()
+        .getPixels(0, 0, width, height, PixelFormat.getIntArgbInstance(), argb, 0, width);
     window.save(file, () -> Pictures.write(file, copy));
   }
 

@@ -63,9 +63,7 @@ class PlaybackTest {
 
   @Test
   void stepsMoveByOneSlice() throws IOException {
-    viewer = ViewerHarness.withRecording(folder, LENGTH_US);
-    viewer.pause();
-    ViewerHarness.join(viewer.session().player().seek(1_000_000));
+    openPausedAt(1_000_000);
     long start = viewer.status().elapsedUs();
     viewer.click("step-forward");
     viewer.waitFor("a step on", () -> viewer.status().elapsedUs() > start);
@@ -157,11 +155,15 @@ class PlaybackTest {
     viewer.waitFor("clicks count", () -> viewer.status().speed() == 0.1);
   }
 
-  @Test
-  void backwardPlaybackContinuesUntilStopped() throws IOException {
+  private void openPausedAt(long elapsedUs) throws IOException {
     viewer = ViewerHarness.withRecording(folder, LENGTH_US);
     viewer.pause();
-    ViewerHarness.join(viewer.session().player().seek(2_000_000));
+    ViewerHarness.join(viewer.session().player().seek(elapsedUs));
+  }
+
+  @Test
+  void backwardPlaybackContinuesUntilStopped() throws IOException {
+    openPausedAt(2_000_000);
     viewer.click("play-backwards");
     viewer.waitFor("an earlier moment", () -> viewer.status().elapsedUs() < 1_900_000);
     viewer.waitFor("what it does", () -> viewer.text("status-message").endsWith("backwards"));
@@ -172,9 +174,7 @@ class PlaybackTest {
 
   @Test
   void backwardPlaybackShowsItsNumbersAndIsPausedBySpace() throws IOException {
-    viewer = ViewerHarness.withRecording(folder, LENGTH_US);
-    viewer.pause();
-    ViewerHarness.join(viewer.session().player().seek(3_000_000));
+    openPausedAt(3_000_000);
     viewer.waitFor("its time", () -> viewer.text("status-time").startsWith("t 3"));
     viewer.press(KeyCode.SHIFT, KeyCode.SPACE);
     viewer.waitFor("what it does", () -> viewer.text("status-message").endsWith("backwards"));
@@ -187,9 +187,7 @@ class PlaybackTest {
 
   @Test
   void zoomedBarFollowsAJumpInAPause() throws IOException {
-    viewer = ViewerHarness.withRecording(folder, LENGTH_US);
-    viewer.pause();
-    ViewerHarness.join(viewer.session().player().seek(2_000_000));
+    openPausedAt(2_000_000);
     Node needle = viewer.onFx(() -> viewer.node("seek-bar", Parent.class).lookup(".needle"));
     viewer.waitFor("the needle in the middle", () -> viewer.onFx(needle::getLayoutX) > 100);
     for (int i = 0; i < 4; i++) {
@@ -218,9 +216,7 @@ class PlaybackTest {
 
   @Test
   void endOfTheMarkedPartIsDraggedInTheTimeBar() throws IOException {
-    viewer = ViewerHarness.withRecording(folder, LENGTH_US);
-    viewer.pause();
-    ViewerHarness.join(viewer.session().player().seek(3_000_000));
+    openPausedAt(3_000_000);
     PlaybackController playback = viewer.window.context().playback();
     viewer.run(
         () -> {
@@ -248,9 +244,7 @@ class PlaybackTest {
 
   @Test
   void loopPointsAndMarksAreSetAtThePlaybackPosition() throws IOException {
-    viewer = ViewerHarness.withRecording(folder, LENGTH_US);
-    viewer.pause();
-    ViewerHarness.join(viewer.session().player().seek(1_000_000));
+    openPausedAt(1_000_000);
     PlaybackController playback = viewer.window.context().playback();
     viewer.press(KeyCode.I);
     viewer.waitFor("its start", () -> playback.loopProperty().get().inUs().isPresent());

@@ -4,6 +4,7 @@ import atlantafx.base.theme.Styles;
 import haltere.core.camera.BiasSliders;
 import haltere.core.camera.Biases;
 import haltere.core.camera.Camera;
+import haltere.core.camera.CameraInfo;
 import haltere.core.camera.CameraStatistics;
 import haltere.core.camera.RegionOfInterest;
 import haltere.core.settings.Parameter;
@@ -68,12 +69,9 @@ final class CameraPanel extends ScrollPane {
       content.getChildren().add(Controls.named(none, "camera-none"));
       return;
     }
-    Label name =
-        Controls.named(
-            Controls.paragraph(
-                Texts.source(shown.get().info().id()) + "   " + shown.get().info().model()),
-            "camera-name",
-            Styles.TEXT_BOLD);
+    CameraInfo info = shown.get().info();
+    String words = Texts.source(info.id()) + "   " + info.model();
+    Label name = Controls.named(Controls.paragraph(words), "camera-name", Styles.TEXT_BOLD);
     content.getChildren().addAll(name, statistics, problem);
     shown.get().facet(RegionOfInterest.class).ifPresent(roi -> content.getChildren().add(region));
     shown.get().facet(BiasSliders.class).ifPresent(this::addSliders);
@@ -221,9 +219,7 @@ final class CameraPanel extends ScrollPane {
 
   /** The same as a short text, for the bottom line. */
   static String line(CameraStatistics now) {
-    return now.waiting()
-        + " waiting, "
-        + Texts.duration(now.medianLatencyUs())
-        + (now.medianLatencyUs() > BEHIND_US ? " behind" : "");
+    String behind = now.medianLatencyUs() > BEHIND_US ? " behind" : "";
+    return now.waiting() + " waiting, " + Texts.duration(now.medianLatencyUs()) + behind;
   }
 }

@@ -160,7 +160,9 @@ public final class Sessions {
     Optional<ViewerSession> before = session();
     window.playback().setPlayer(made.player());
     window.editor().setAccess(ChainAccess.of(made.player()));
-    window.stage().setTitle(Texts.source(made.player().playable().name()) + " \u2013 Haltere");
+    String name = Texts.source(made.player().playable().name());
+    window.stage().setTitle(name + " \u2013 Haltere");
+    window.dialogs().setSource(name);
     made.display().renderer().setOptions(window.display().options());
     window.panels().reset(made, window.display().options().colours(), window.steps());
     facts.set(Optional.empty());

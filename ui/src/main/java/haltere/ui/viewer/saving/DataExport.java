@@ -32,9 +32,8 @@ final class DataExport extends PartExport {
   void take(EventPacket packet, long offsetUs) throws IOException {
     lastUs = packet.lastTimeUs();
     part.chain().packet(packet);
-    int from = packet.indexAtOrAfter(part.fromUs() - offsetUs);
     written.clear();
-    written.append(packet, from, packet.size());
+    written.append(packet, packet.indexAtOrAfter(part.fromUs() - offsetUs), packet.size());
     events += written.size();
     writer.write(written);
     report(lastUs + offsetUs);

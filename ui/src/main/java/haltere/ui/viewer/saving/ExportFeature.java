@@ -34,7 +34,7 @@ public final class ExportFeature implements ViewerFeature {
 
   /** A request, on the elapsed timeline of the playable of {@code open}. */
   private record Wanted(
-      Callable<Playable> open, String chain, long runUpUs, long fromUs, long toUs) {}
+      Callable<Playable> open, String chain, long startUs, long fromUs, long toUs) {}
 
   /** Begins to export a part. */
   private interface Exporter {
@@ -159,11 +159,12 @@ public final class ExportFeature implements ViewerFeature {
     long toUs = Math.min(endUs, loop.outUs().orElse(Long.MAX_VALUE));
     long sliceUs = open.player().status().sliceUs();
     long runUpUs = Math.max(chain.memoryUs(), open.display().memoryUs(sliceUs));
+    long startUs = Math.max(0, fromUs - runUpUs);
     if (playing instanceof BufferedPlayable kept) {
-      Playable copy = kept.copy(fromUs - runUpUs, toUs);
-      return new Wanted(() -> copy, json, runUpUs, fromUs, toUs);
+      Playable copy = kept.copy(startUs, toUs);
+      return new Wanted(() -> copy, json, startUs, fromUs, toUs);
     }
-    return new Wanted(open.request().playable(), json, runUpUs, fromUs, toUs);
+    return new Wanted(open.request().playable(), json, startUs, fromUs, toUs);
   }
 
   private static String export(Wanted wanted, Exporter exporter, LongConsumer progress)
@@ -173,7 +174,7 @@ public final class ExportFeature implements ViewerFeature {
         PartExport export =
             exporter.begin(
                 new PartExport.ExportedPart(
-                    playable, chain, wanted.runUpUs(), wanted.fromUs(), wanted.toUs()))) {
+                    playable, chain, wanted.startUs(), wanted.fromUs(), wanted.toUs()))) {
       return export.run(progress);
     }
   }

@@ -16,29 +16,27 @@ abstract class PartExport implements StreamHandler, AutoCloseable {
    *
    * @param playable at its start, closed by the caller
    * @param chain for its sensor, closed by the caller
-   * @param runUpUs memory of the chain and the picture before it, microseconds
-   * @param fromUs start on the elapsed timeline, microseconds
+   * @param startUs start of the run-up on the elapsed timeline, microseconds
+   * @param fromUs start of the part
    * @param toUs end, not included
    */
-  record ExportedPart(Playable playable, FilterChain chain, long runUpUs, long fromUs, long toUs) {}
+  record ExportedPart(Playable playable, FilterChain chain, long startUs, long fromUs, long toUs) {}
 
   final ExportedPart part;
-  private final long startUs;
   private final EventPacket cut = new EventPacket(4096);
   private LongConsumer progress;
   private boolean past;
 
   PartExport(ExportedPart part) {
     this.part = part;
-    startUs = Math.max(0, part.fromUs() - part.runUpUs());
   }
 
   /** Runs, and reports its position on the elapsed timeline; returns a message on the output. */
   final String run(LongConsumer listener) throws IOException {
     progress = listener;
     try {
-      if (startUs > 0) {
-        part.playable().seek(startUs);
+      if (part.startUs() > 0) {
+        part.playable().seek(part.startUs());
       }
       while (!past && part.playable().next(this)) {
         checkCancelled();
@@ -67,7 +65,7 @@ abstract class PartExport implements StreamHandler, AutoCloseable {
       return;
     }
     long offsetUs = part.playable().elapsedUs(packet.firstTimeUs()) - packet.firstTimeUs();
-    int from = packet.indexAtOrAfter(startUs - offsetUs);
+    int from = packet.indexAtOrAfter(part.startUs() - offsetUs);
     int to = packet.indexAtOrAfter(part.toUs() - offsetUs, from);
     past = to < packet.size();
     if (from < to) {

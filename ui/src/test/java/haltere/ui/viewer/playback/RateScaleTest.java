@@ -46,7 +46,8 @@ class RateScaleTest {
   @Test
   void similarRatesHaveSimilarHeightsOnTheLogarithmicScale() {
     double[] heights = RateScale.heights(new double[] {90, 100}, true);
-    assertArrayEquals(new double[] {0.95, 1}, heights, 0.01);
+    double lower = 1 + Math.log10(0.9) / (1 - Math.log10(0.9));
+    assertArrayEquals(new double[] {lower, 1}, heights, 1e-9);
   }
 
   @Test

@@ -186,7 +186,8 @@ class LiveFlightTest {
   }
 
   /** Pauses at a time with an observation of each of three cameras; plays on where one has none. */
-  private static void pauseWhereEachCameraSeesTheBody(ViewerHarness viewer) {
+  private static void openPausedWhereEachCameraSeesTheBody(ViewerHarness viewer) {
+    viewer.run(viewer.window.feature(LiveFlightFeature.class)::openScene);
     Pattern allThree = Pattern.compile("used (3, rejected 0|2, rejected 1)");
     Supplier<String> text =
         () -> viewer.onFx(() -> viewer.node("live-flight-words", Label.class).getText());
@@ -229,9 +230,7 @@ class LiveFlightTest {
   @Test
   void linesAreDrawnOverEachCameraPictureWhileEnabled() {
     try (ViewerHarness viewer = new ViewerHarness()) {
-      LiveFlightFeature feature = viewer.window.feature(LiveFlightFeature.class);
-      viewer.run(feature::openScene);
-      pauseWhereEachCameraSeesTheBody(viewer);
+      openPausedWhereEachCameraSeesTheBody(viewer);
       CheckBox box = viewer.node("camera-lines", CheckBox.class);
       assertTrue(box.isSelected(), "at first");
       for (String picture : new String[] {"event-view", "camera-picture-1", "camera-picture-2"}) {
@@ -247,9 +246,7 @@ class LiveFlightTest {
   @Test
   void linesOverTheFirstPictureAreOfTheMomentOfAStep() {
     try (ViewerHarness viewer = new ViewerHarness()) {
-      LiveFlightFeature feature = viewer.window.feature(LiveFlightFeature.class);
-      viewer.run(feature::openScene);
-      pauseWhereEachCameraSeesTheBody(viewer);
+      openPausedWhereEachCameraSeesTheBody(viewer);
       for (int step = 0; step < 4; step++) {
         long before = viewer.status().elapsedUs();
         viewer.run(() -> viewer.session().player().step(-1));

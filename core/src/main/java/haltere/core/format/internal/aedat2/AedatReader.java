@@ -51,8 +51,7 @@ final class AedatReader {
     InertialRange range = InertialRange.of(file.read(0, header.dataOffset()));
     boolean fromCamera =
         sensor.layout() == AedatSensor.AddressLayout.DAVIS && header.sensor().isEmpty();
-    Optional<String> rangeRemark =
-        fromCamera && !range.stated() ? Optional.of(assumed(range)) : Optional.empty();
+    Optional<String> rangeRemark = fromCamera ? range.remark() : Optional.empty();
     return new DecodingReader(
         formatName,
         file,
@@ -79,13 +78,5 @@ final class AedatReader {
                     range,
                     rangeRemark,
                     violations)));
-  }
-
-  private static String assumed(InertialRange range) {
-    return "the header does not state the range of the inertial sensor; "
-        + range.accelerationG()
-        + " g and "
-        + range.rotationDegS()
-        + " degrees a second, the usual ones, are assumed";
   }
 }

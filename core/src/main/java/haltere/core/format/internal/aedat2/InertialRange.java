@@ -1,6 +1,7 @@
 package haltere.core.format.internal.aedat2;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -28,6 +29,18 @@ record InertialRange(int accelerationG, int rotationDegS, boolean stated) {
         acceleration == 0 ? DEFAULT_G : acceleration,
         rotation == 0 ? DEFAULT_DEG_S : rotation,
         acceleration != 0 && rotation != 0);
+  }
+
+  /** That the range is assumed, if the header does not state it. */
+  Optional<String> remark() {
+    return stated
+        ? Optional.empty()
+        : Optional.of(
+            "the header does not state the range of the inertial sensor; "
+                + accelerationG
+                + " g and "
+                + rotationDegS
+                + " degrees a second, the usual ones, are assumed");
   }
 
   private static int last(Pattern pattern, String text) {
