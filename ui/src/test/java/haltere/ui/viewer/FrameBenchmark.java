@@ -22,6 +22,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import java.util.stream.IntStream;
 import javafx.animation.AnimationTimer;
 import javafx.application.Platform;
 import javafx.stage.Stage;
@@ -37,6 +38,9 @@ import javafx.stage.Stage;
 public final class FrameBenchmark {
   private static final double WARM_UP_S = 4;
   private static final long PROBE_NANOS = 2_000_000;
+
+  /** Above the rate of pictures of JavaFX. */
+  private static final int MAX_HZ = 70;
 
   private FrameBenchmark() {}
 
@@ -116,8 +120,9 @@ public final class FrameBenchmark {
         () ->
             window.context().sessions().session().isPresent()
                 && window.context().panels().framesShown() > 0);
-    Frames frames = new Frames(window, (int) (seconds * 400));
-    ScreenLatency latency = new ScreenLatency((int) (seconds * 400));
+    int pictures = (int) (seconds * MAX_HZ);
+    Frames frames = new Frames(window, pictures);
+    ScreenLatency latency = new ScreenLatency(pictures);
     onFx(
         () -> {
           window.context().sessions().session().orElseThrow().player().addRawSink(latency);
@@ -136,6 +141,7 @@ public final class FrameBenchmark {
     double[] blocks = blocks(seconds);
     Map<String, Long> cpuAfter = cpuNanos();
     PlayerStatus after = onFx(() -> status(window));
+    long mostMb = mostMemoryMb();
     double[] times =
         onFx(
             () -> {
@@ -153,7 +159,7 @@ public final class FrameBenchmark {
     printFrames(window, times);
     print("from the chain to the window", onFx(latency::millis));
     print("wait for the JavaFX thread", blocks);
-    printMemory(times);
+    printMemory(times, mostMb);
     printCpu(cpuBefore, cpuAfter, times);
     onFx(
         () -> {
@@ -186,13 +192,13 @@ public final class FrameBenchmark {
     print("frame time", times);
   }
 
-  private static void printMemory(double[] times) throws IOException {
+  private static void printMemory(double[] times, long mostMb) {
     System.out.printf(
         Locale.ROOT,
         "frames later than 100 ms: %d; memory of the process %d MB at most, heap after a collection"
             + " %d MB%n",
         Arrays.stream(times).filter(millis -> millis > 100).count(),
-        mostMemoryMb(),
+        mostMb,
         usedMb());
   }
 
@@ -235,16 +241,17 @@ public final class FrameBenchmark {
   /** Asks the JavaFX thread for a sign of life again and again, and notes how long that took. */
   private static double[] blocks(double seconds) throws Exception {
     long end = System.nanoTime() + (long) (seconds * 1e9);
-    double[] waits = new double[(int) (seconds * 1e9 / PROBE_NANOS) + 1];
+    // half as large as numbers of 64 bits, as it counts in the memory of the process
+    float[] waits = new float[(int) (seconds * 1e9 / PROBE_NANOS) + 1];
     int count = 0;
     while (System.nanoTime() < end && count < waits.length) {
       long asked = System.nanoTime();
       CompletableFuture<Long> answer = new CompletableFuture<>();
       Platform.runLater(() -> answer.complete(System.nanoTime()));
-      waits[count++] = (answer.get() - asked) / 1e6;
+      waits[count++] = (answer.get() - asked) / 1e6f;
       LockSupport.parkNanos(PROBE_NANOS);
     }
-    return Arrays.copyOf(waits, count);
+    return IntStream.range(0, count).mapToDouble(i -> waits[i]).toArray();
   }
 
   /** CPU time of each thread so far; threads of one name together. */
