@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -21,13 +22,16 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.stream.Collectors;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import picocli.CommandLine;
+import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Model.PositionalParamSpec;
 
 /**
  * Commands with options and values at random end in time with status 0, 1 or 2, a line that says
@@ -103,6 +107,7 @@ class RandomCommandsTest {
   @MethodSource("seeds")
   void commandWithRandomOptionsEndsWithAStatusAndAReason(long seed) throws IOException {
     writeFiles();
+    Set<Path> before = filesHere();
     List<String> arguments = command(new SplittableRandom(seed));
     CommandRun run =
         assertTimeoutPreemptively(
@@ -120,6 +125,13 @@ class RandomCommandsTest {
     }
     try (Stream<Path> left = Files.walk(folder)) {
       assertTrue(left.noneMatch(file -> file.toString().endsWith(".part")), told);
+    }
+    assertEquals(before, filesHere(), told);
+  }
+
+  private static Set<Path> filesHere() throws IOException {
+    try (Stream<Path> files = Files.list(Path.of(""))) {
+      return files.collect(Collectors.toSet());
     }
   }
 
@@ -157,10 +169,23 @@ class RandomCommandsTest {
               ? option.longestName()
               : option.longestName() + "=" + value(option, random));
     }
-    for (int i = random.nextInt(spec.positionalParameters().size() + 2); i > 0; i--) {
-      arguments.add(random.nextInt(4) > 0 ? file(random) : pick(WORDS, random));
+    List<PositionalParamSpec> parameters = spec.positionalParameters();
+    for (int i = 0, count = random.nextInt(parameters.size() + 2); i < count; i++) {
+      boolean isFile = i >= parameters.size() || isFile(parameters.get(i));
+      String word = pick(WORDS, random);
+      arguments.add(random.nextInt(4) > 0 ? file(random) : isFile ? inFolder(word) : word);
     }
     return arguments;
+  }
+
+  private static boolean isFile(ArgSpec parameter) {
+    return Stream.concat(Stream.of(parameter.type()), Arrays.stream(parameter.auxiliaryTypes()))
+        .anyMatch(Path.class::isAssignableFrom);
+  }
+
+  /** A word as the name of a file; nothing is written where the tests run. */
+  private String inFolder(String word) {
+    return word.isEmpty() || word.startsWith("-") ? word : folder.resolve(word).toString();
   }
 
   private static CommandEnvironment nowhere() {
@@ -180,14 +205,13 @@ class RandomCommandsTest {
       return candidates.isEmpty() ? "" : pick(candidates, random).toLowerCase(Locale.ROOT);
     }
     boolean number = Number.class.isAssignableFrom(boxed(option.type()));
-    return switch (random.nextInt(5)) {
-      case 0 -> pick(WORDS, random);
-      case 1 -> pick(NUMBERS, random);
-      default ->
-          number
-              ? pick(NUMBERS, random)
-              : Path.class.isAssignableFrom(option.type()) ? file(random) : pick(WORDS, random);
-    };
+    String word =
+        switch (random.nextInt(5)) {
+          case 0 -> pick(WORDS, random);
+          case 1 -> pick(NUMBERS, random);
+          default -> number ? pick(NUMBERS, random) : isFile(option) ? "" : pick(WORDS, random);
+        };
+    return !isFile(option) ? word : word.isEmpty() ? file(random) : inFolder(word);
   }
 
   private static Class<?> boxed(Class<?> type) {
