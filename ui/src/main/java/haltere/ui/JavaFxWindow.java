@@ -11,7 +11,7 @@ import java.util.Optional;
 final class JavaFxWindow implements WindowOpener {
   @Override
   public boolean hasDisplay() {
-    return hasOwnScreen() || !isLinux() || !display().isEmpty();
+    return hasOwnScreen() || !isLinux() || !System.getenv().getOrDefault("DISPLAY", "").isEmpty();
   }
 
   @Override
@@ -53,9 +53,5 @@ final class JavaFxWindow implements WindowOpener {
 
   private static boolean isLinux() {
     return System.getProperty("os.name").toLowerCase(Locale.ROOT).contains("linux");
-  }
-
-  private static String display() {
-    return Optional.ofNullable(System.getenv("DISPLAY")).orElse("");
   }
 }

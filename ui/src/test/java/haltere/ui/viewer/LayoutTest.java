@@ -136,6 +136,22 @@ class LayoutTest {
     viewer.waitFor("the side of before", () -> Math.abs(sideWidth() - width) < 2);
   }
 
+  @Test
+  void sidePanelHasItsWidthAgainAfterATooSmallWindow() throws Exception {
+    viewer = ViewerHarness.withRecording(folder, 2_000_000);
+    run("show-space-time");
+    run("compare");
+    viewer.waitFor(
+        "all panels", () -> isInWindow("space-time-picture") && isInWindow("second-event-view"));
+    Region side = viewer.node("side-tabs", Region.class);
+    double window = viewer.onFx(viewer.stage::getWidth);
+    double width = side.getWidth();
+    viewer.run(() -> viewer.stage.setWidth(ViewerWindow.MIN_WIDTH));
+    viewer.waitFor("a narrow side", () -> side.getWidth() < width - DIVIDER_PX);
+    viewer.run(() -> viewer.stage.setWidth(window));
+    viewer.waitFor("the side of before", () -> Math.abs(side.getWidth() - width) < 2);
+  }
+
   private double keptSide(UserSettings settings) {
     return viewer.onFx(() -> settings.get("share.side").map(size -> (Double) size).orElse(0.0));
   }

@@ -4,6 +4,7 @@ import haltere.ui.viewer.controls.Controls;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import javafx.application.Platform;
 import javafx.beans.InvalidationListener;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
@@ -53,6 +54,7 @@ public final class PanelLayout extends SplitPane {
   private final SplitPane left = new SplitPane();
 
   private final TabPane tabs = Controls.named(new TabPane(), "side-tabs");
+  private boolean isEnlarging;
 
   PanelLayout(Node events, Node chain) {
     this.events = events;
@@ -80,15 +82,21 @@ public final class PanelLayout extends SplitPane {
     settings.keep(name, share, value -> value, value -> ((Number) value).doubleValue());
     InvalidationListener dividerListener =
         observed -> {
-          if (!pane.getDividers().isEmpty() && pane.getWidth() > 0) {
+          // a window that is too narrow makes the side narrower, too
+          boolean isDragged = lookupAll(".split-pane-divider").stream().anyMatch(Node::isPressed);
+          boolean isWanted = pane != this || isEnlarging || isDragged;
+          if (isWanted && !pane.getDividers().isEmpty() && pane.getWidth() > 0) {
             double at = pane.getDividerPositions()[0];
             share.set(pane == this ? Math.rint((1 - at) * getWidth()) : Math.rint(at * 1e3) / 1e3);
           }
         };
     Runnable place =
         () -> {
-          boolean inPixels = pane == this && share.get() > 1;
-          double position = inPixels ? 1 - share.get() / getWidth() : share.get();
+          boolean isSide = pane == this && getWidth() > 0;
+          if (isSide && share.get() <= 1) {
+            share.set(Math.rint((1 - share.get()) * getWidth()));
+          }
+          double position = isSide ? 1 - share.get() / getWidth() : share.get();
           if (!pane.getDividers().isEmpty()
               && position >= 0
               && Math.abs(pane.getDividerPositions()[0] - position) >= 0.001) {
@@ -96,7 +104,8 @@ public final class PanelLayout extends SplitPane {
           }
         };
     share.subscribe(place);
-    pane.widthProperty().map(width -> width.doubleValue() > 0).subscribe(isLaid -> place.run());
+    // after the layout, which keeps the side as wide as it was
+    pane.widthProperty().subscribe(() -> Platform.runLater(place));
     Runnable follow =
         () -> {
           place.run();
@@ -127,7 +136,9 @@ public final class PanelLayout extends SplitPane {
         };
     if (!pane.getDividers().isEmpty()) {
       double before = pane.getDividerPositions()[0];
+      isEnlarging = true;
       pane.setDividerPosition(0, Math.max(0, Math.min(1, before - steps * PANEL_STEP)));
+      isEnlarging = false;
     }
   }
 
