@@ -63,9 +63,10 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
    * @throws IOException if there are no labels of it
    */
   public ObjectScene scene() throws IOException {
-    return playback == Playback.ONCE
-        ? new ObjectScene(file, file, () -> open(path()), LabelledBoxes.of(file), Matching.BOX)
-        : footage().scene(file, file);
+    return withVelocities(
+        playback == Playback.ONCE
+            ? new ObjectScene(file, file, () -> open(path()), LabelledBoxes.of(file), Matching.BOX)
+            : footage().scene(file, file));
   }
 
   /**
@@ -79,7 +80,7 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
    */
   public ObjectScene part(long seed) throws IOException {
     SplittableRandom random = new SplittableRandom(seed);
-    return part(random).thinned(0.1, random).scene(file + "-" + seed, file);
+    return withVelocities(part(random).thinned(0.1, random).scene(file + "-" + seed, file));
   }
 
   /**
@@ -103,7 +104,19 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
     if (random.nextBoolean()) {
       variant = variant.withNoise(random.nextDouble(2), random);
     }
-    return variant.scene(file + "-" + seed, file);
+    return withVelocities(variant.scene(file + "-" + seed, file));
+  }
+
+  /** With the velocities of the labels, unless objects jump back to their first positions. */
+  private ObjectScene withVelocities(ObjectScene scene) {
+    return playback == Playback.LOOP
+        ? scene
+        : new ObjectScene(
+            scene.name(),
+            scene.kind(),
+            scene.events(),
+            LabelVelocities.of(scene.truth()),
+            scene.matching());
   }
 
   private Footage part(SplittableRandom random) throws IOException {
