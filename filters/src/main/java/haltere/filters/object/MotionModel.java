@@ -48,6 +48,11 @@ public class MotionModel {
     return Math.PI;
   }
 
+  /** Standard deviation of a side of an object by deformation, as a share of its length. */
+  protected double deformationShare() {
+    return ObjectRelations.GAP_SHARE;
+  }
+
   /** Standard deviation of the difference of two objects' displacements, relative to them. */
   protected double unlikeShare() {
     return 1;

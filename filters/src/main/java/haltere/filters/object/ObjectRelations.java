@@ -19,7 +19,7 @@ final class ObjectRelations {
    * Gap with half the prior, and deformation within {@link #WATCH_S}, as shares of the size: gaps
    * within an object have a Cauchy distribution, and one in ten is larger than the components.
    */
-  private static final double GAP_SHARE = 1 / Math.tan(0.9 * Math.PI / 2);
+  static final double GAP_SHARE = 1 / Math.tan(0.9 * Math.PI / 2);
 
   /** Least log odds to join two objects: odds of e. */
   private static final double JOIN_NAT = 1;

@@ -13,7 +13,7 @@ import haltere.filters.trail.TrailPoint;
  * @param yPx row, pixels from the bottom
  * @param vxPxS velocity along the columns, px/s
  * @param vyPxS velocity along the rows, px/s
- * @param sdXPx standard deviation of the column, pixels
+ * @param sdXPx standard deviation of the column, pixels, with the deformation of the object
  * @param sdYPx standard deviation of the row, pixels
  * @param sdVxPxS standard deviation of the velocity along the columns, px/s
  * @param sdVyPxS standard deviation of the velocity along the rows, px/s

@@ -511,6 +511,7 @@ final class ObjectTracker {
     if (reports.nextUs() < nowUs) {
       reports.skipTo(nowUs);
     }
+    double deform = motion.deformationShare();
     for (; reports.nextUs() < nowUs + TICK_US; reports.advance()) {
       long timeUs = reports.nextUs();
       for (int i = 0; i < objects.size(); i++) {
@@ -518,7 +519,7 @@ final class ObjectTracker {
         if (object.isLost || !isWatched.getAsBoolean()) {
           continue;
         }
-        ObjectTrack row = object.row(nowUs, timeUs, geometry.width(), geometry.height());
+        ObjectTrack row = object.row(nowUs, timeUs, geometry.width(), geometry.height(), deform);
         if (object.isDecided()) {
           listener.accept(row);
         } else {

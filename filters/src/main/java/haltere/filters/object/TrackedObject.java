@@ -206,8 +206,9 @@ final class TrackedObject {
    *
    * @param nowUs end of the last tick
    * @param timeUs of the row
+   * @param deform standard deviation of a side, as a share of the extent
    */
-  ObjectTrack row(long nowUs, long timeUs, int widthPx, int heightPx) {
+  ObjectTrack row(long nowUs, long timeUs, int widthPx, int heightPx, double deform) {
     measure();
     double s = (timeUs - nowUs) * 1e-6;
     double vx = vx();
@@ -218,8 +219,9 @@ final class TrackedObject {
       rate += c.activeRate();
       cell = Math.max(cell, c.shape.cellPx);
     }
-    // the sides of the extent are known to a cell of the template
+    // the sides of the extent are known to a cell of the template; the middle is that of both sides
     double side = cell * cell / 4;
+    double middle = 2 * deform * deform;
     Ellipse ellipse = ellipse();
     return new ObjectTrack(
         timeUs,
@@ -228,8 +230,8 @@ final class TrackedObject {
         Math.max(0, Math.min(heightPx - 1, middleY() + vy * s)),
         vx,
         vy,
-        sdOfPosition(0, s, side),
-        sdOfPosition(2, s, side),
+        sdOfPosition(0, s, side + middle * halfX() * halfX()),
+        sdOfPosition(2, s, side + middle * halfY() * halfY()),
         Math.sqrt(mean(state -> state.covariance(1, 1))),
         Math.sqrt(mean(state -> state.covariance(3, 3))),
         Math.round(events),

@@ -114,6 +114,12 @@ public final class RoadMotion extends MotionModel {
     return TURN_RAD_S;
   }
 
+  /** {@inheritDoc} Vehicles are rigid. */
+  @Override
+  protected double deformationShare() {
+    return 0;
+  }
+
   @Override
   protected double unlikeShare() {
     return UNLIKE_SHARE;

@@ -46,7 +46,7 @@ final class LabelVelocities {
   }
 
   private TrueObject at(int moment, TrueObject object) {
-    Line line = new Line(truth.get(moment).timeUs());
+    Line line = new Line(truth.get(moment).timeUs(), object.box());
     line.add(truth.get(moment).timeUs(), object.box());
     boolean isBetween = add(moment, -1, object.id(), line) && add(moment, 1, object.id(), line);
     return isBetween
@@ -73,17 +73,19 @@ final class LabelVelocities {
     return isFound;
   }
 
-  /** Sums of a least-squares line. */
+  /** Sums of a least-squares line, about one of its points, so that rest is exactly 0. */
   private static final class Line {
     private final long originUs;
+    private final Box origin;
     private final double[] sumX = new double[2];
     private final double[] sumY = new double[2];
     private double n;
     private double sumT;
     private double sumTt;
 
-    Line(long originUs) {
+    Line(long originUs, Box origin) {
       this.originUs = originUs;
+      this.origin = origin;
     }
 
     void add(long timeUs, Box box) {
@@ -91,10 +93,12 @@ final class LabelVelocities {
       n++;
       sumT += t;
       sumTt += t * t;
-      sumX[0] += box.centreX();
-      sumX[1] += box.centreX() * t;
-      sumY[0] += box.centreY();
-      sumY[1] += box.centreY() * t;
+      double x = box.centreX() - origin.centreX();
+      double y = box.centreY() - origin.centreY();
+      sumX[0] += x;
+      sumX[1] += x * t;
+      sumY[0] += y;
+      sumY[1] += y * t;
     }
 
     /** Pixels a second, from the sums of positions and of positions times time. */
