@@ -282,7 +282,7 @@ public final class PictureRenderer {
     painter.paint(frame, frame.screen);
   }
 
-  /** A picture of the present moment in default size, with overlays. */
+  /** A picture of the present moment in default size, with overlays and the start of the slice. */
   BufferedImage picture(Overlays overlays, List<OverlaySnapshots.Marks<?>> marks) {
     events.configure(style());
     SensorGeometry geometry = events.frame().geometry();
@@ -314,7 +314,7 @@ public final class PictureRenderer {
     PictureStamp stamp = new PictureStamp(picture, dark);
     ColourScale.of(style.mode(), style.gradient(), scale()).ifPresent(stamp::colours);
     if (events.frame().nowUs() != StreamNotification.NO_TIME_US) {
-      stamp.label(events.frame().nowUs() + " \u00b5s");
+      stamp.label(events.frame().nowUs() - lastSliceUs + " \u00b5s");
     }
     stamp.scaleBar(Pictures.defaultScale(geometry));
     return picture;
