@@ -178,13 +178,10 @@ final class ConvertCommand extends Subcommand {
     if (!filters.isEmpty()) {
       throw wrongArguments("--filter applies to events; leave it out with --stream");
     }
-    if (stream != SampleStream.FRAMES && !isTable(out)) {
+    if (stream != SampleStream.FRAMES
+        && Stream.of(".csv", ".parquet").noneMatch(out.toString()::endsWith)) {
       throw wrongArguments("--stream writes a table; let " + out + " end in .csv or .parquet");
     }
-  }
-
-  private static boolean isTable(Path file) {
-    return Stream.of(".csv", ".parquet").anyMatch(file.toString()::endsWith);
   }
 
   /** Events in Parquet are a table; nothing reads them as a recording. */

@@ -134,14 +134,10 @@ public final class CameraFeature implements ViewerFeature {
     for (CameraInfo info : seen) {
       String id = ID + info.id().replace(':', '-');
       Runnable choose = () -> choose(info);
-      actions.putIfAbsent(
-          id, ViewerAction.of(id, label(info), menu(info), choose).withHelp(info.note()));
+      String menu = info.id().startsWith(SIMULATED) ? OPEN_SIMULATED : OPEN;
+      actions.putIfAbsent(id, ViewerAction.of(id, label(info), menu, choose).withHelp(info.note()));
     }
     window.actions().offer(MENU, List.copyOf(actions.values()));
-  }
-
-  private static String menu(CameraInfo info) {
-    return info.id().startsWith(SIMULATED) ? OPEN_SIMULATED : OPEN;
   }
 
   private static String label(CameraInfo info) {
