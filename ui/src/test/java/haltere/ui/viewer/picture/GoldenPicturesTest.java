@@ -59,6 +59,7 @@ class GoldenPicturesTest {
     while (nowUs[0] < untilUs && source.next(handler)) {
       // the handler counts
     }
+    display.endSlice(nowUs[0], nowUs[0]);
     BufferedImage image = display.picture(Overlays.MARKS);
     display.close();
     chain.close();

@@ -13,6 +13,8 @@ import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.Overlay;
 import haltere.ui.rendering.Letters;
 import haltere.ui.rendering.OverlaySnapshots;
+import haltere.ui.rendering.PictureStamp;
+import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -96,6 +98,24 @@ class PictureRendererTest {
     DisplayFrame frame = renderer.exchange().fetch();
     assertEquals(Optional.empty(), frame.screenMapping);
     assertEquals(0, frame.screen.length);
+  }
+
+  @Test
+  void savedPictureNamesTheStartOfItsSlice() {
+    PictureRenderer renderer = renderer(false);
+    renderer.showSlice(2000, 4000, List.of());
+    BufferedImage saved = renderer.picture(Overlays.MARKS, List.of());
+    BufferedImage expected = new BufferedImage(saved.getWidth(), 26, BufferedImage.TYPE_INT_RGB);
+    for (int i = 0; i < expected.getWidth() * expected.getHeight(); i++) {
+      int background = DisplayOptions.DEFAULT.colours().background();
+      expected.setRGB(i % expected.getWidth(), i / expected.getWidth(), background);
+    }
+    new PictureStamp(expected, true).label("2000 \u00b5s");
+    for (int x = 0; x < 80; x++) {
+      for (int y = 0; y < 26; y++) {
+        assertEquals(expected.getRGB(x, y), saved.getRGB(x, y), x + ", " + y);
+      }
+    }
   }
 
   @Test
