@@ -85,6 +85,19 @@ class BufferedMomentsTest {
     viewer.waitFor("what is new", () -> elapsedUs() > newest + 50_000);
   }
 
+  @Test
+  void endShowsTheNewestEventsOfAPausedCamera() throws InterruptedException {
+    open(CAMERA);
+    viewer.waitFor("some time", () -> elapsedUs() > 300_000);
+    viewer.pause();
+    long pausedUs = elapsedUs();
+    // longer than the second of events that wait for a pause to end
+    Thread.sleep(2500);
+    viewer.press(KeyCode.END);
+    viewer.waitFor("the end of what is kept", () -> elapsedUs() > pausedUs + 500_000);
+    viewer.waitFor("the end of the time bar", () -> viewer.text("remaining").isEmpty());
+  }
+
   private Loop loop() {
     return viewer.onFx(() -> viewer.window.context().playback().loopProperty().get());
   }
