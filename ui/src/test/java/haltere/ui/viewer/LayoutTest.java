@@ -136,12 +136,49 @@ class LayoutTest {
     viewer.waitFor("the side of before", () -> Math.abs(sideWidth() - width) < 2);
   }
 
+  @Test
+  void verySmallWindowDoesNotChangeTheSizesOfPanels() {
+    viewer = new ViewerHarness();
+    run("open-scene");
+    viewer.waitUntilOpen("Fly scene");
+    viewer.waitFor("plots", () -> isInWindow("plots"));
+    run("show-space-time");
+    run("compare");
+    viewer.run(() -> viewer.stage.setWidth(1200));
+    viewer.waitFor("the side", () -> isInWindow("side-tabs") && width("side-tabs") > 300);
+    SplitPane below = viewer.onFx(() -> splitPaneOf(viewer.node("plots", Node.class)));
+    double side = width("side-tabs");
+    double share = viewer.onFx(() -> below.getDividerPositions()[0]);
+    double width = viewer.onFx(viewer.stage::getWidth);
+    double height = viewer.onFx(viewer.stage::getHeight);
+    viewer.run(() -> setSize(ViewerWindow.MIN_WIDTH, ViewerWindow.MIN_HEIGHT));
+    viewer.waitFor("the narrow side", () -> width("side-tabs") < side - 20);
+    viewer.waitFor("the bottom line", () -> isWithinHeight("status-line"));
+    viewer.run(() -> setSize(width, height));
+    viewer.waitFor("the side of before", () -> Math.abs(width("side-tabs") - side) < 2);
+    viewer.waitFor(
+        "the plots of before", () -> Math.abs(below.getDividerPositions()[0] - share) < 0.01);
+  }
+
+  private void setSize(double width, double height) {
+    viewer.stage.setWidth(width);
+    viewer.stage.setHeight(height);
+  }
+
+  private boolean isWithinHeight(String id) {
+    return bottom(id) <= viewer.onFx(() -> viewer.stage.getScene().getHeight()) + 1;
+  }
+
   private double keptSide(UserSettings settings) {
     return viewer.onFx(() -> settings.get("share.side").map(size -> (Double) size).orElse(0.0));
   }
 
   private double sideWidth() {
-    return viewer.onFx(() -> viewer.node("chain-panel", Region.class).getWidth());
+    return width("chain-panel");
+  }
+
+  private double width(String id) {
+    return viewer.onFx(() -> viewer.node(id, Region.class).getWidth());
   }
 
   @Test
