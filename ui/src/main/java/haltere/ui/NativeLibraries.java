@@ -42,7 +42,8 @@ final class NativeLibraries {
     if (files.isEmpty()) {
       return Optional.empty();
     }
-    List<String> packages = files.stream().map(NativeLibraries::debianPackage).toList();
+    List<String> all = List.of(PACKAGES.split(" "));
+    List<String> packages = files.stream().map(file -> all.get(NEEDED.indexOf(file))).toList();
     return Optional.of(
         "the window needs graphics libraries that are not here ("
             + String.join(", ", files)
@@ -63,10 +64,6 @@ final class NativeLibraries {
             .filter(folder -> !folder.isEmpty())
             .anyMatch(folder -> Files.exists(Path.of(folder, file)))
         || isOnLinkerPath(file);
-  }
-
-  private static String debianPackage(String file) {
-    return List.of(PACKAGES.split(" ")).get(NEEDED.indexOf(file));
   }
 
   /** Searches the linker's cache; true if that is impossible, so that JavaFX tries. */

@@ -178,8 +178,8 @@ final class ConvertCommand extends Subcommand {
     if (!filters.isEmpty()) {
       throw wrongArguments("--filter applies to events; leave it out with --stream");
     }
-    boolean isTable = Stream.of(".csv", ".parquet").anyMatch(out.toString()::endsWith);
-    if (stream != SampleStream.FRAMES && !isTable) {
+    if (stream != SampleStream.FRAMES
+        && Stream.of(".csv", ".parquet").noneMatch(out.toString()::endsWith)) {
       throw wrongArguments("--stream writes a table; let " + out + " end in .csv or .parquet");
     }
   }

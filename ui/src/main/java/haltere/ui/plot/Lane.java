@@ -51,7 +51,8 @@ public final class Lane {
       if (all.size() >= MAX_CURVES) {
         removeSilentCurves();
       }
-      curve = new Curve(name(field, key), freeNumber(), fields().indexOf(field));
+      String name = key.isEmpty() ? field.column() : key;
+      curve = new Curve(name, freeNumber(), fields().indexOf(field));
       ofField.put(key, curve);
       all.add(curve);
     }
@@ -64,10 +65,6 @@ public final class Lane {
         .filter(number -> all.stream().noneMatch(curve -> curve.number() == number))
         .findFirst()
         .orElseThrow();
-  }
-
-  private static String name(PlotField field, String key) {
-    return key.isEmpty() ? field.column() : key;
   }
 
   private void removeSilentCurves() {

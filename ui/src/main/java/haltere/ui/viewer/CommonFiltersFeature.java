@@ -26,7 +26,7 @@ import javafx.scene.text.TextAlignment;
 
 /**
  * The common filters: their buttons beside the picture, the default chain of the open source, and a
- * note over the picture on the events that filters hide.
+ * note below them on the events that filters hide.
  */
 final class CommonFiltersFeature implements ViewerFeature {
 
@@ -58,9 +58,8 @@ final class CommonFiltersFeature implements ViewerFeature {
                         ? ContentDisplay.GRAPHIC_ONLY
                         : ContentDisplay.TOP);
     window.panels().addBesidePicture(strip);
-    VBox notes = new VBox(4, hidden, note);
-    notes.setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
-    window.panels().addOverPicture(notes, Pos.TOP_LEFT);
+    note.setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
+    window.panels().addOverPicture(note, Pos.TOP_LEFT);
     for (CommonFilter filter : CommonFilter.values()) {
       BooleanProperty property = new SimpleBooleanProperty();
       on.put(filter, property);
@@ -69,6 +68,7 @@ final class CommonFiltersFeature implements ViewerFeature {
       button.contentDisplayProperty().bind(text);
       strip.getChildren().add(button);
     }
+    strip.getChildren().add(hidden);
     window.actions().add("usual-chain", this::defaultChain, window::nothingOpen);
     window.actions().add("all-events", all);
     window.editor().onChange(() -> window.read(StageState::of, this::follow));

@@ -20,7 +20,6 @@ import haltere.ui.viewer.feature.ViewerPanels;
 import haltere.ui.viewer.playback.PlaybackController;
 import java.io.File;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.RejectedExecutionException;
 import javafx.animation.AnimationTimer;
@@ -125,16 +124,12 @@ public final class ViewerWindow {
         Math.min(Double.isNaN(stage.getWidth()) ? WIDTH : stage.getWidth(), room.getWidth());
     double height =
         Math.min(Double.isNaN(stage.getHeight()) ? HEIGHT : stage.getHeight(), room.getHeight());
-    Map<String, Object> shares = context.settings().chosen("share.");
     PauseTransition managed = new PauseTransition(Duration.millis(300));
     managed.setOnFinished(
         over -> {
           if (!stage.isMaximized() && stage.getWidth() <= MIN_WIDTH) {
             stage.setWidth(width);
             stage.setHeight(height);
-            // restores the shares of panels that were squeezed
-            managed.setOnFinished(grown -> context.settings().choose(shares));
-            managed.play();
           }
         });
     stage.addEventHandler(WindowEvent.WINDOW_SHOWN, event -> managed.play());

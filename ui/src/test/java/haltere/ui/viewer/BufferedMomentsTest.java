@@ -85,6 +85,24 @@ class BufferedMomentsTest {
     viewer.waitFor("what is new", () -> elapsedUs() > newest + 50_000);
   }
 
+  @Test
+  void endShowsTheNewestEventsOfAPausedCamera() {
+    open(CAMERA);
+    viewer.waitFor("some time", () -> elapsedUs() > 300_000);
+    viewer.pause();
+    long pausedUs = elapsedUs();
+    viewer.run(() -> viewer.window.context().actions().run("show-camera"));
+    viewer.waitFor("more than waits for the end of a pause", this::isLosing);
+    viewer.press(KeyCode.END);
+    viewer.waitFor("the end of what is kept", () -> elapsedUs() > pausedUs + 500_000);
+    viewer.waitFor("the end of the time bar", () -> viewer.text("remaining").isEmpty());
+  }
+
+  private boolean isLosing() {
+    String numbers = viewer.text("camera-statistics");
+    return numbers.contains("lost") && !numbers.contains("lost 0 events");
+  }
+
   private Loop loop() {
     return viewer.onFx(() -> viewer.window.context().playback().loopProperty().get());
   }

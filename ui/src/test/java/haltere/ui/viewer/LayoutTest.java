@@ -137,19 +137,36 @@ class LayoutTest {
   }
 
   @Test
-  void sidePanelHasItsWidthAgainAfterATooSmallWindow() throws Exception {
-    viewer = ViewerHarness.withRecording(folder, 2_000_000);
+  void verySmallWindowDoesNotChangeTheSizesOfPanels() {
+    viewer = new ViewerHarness();
+    run("open-scene");
+    viewer.waitUntilOpen("Fly scene");
+    viewer.waitFor("plots", () -> isInWindow("plots"));
     run("show-space-time");
     run("compare");
+    viewer.run(() -> viewer.stage.setWidth(1200));
+    viewer.waitFor("the side", () -> isInWindow("side-tabs") && width("side-tabs") > 300);
+    SplitPane below = viewer.onFx(() -> splitPaneOf(viewer.node("plots", Node.class)));
+    double side = width("side-tabs");
+    double share = viewer.onFx(() -> below.getDividerPositions()[0]);
+    double width = viewer.onFx(viewer.stage::getWidth);
+    double height = viewer.onFx(viewer.stage::getHeight);
+    viewer.run(() -> setSize(ViewerWindow.MIN_WIDTH, ViewerWindow.MIN_HEIGHT));
+    viewer.waitFor("the narrow side", () -> width("side-tabs") < side - 20);
+    viewer.waitFor("the bottom line", () -> isWithinHeight("status-line"));
+    viewer.run(() -> setSize(width, height));
+    viewer.waitFor("the side of before", () -> Math.abs(width("side-tabs") - side) < 2);
     viewer.waitFor(
-        "all panels", () -> isInWindow("space-time-picture") && isInWindow("second-event-view"));
-    Region side = viewer.node("side-tabs", Region.class);
-    double window = viewer.onFx(viewer.stage::getWidth);
-    double width = side.getWidth();
-    viewer.run(() -> viewer.stage.setWidth(ViewerWindow.MIN_WIDTH));
-    viewer.waitFor("a narrow side", () -> side.getWidth() < width - DIVIDER_PX);
-    viewer.run(() -> viewer.stage.setWidth(window));
-    viewer.waitFor("the side of before", () -> Math.abs(side.getWidth() - width) < 2);
+        "the plots of before", () -> Math.abs(below.getDividerPositions()[0] - share) < 0.01);
+  }
+
+  private void setSize(double width, double height) {
+    viewer.stage.setWidth(width);
+    viewer.stage.setHeight(height);
+  }
+
+  private boolean isWithinHeight(String id) {
+    return bottom(id) <= viewer.onFx(() -> viewer.stage.getScene().getHeight()) + 1;
   }
 
   private double keptSide(UserSettings settings) {
@@ -157,7 +174,11 @@ class LayoutTest {
   }
 
   private double sideWidth() {
-    return viewer.onFx(() -> viewer.node("chain-panel", Region.class).getWidth());
+    return width("chain-panel");
+  }
+
+  private double width(String id) {
+    return viewer.onFx(() -> viewer.node(id, Region.class).getWidth());
   }
 
   @Test

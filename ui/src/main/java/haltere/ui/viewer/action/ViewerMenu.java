@@ -165,16 +165,6 @@ public final class ViewerMenu extends MenuBar {
     public String getDisplayText() {
       return text;
     }
-
-    @Override
-    public boolean equals(Object other) {
-      return other == this;
-    }
-
-    @Override
-    public int hashCode() {
-      return System.identityHashCode(this);
-    }
   }
 
   private MenuItem check(ViewerAction action, ObservableBooleanValue on) {

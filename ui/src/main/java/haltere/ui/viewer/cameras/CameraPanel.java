@@ -33,10 +33,10 @@ final class CameraPanel extends ScrollPane {
   private final BackgroundWork background;
   private final VBox content = new VBox(10);
   private final Label statistics =
-      Controls.named(new Label(), "camera-statistics", Styles.TEXT_SMALL);
+      Controls.named(Controls.paragraph("", Styles.TEXT_SMALL), "camera-statistics");
   private final Label region = Controls.named(new Label(), "camera-region-words");
   private final Label problem =
-      Controls.named(new Label(), "camera-problem", Styles.TEXT_SMALL, Styles.DANGER);
+      Controls.named(Controls.paragraph("", Styles.TEXT_SMALL, Styles.DANGER), "camera-problem");
   private final Map<BiasSliders.Slider, Slider> sliders = new EnumMap<>(BiasSliders.Slider.class);
   private final List<SettingField> fields = new ArrayList<>();
   private Optional<Camera> camera = Optional.empty();
@@ -48,8 +48,6 @@ final class CameraPanel extends ScrollPane {
     setFitToWidth(true);
     getStyleClass().add("settings");
     content.setStyle("-fx-padding: 10;");
-    statistics.setWrapText(true);
-    problem.setWrapText(true);
     setContent(content);
     setCamera(Optional.empty());
   }

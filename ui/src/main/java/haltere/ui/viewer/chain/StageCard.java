@@ -36,7 +36,7 @@ final class StageCard extends VBox {
   private final ChainStage stage;
   private final String id;
   private final ToggleSwitch power = new ToggleSwitch();
-  private final Label counts = new Label();
+  private final Label counts = new Label("\u2013");
   private final MenuItem up;
   private final MenuItem down;
   private final MenuItem into;
@@ -146,7 +146,6 @@ final class StageCard extends VBox {
   private void setUpCounts() {
     Controls.named(counts, "counts-" + id, Styles.TEXT_SMALL, "stage-counts");
     Controls.help(counts, "Share of events that the filter passes, and its mean time per event");
-    counts.setText("\u2013");
   }
 
   /** The stages of a chain inside the chain, and a menu to add one. */

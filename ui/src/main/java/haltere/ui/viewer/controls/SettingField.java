@@ -33,7 +33,7 @@ public final class SettingField extends VBox {
   private final Parameter parameter;
   private final Change change;
   private final Button reset;
-  private final Label problem = new Label();
+  private final Label problem = Controls.paragraph("", Styles.TEXT_SMALL, Styles.DANGER, "problem");
   private final Label name = new Label();
   private final String id;
 
@@ -56,8 +56,7 @@ public final class SettingField extends VBox {
             () -> set(parameter.defaultValue()),
             Styles.SMALL,
             "reset-setting");
-    Controls.named(problem, "problem-" + id, Styles.TEXT_SMALL, Styles.DANGER, "problem");
-    problem.setWrapText(true);
+    problem.setId("problem-" + id);
     showProblem("");
   }
 

@@ -52,10 +52,13 @@ public final class Windows {
 
   private static void show(Dialog<?> dialog) {
     DialogPane pane = dialog.getDialogPane();
-    keepSize(
-        pane.getScene().getWindow(),
-        () -> new Dimension2D(pane.prefWidth(-1), pane.prefHeight(-1)));
+    Window window = pane.getScene().getWindow();
+    keepSize(window, () -> new Dimension2D(pane.prefWidth(-1), pane.prefHeight(-1)));
     dialog.show();
+    // some window managers ignore the position of a new window
+    Window owner = dialog.getOwner();
+    window.setX(owner.getX() + (owner.getWidth() - window.getWidth()) / 2);
+    window.setY(owner.getY() + (owner.getHeight() - window.getHeight()) / 2);
   }
 
   /** Requests the size of a window's content again if a window manager has made it small. */

@@ -4,13 +4,8 @@ import haltere.ui.viewer.controls.Controls;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
-import javafx.application.Platform;
-import javafx.beans.InvalidationListener;
 import javafx.beans.property.BooleanProperty;
-import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.SimpleBooleanProperty;
-import javafx.beans.property.SimpleDoubleProperty;
-import javafx.collections.ListChangeListener;
 import javafx.geometry.Orientation;
 import javafx.scene.Node;
 import javafx.scene.control.SplitPane;
@@ -21,7 +16,7 @@ import javafx.scene.control.TabPane;
  * Panels around the events: tabs at the side, others below or beside. A panel is created when it is
  * first shown.
  */
-public final class PanelLayout extends SplitPane {
+public final class PanelLayout extends KeptPanes {
   /** Position of a panel. */
   public enum Position {
     /** In the column at the right, as a tab beside the chain. */
@@ -35,8 +30,8 @@ public final class PanelLayout extends SplitPane {
   /** Step of a panel's size, as a share of its container. */
   private static final double PANEL_STEP = 0.05;
 
-  /** Initial divider of the side panel, a share of the width. */
-  private static final double SIDE_SHARE = 0.72;
+  /** Initial width of the side panel. */
+  private static final double SIDE_PX = 336;
 
   private static final double BELOW_SHARE = 0.6;
   private static final double BESIDE_SHARE = 0.55;
@@ -48,13 +43,12 @@ public final class PanelLayout extends SplitPane {
   private final Node chain;
 
   /** The events, and panels at their right. */
-  private final SplitPane row = new SplitPane();
+  private final KeptPanes row = new KeptPanes();
 
   /** The row, and panels below it. */
-  private final SplitPane left = new SplitPane();
+  private final KeptPanes left = new KeptPanes();
 
   private final TabPane tabs = Controls.named(new TabPane(), "side-tabs");
-  private boolean isEnlarging;
 
   PanelLayout(Node events, Node chain) {
     this.events = events;
@@ -62,58 +56,18 @@ public final class PanelLayout extends SplitPane {
     left.setOrientation(Orientation.VERTICAL);
     left.getItems().add(events);
     getItems().addAll(left, chain);
+    // the bars below are visible in the smallest window
+    setMinSize(0, 0);
     SplitPane.setResizableWithParent(chain, false);
     SplitPane.setResizableWithParent(tabs, false);
     tabs.setAccessibleText("Panels at the side");
   }
 
-  /**
-   * Restores the saved sizes of panels, and saves new ones: shares, but pixels for the side, whose
-   * width is fixed during resizing of the window.
-   */
+  /** Restores the saved sizes of panels, and saves new ones. */
   public void keep(UserSettings settings) {
-    keep(settings, "share.side", this);
-    keep(settings, "share.below", left);
-    keep(settings, "share.beside", row);
-  }
-
-  private void keep(UserSettings settings, String name, SplitPane pane) {
-    DoubleProperty share = new SimpleDoubleProperty(pane == this ? SIDE_SHARE : -1);
-    settings.keep(name, share, value -> value, value -> ((Number) value).doubleValue());
-    InvalidationListener dividerListener =
-        observed -> {
-          // a window that is too narrow makes the side narrower, too
-          boolean isDragged = lookupAll(".split-pane-divider").stream().anyMatch(Node::isPressed);
-          boolean isWanted = pane != this || isEnlarging || isDragged;
-          if (isWanted && !pane.getDividers().isEmpty() && pane.getWidth() > 0) {
-            double at = pane.getDividerPositions()[0];
-            share.set(pane == this ? Math.rint((1 - at) * getWidth()) : Math.rint(at * 1e3) / 1e3);
-          }
-        };
-    Runnable place =
-        () -> {
-          boolean isSide = pane == this && getWidth() > 0;
-          if (isSide && share.get() <= 1) {
-            share.set(Math.rint((1 - share.get()) * getWidth()));
-          }
-          double position = isSide ? 1 - share.get() / getWidth() : share.get();
-          if (!pane.getDividers().isEmpty()
-              && position >= 0
-              && Math.abs(pane.getDividerPositions()[0] - position) >= 0.001) {
-            pane.setDividerPosition(0, position);
-          }
-        };
-    share.subscribe(place);
-    // after the layout, which keeps the side as wide as it was
-    pane.widthProperty().subscribe(() -> Platform.runLater(place));
-    Runnable follow =
-        () -> {
-          place.run();
-          pane.getDividers()
-              .forEach(divider -> divider.positionProperty().addListener(dividerListener));
-        };
-    pane.getDividers().addListener((ListChangeListener<SplitPane.Divider>) change -> follow.run());
-    follow.run();
+    keep(settings, "share.side", SIDE_PX);
+    left.keep(settings, "share.below", BELOW_SHARE);
+    row.keep(settings, "share.beside", -1);
   }
 
   /** The shown panels, from the events on. */
@@ -136,9 +90,7 @@ public final class PanelLayout extends SplitPane {
         };
     if (!pane.getDividers().isEmpty()) {
       double before = pane.getDividerPositions()[0];
-      isEnlarging = true;
       pane.setDividerPosition(0, Math.max(0, Math.min(1, before - steps * PANEL_STEP)));
-      isEnlarging = false;
     }
   }
 
@@ -177,7 +129,6 @@ public final class PanelLayout extends SplitPane {
     if (tab.getContent() == null) {
       tab.setContent(content.get());
     }
-    double place = getDividerPositions()[0];
     List<Tab> shown = tabs.getTabs();
     if (show) {
       if (shown.isEmpty()) {
@@ -199,7 +150,6 @@ public final class PanelLayout extends SplitPane {
         getItems().set(1, chain);
       }
     }
-    setDividerPositions(place);
   }
 
   private void showBelow(Node panel, boolean show) {
@@ -207,9 +157,6 @@ public final class PanelLayout extends SplitPane {
       left.getItems().remove(panel);
     } else if (!left.getItems().contains(panel)) {
       left.getItems().add(panel);
-      if (left.getItems().size() == 2) {
-        left.setDividerPositions(BELOW_SHARE);
-      }
     }
   }
 

@@ -71,8 +71,7 @@ public final class EventView extends Region implements ArrowKeys {
     readout.setVisible(false);
     getChildren().add(picture.node());
     getChildren().addAll(frame, readout, legend);
-    widthProperty().subscribe(() -> viewpoint.setSize(getWidth(), getHeight()));
-    heightProperty().subscribe(() -> viewpoint.setSize(getWidth(), getHeight()));
+    layoutBoundsProperty().subscribe((was, is) -> viewpoint.setSize(getWidth(), getHeight()));
     Controls.clip(this);
     setOnScroll(this::scrolled);
     setOnMousePressed(this::pressed);

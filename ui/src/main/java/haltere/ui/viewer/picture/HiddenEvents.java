@@ -5,11 +5,10 @@ import javafx.beans.property.BooleanProperty;
 import javafx.geometry.Pos;
 import javafx.scene.control.Hyperlink;
 import javafx.scene.control.Label;
-import javafx.scene.layout.HBox;
-import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
 
-/** Shows over the picture the share of events hidden by filters, and the events on request. */
-public final class HiddenEvents extends HBox {
+/** Shows the share of events hidden by filters, and the events on request. */
+public final class HiddenEvents extends VBox {
   /** Time over which the share is measured, real time. */
   public static final long BETWEEN_NANOS = 500_000_000;
 
@@ -23,11 +22,10 @@ public final class HiddenEvents extends HBox {
    * filters.
    */
   public HiddenEvents(BooleanProperty shown) {
-    super(4);
     this.shown = shown;
-    Controls.named(this, "hidden-events", "readout", "hidden-events");
-    setAlignment(Pos.CENTER_LEFT);
-    setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
+    Controls.named(this, "hidden-events", "hidden-events");
+    setAlignment(Pos.TOP_CENTER);
+    Controls.help(this, "Share of the events that the filters remove");
     change.setAccessibleText("Show or hide the events that filters remove");
     change.setOnAction(event -> shown.set(!shown.get()));
     getChildren().addAll(share, change);
@@ -49,10 +47,7 @@ public final class HiddenEvents extends HBox {
 
   private void say() {
     Controls.show(percent > 0, this);
-    share.setText(
-        shown.get()
-            ? "All events shown; " + percent + " % filtered out,"
-            : percent + " % of the events hidden,");
+    share.setText(percent + (shown.get() ? " %\nfiltered," : " %\nhidden,"));
     change.setText(shown.get() ? "hide" : "show");
   }
 }

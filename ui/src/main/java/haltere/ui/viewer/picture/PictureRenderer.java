@@ -62,6 +62,10 @@ public final class PictureRenderer {
   private volatile boolean stale;
   private double sliceUs = 8_333;
   private long lastSliceUs = 8_333;
+
+  /** Start of the last slice, the moment that the window names. */
+  private long sliceFromUs = StreamNotification.NO_TIME_US;
+
   private boolean holds;
   private final boolean betweenSlices;
   private List<OverlaySnapshots.Marks<?>> lastMarks = List.of();
@@ -214,6 +218,7 @@ public final class PictureRenderer {
     beginExposure();
     holds = false;
     first.ifPresent(renderer -> renderer.second = left ? Optional.empty() : Optional.of(this));
+    sliceFromUs = fromUs;
     lastSliceUs = toUs - fromUs;
     sliceUs += 0.25 * (lastSliceUs - sliceUs);
     exposed = true;
@@ -282,7 +287,7 @@ public final class PictureRenderer {
     painter.paint(frame, frame.screen);
   }
 
-  /** A picture of the present moment in default size, with overlays and the start of the slice. */
+  /** A picture of the present moment in default size, with overlays. */
   BufferedImage picture(Overlays overlays, List<OverlaySnapshots.Marks<?>> marks) {
     events.configure(style());
     SensorGeometry geometry = events.frame().geometry();
@@ -313,8 +318,8 @@ public final class PictureRenderer {
     PictureStyle style = events.style();
     PictureStamp stamp = new PictureStamp(picture, dark);
     ColourScale.of(style.mode(), style.gradient(), scale()).ifPresent(stamp::colours);
-    if (events.frame().nowUs() != StreamNotification.NO_TIME_US) {
-      stamp.label(events.frame().nowUs() - lastSliceUs + " \u00b5s");
+    if (sliceFromUs != StreamNotification.NO_TIME_US) {
+      stamp.label(sliceFromUs + " \u00b5s");
     }
     stamp.scaleBar(Pictures.defaultScale(geometry));
     return picture;

@@ -371,6 +371,12 @@ public final class PlaybackController {
                   OptionalLong next = nextSeekUs;
                   nextSeekUs = OptionalLong.empty();
                   next.ifPresent(this::goTo);
+                  boolean paused = open.status().state() == PlayerStatus.State.PAUSED;
+                  if (next.isEmpty() && elapsedUs == Long.MAX_VALUE && paused && isLive()) {
+                    // the first jump has ended at the gap of the pause, behind which newer events
+                    // are kept now
+                    goTo(Long.MAX_VALUE - 1);
+                  }
                 }));
   }
 

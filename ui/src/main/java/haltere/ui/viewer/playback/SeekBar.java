@@ -173,8 +173,7 @@ public final class SeekBar extends Region {
     setOnMouseExited(event -> hover.setVisible(false));
     playback.loopProperty().subscribe(() -> dirty = true);
     logarithmic.subscribe(() -> dirty = true);
-    widthProperty().subscribe(() -> dirty = true);
-    heightProperty().subscribe(() -> dirty = true);
+    layoutBoundsProperty().subscribe(bounds -> dirty = true);
   }
 
   /** Clears the recording. */

@@ -49,7 +49,7 @@ public final class PlotPanel extends BorderPane {
   private final ToggleButton follow = Controls.toggle("plot-follow", Icons.PLAY, "");
   private final Label span = Controls.label("", "status-number");
   private final Label empty =
-      Controls.label(
+      Controls.paragraph(
           "Nothing is plotted. Add plot offers the event rate, what filters publish, and samples"
               + " of an inertial sensor.",
           "chain-empty");
@@ -94,7 +94,6 @@ public final class PlotPanel extends BorderPane {
     lanesView.setFitToHeight(true);
     lanesView.setFocusTraversable(false);
     VBox.setVgrow(lanesView, Priority.ALWAYS);
-    empty.setWrapText(true);
     setTop(head);
     setCenter(new VBox(empty, lanesView, axis));
     setMinHeight(120);

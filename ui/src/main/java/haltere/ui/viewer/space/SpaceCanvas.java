@@ -24,8 +24,7 @@ final class SpaceCanvas extends RotatablePane {
 
   SpaceCanvas() {
     getChildren().add(image);
-    widthProperty().subscribe((was, is) -> redraw());
-    heightProperty().subscribe((was, is) -> redraw());
+    layoutBoundsProperty().subscribe((was, is) -> redraw());
     setAccessibleText("The body and the cameras in space");
     setMinSize(0, 0);
   }

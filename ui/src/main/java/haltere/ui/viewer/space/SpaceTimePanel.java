@@ -62,8 +62,7 @@ final class SpaceTimePanel extends BorderPane {
     picture.setAccessibleText("Events in space and time");
     picture.setMinSize(120, 120);
     Controls.clip(picture);
-    picture.widthProperty().subscribe((was, is) -> dirty = true);
-    picture.heightProperty().subscribe((was, is) -> dirty = true);
+    picture.layoutBoundsProperty().subscribe(bounds -> dirty = true);
     setCenter(picture);
     FlowPane controls =
         new FlowPane(
