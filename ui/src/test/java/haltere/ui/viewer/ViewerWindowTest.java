@@ -9,6 +9,7 @@ import haltere.ui.plot.Curve;
 import haltere.ui.plot.Lane;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.controls.Theme;
+import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.saving.SavingFeature;
 import haltere.ui.viewer.session.SessionRequest;
@@ -211,6 +212,23 @@ class ViewerWindowTest {
         () -> viewer.picture().getPixelReader().getArgb(2, 2) == ColourMap.LIGHT.background());
     int events = viewer.onFx(() -> lit(viewer));
     assertTrue(events > 0);
+    viewer.run(() -> viewer.window.context().display().themeProperty().set(Theme.DARK));
+  }
+
+  @Test
+  void spaceTimeViewHasTheRestoredTheme() {
+    UserSettings settings = UserSettings.inMemory();
+    settings.put("theme", "Light");
+    viewer = new ViewerHarness(settings);
+    viewer.run(() -> viewer.window.context().actions().run("open-scene"));
+    viewer.waitUntilOpen("Fly scene");
+    viewer.run(() -> viewer.window.context().actions().run("show-space-time"));
+    viewer.waitFor("the view", () -> viewer.isThere("space-time-picture"));
+    viewer.waitFor(
+        "a light background",
+        () ->
+            viewer.picture("space-time-picture").getPixelReader().getArgb(2, 2)
+                == ColourMap.LIGHT.background());
     viewer.run(() -> viewer.window.context().display().themeProperty().set(Theme.DARK));
   }
 

@@ -51,7 +51,7 @@ public final class LiveFlightFeature implements ViewerFeature {
     linesShown.subscribe(() -> window.panels().view().redraw());
     window.display().onChange(() -> pane.setOptions(window.display().options()));
     window.sessions().sessionProperty().subscribe((was, is) -> follow(was, is));
-    window.display().themeProperty().subscribe((was, is) -> pane.setTheme(is));
+    window.display().themeProperty().subscribe(pane::setTheme);
     window
         .panels()
         .onPulse(

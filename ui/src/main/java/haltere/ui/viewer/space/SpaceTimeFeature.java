@@ -37,7 +37,7 @@ public final class SpaceTimeFeature implements ViewerFeature {
               follow(is);
             });
     panel.onSpan(this::setSpan);
-    window.display().onChange(() -> panel.setColours(window.display().options().colours()));
+    window.display().coloursProperty().subscribe(panel::setColours);
     window.panels().onPulse(() -> sink.ifPresent(open -> panel.update(open.exchange().fetch())));
   }
 
