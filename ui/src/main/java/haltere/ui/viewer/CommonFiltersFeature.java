@@ -30,8 +30,8 @@ import javafx.scene.text.TextAlignment;
  */
 final class CommonFiltersFeature implements ViewerFeature {
 
-  /** Minimum height, pixels, for buttons with text. */
-  private static final double WORDS_PX = 200;
+  /** Minimum height, pixels, for buttons with text and the note. */
+  private static final double WORDS_PX = 235;
 
   private static final double ICONS_PX = 112;
 

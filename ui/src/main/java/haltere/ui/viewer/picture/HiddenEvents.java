@@ -2,33 +2,26 @@ package haltere.ui.viewer.picture;
 
 import haltere.ui.viewer.controls.Controls;
 import javafx.beans.property.BooleanProperty;
-import javafx.geometry.Pos;
 import javafx.scene.control.Hyperlink;
-import javafx.scene.control.Label;
-import javafx.scene.layout.VBox;
+import javafx.scene.layout.Region;
 
-/** Shows the share of events hidden by filters, and the events on request. */
-public final class HiddenEvents extends VBox {
+/** The share of events hidden by filters; a click shows the events before the filters. */
+public final class HiddenEvents extends Hyperlink {
   /** Time over which the share is measured, real time. */
   public static final long BETWEEN_NANOS = 500_000_000;
 
   private final BooleanProperty shown;
-  private final Label share = Controls.named(new Label(), "hidden-share");
-  private final Hyperlink change = Controls.named(new Hyperlink(), "show-hidden");
   private int percent;
 
-  /**
-   * Words that are not seen until events are hidden; the switch shows the events before the
-   * filters.
-   */
+  /** Words that are not seen until events are hidden; the switch shows them. */
   public HiddenEvents(BooleanProperty shown) {
     this.shown = shown;
     Controls.named(this, "hidden-events", "hidden-events");
-    setAlignment(Pos.TOP_CENTER);
-    Controls.help(this, "Share of the events that the filters remove");
-    change.setAccessibleText("Show or hide the events that filters remove");
-    change.setOnAction(event -> shown.set(!shown.get()));
-    getChildren().addAll(share, change);
+    Controls.help(this, "Share of the events that the filters remove; shows or hides them");
+    setAccessibleText("Show or hide the events that filters remove");
+    setMinHeight(Region.USE_PREF_SIZE);
+    setMaxWidth(Double.MAX_VALUE);
+    setOnAction(event -> shown.set(!shown.get()));
     shown.subscribe((was, is) -> say());
     say();
   }
@@ -47,7 +40,7 @@ public final class HiddenEvents extends VBox {
 
   private void say() {
     Controls.show(percent > 0, this);
-    share.setText(percent + (shown.get() ? " %\nfiltered," : " %\nhidden,"));
-    change.setText(shown.get() ? "hide" : "show");
+    setText(percent + (shown.get() ? " %\nshown" : " %\nhidden"));
+    setVisited(false);
   }
 }
