@@ -145,6 +145,7 @@ class LayoutTest {
     run("show-space-time");
     run("compare");
     viewer.run(() -> viewer.stage.setWidth(1200));
+    viewer.waitFor("the second picture", () -> isInWindow("second-event-view"));
     viewer.waitFor("the side", () -> isInWindow("side-tabs") && width("side-tabs") > 300);
     SplitPane below = viewer.onFx(() -> splitPaneOf(viewer.node("plots", Node.class)));
     double side = width("side-tabs");
