@@ -117,6 +117,8 @@ final class LiveFlightPane extends BorderPane {
       SensorGeometry geometry = cameras.get(i).geometry();
       EventView view = Controls.named(new EventView(), "camera-picture-" + camera);
       view.setAccessibleText("Events of camera " + (camera + 1));
+      // as narrow as its column, so that no label is cut off
+      view.setMinSize(0, 0);
       view.setGeometry(geometry, options.colours());
       view.addLayer(over -> drawLine(camera, over));
       views.add(view);
