@@ -8,6 +8,7 @@ import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.FileDialogs;
 import haltere.ui.viewer.controls.Theme;
+import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.BackgroundWork;
 import haltere.ui.viewer.feature.DisplayControl;
 import haltere.ui.viewer.feature.LayoutSteps;
@@ -23,7 +24,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.RejectedExecutionException;
 import javafx.animation.AnimationTimer;
-import javafx.animation.PauseTransition;
 import javafx.application.Platform;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Group;
@@ -32,7 +32,6 @@ import javafx.scene.input.TransferMode;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
-import javafx.util.Duration;
 
 /**
  * The viewer's window: holds the open session and connects its parts. All else is in {@link
@@ -124,15 +123,14 @@ public final class ViewerWindow {
         Math.min(Double.isNaN(stage.getWidth()) ? WIDTH : stage.getWidth(), room.getWidth());
     double height =
         Math.min(Double.isNaN(stage.getHeight()) ? HEIGHT : stage.getHeight(), room.getHeight());
-    PauseTransition managed = new PauseTransition(Duration.millis(300));
-    managed.setOnFinished(
-        over -> {
+    Windows.onceManaged(
+        stage,
+        () -> {
           if (!stage.isMaximized() && stage.getWidth() <= MIN_WIDTH) {
             stage.setWidth(width);
             stage.setHeight(height);
           }
         });
-    stage.addEventHandler(WindowEvent.WINDOW_SHOWN, event -> managed.play());
   }
 
   private void followDisplay(DisplayControl display) {

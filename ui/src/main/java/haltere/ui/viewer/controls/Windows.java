@@ -1,16 +1,13 @@
 package haltere.ui.viewer.controls;
 
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import javafx.animation.PauseTransition;
-import javafx.geometry.Dimension2D;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.scene.control.Alert;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.Dialog;
-import javafx.scene.control.DialogPane;
 import javafx.scene.control.TextInputDialog;
 import javafx.stage.Modality;
 import javafx.stage.Stage;
@@ -20,9 +17,6 @@ import javafx.util.Duration;
 
 /** Opens further windows and dialogs in the style of the viewer. */
 public final class Windows {
-  /** Tolerance of a window's size. */
-  private static final double TOLERANCE_PX = 20;
-
   private Windows() {}
 
   /** A window that is closed with its owner, and not shown yet. */
@@ -34,7 +28,7 @@ public final class Windows {
     scene.getStylesheets().setAll(owner.getScene().getStylesheets());
     scene.setFill(owner.getScene().getFill());
     stage.setScene(scene);
-    keepSize(stage, () -> new Dimension2D(width, height));
+    keepSize(stage, stage::centerOnScreen);
     stage.setMinWidth(width / 2);
     stage.setMinHeight(height / 2);
     return stage;
@@ -51,27 +45,39 @@ public final class Windows {
   }
 
   private static void show(Dialog<?> dialog) {
-    DialogPane pane = dialog.getDialogPane();
-    Window window = pane.getScene().getWindow();
-    keepSize(window, () -> new Dimension2D(pane.prefWidth(-1), pane.prefHeight(-1)));
+    Window window = dialog.getDialogPane().getScene().getWindow();
+    keepSize(window, () -> centre(window, dialog.getOwner()));
     dialog.show();
     // some window managers ignore the position of a new window
-    Window owner = dialog.getOwner();
-    window.setX(owner.getX() + (owner.getWidth() - window.getWidth()) / 2);
-    window.setY(owner.getY() + (owner.getHeight() - window.getHeight()) / 2);
+    centre(window, dialog.getOwner());
   }
 
-  /** Requests the size of a window's content again if a window manager has made it small. */
-  private static void keepSize(Window window, Supplier<Dimension2D> size) {
+  /** Moves a window over its owner, with its title on the screen. */
+  private static void centre(Window window, Window owner) {
+    window.setX(owner.getX() + (owner.getWidth() - window.getWidth()) / 2);
+    window.setY(owner.getY() + Math.max(0, (owner.getHeight() - window.getHeight()) / 2));
+  }
+
+  /** Requests a new window's own size again: some window managers make it small. */
+  private static void keepSize(Window window, Runnable place) {
+    onceManaged(
+        window,
+        () -> {
+          double width = window.getWidth();
+          window.sizeToScene();
+          if (window.getWidth() > width) {
+            place.run();
+          }
+        });
+  }
+
+  /** Runs something when a window manager, if there is one, has placed and framed a new window. */
+  public static void onceManaged(Window window, Runnable then) {
     PauseTransition managed = new PauseTransition(Duration.millis(300));
     managed.setOnFinished(
         over -> {
-          double wider = size.get().getWidth() - window.getScene().getWidth();
-          double higher = size.get().getHeight() - window.getScene().getHeight();
-          if (wider > TOLERANCE_PX || higher > TOLERANCE_PX) {
-            window.setWidth(window.getWidth() + Math.max(0, wider));
-            window.setHeight(window.getHeight() + Math.max(0, higher));
-            window.centerOnScreen();
+          if (window.getWidth() > window.getScene().getWidth()) {
+            then.run();
           }
         });
     window.addEventHandler(WindowEvent.WINDOW_SHOWN, event -> managed.play());
