@@ -1,12 +1,9 @@
 package haltere.ui.viewer.action;
 
-import static java.util.stream.Collectors.groupingBy;
-import static java.util.stream.Collectors.toList;
-
 import atlantafx.base.theme.Styles;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Windows;
-import java.util.LinkedHashMap;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import javafx.geometry.Insets;
@@ -32,16 +29,19 @@ public final class KeysDialog {
     GridPane grid = new GridPane(18, 4);
     grid.setPadding(new Insets(12));
     int row = 0;
-    Map<String, List<ViewerAction>> menus =
+    List<ViewerAction> keyed =
         actions.all().stream()
             .filter(action -> !action.key().isEmpty())
-            .collect(groupingBy(ViewerAction::menu, LinkedHashMap::new, toList()));
-    for (Map.Entry<String, List<ViewerAction>> menu : menus.entrySet()) {
-      String name = menu.getKey().isEmpty() ? "Other" : menu.getKey().replace("/", " > ");
-      grid.add(Controls.label(name, Styles.TEXT_MUTED), 0, row++, 2, 1);
-      for (ViewerAction action : menu.getValue()) {
-        row = add(grid, row, ViewerKeys.label(action.key()), action.label());
+            .sorted(Comparator.comparingInt(ViewerMenu::place).thenComparing(ViewerAction::menu))
+            .toList();
+    String menu = null;
+    for (ViewerAction action : keyed) {
+      if (!action.menu().equals(menu)) {
+        menu = action.menu();
+        String name = menu.isEmpty() ? "Other" : menu.replace("/", " > ");
+        grid.add(Controls.label(name, Styles.TEXT_MUTED), 0, row++, 2, 1);
       }
+      row = add(grid, row, ViewerKeys.label(action.key()), action.label());
     }
     for (Map.Entry<String, String> other : OTHERS) {
       row = add(grid, row, other.getKey(), other.getValue());

@@ -6,7 +6,6 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 import javafx.beans.value.ChangeListener;
 import javafx.beans.value.ObservableBooleanValue;
 import javafx.beans.value.WeakChangeListener;
@@ -21,8 +20,7 @@ import javafx.scene.input.KeyEvent;
 /** The menus, built from the commands. */
 public final class ViewerMenu extends MenuBar {
   private static final List<String> ORDER =
-      List.of("File", "Edit", "View", "Playback", "Chain", "Tools", "Camera");
-  private static final String LAST = "Help";
+      List.of("File", "Edit", "View", "Playback", "Chain", "Tools", "Camera", "Help");
 
   private final ViewerActions actions;
   private final Map<String, Menu> menus = new HashMap<>();
@@ -34,6 +32,12 @@ public final class ViewerMenu extends MenuBar {
   public ViewerMenu(ViewerActions actions) {
     this.actions = actions;
     setId("menu");
+  }
+
+  /** Place in the bar of the menu that an action is in; the last one for none. */
+  static int place(ViewerAction action) {
+    int place = ORDER.indexOf(action.menu().split("/")[0]);
+    return place < 0 ? ORDER.size() : place;
   }
 
   /** Shows the actions, and later changes of them. */
@@ -90,12 +94,7 @@ public final class ViewerMenu extends MenuBar {
 
   private void fillBar(Map<String, List<Object>> contents) {
     List<Menu> bar =
-        Stream.concat(
-                contents.keySet().stream().filter(path -> !path.equals(LAST)), Stream.of(LAST))
-            .filter(
-                path -> !path.contains("/") && !contents.getOrDefault(path, List.of()).isEmpty())
-            .map(this::menu)
-            .toList();
+        ORDER.stream().filter(path -> !contents.get(path).isEmpty()).map(this::menu).toList();
     if (!bar.equals(getMenus())) {
       getMenus().setAll(bar);
     }
