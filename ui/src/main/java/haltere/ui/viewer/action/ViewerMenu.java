@@ -164,6 +164,17 @@ public final class ViewerMenu extends MenuBar {
     public String getDisplayText() {
       return text;
     }
+
+    // those of KeyCombination compare modifiers only, and no shown key has any
+    @Override
+    public boolean equals(Object other) {
+      return other == this;
+    }
+
+    @Override
+    public int hashCode() {
+      return System.identityHashCode(this);
+    }
   }
 
   private MenuItem check(ViewerAction action, ObservableBooleanValue on) {

@@ -14,6 +14,7 @@ import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Menu;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyCombination;
 import javafx.stage.Window;
 import org.junit.jupiter.api.Test;
 
@@ -136,6 +137,27 @@ class ViewerActionsTest {
   void fadingTimesAreRoundNumbers() {
     assertEquals("1 ms", DisplayControl.DECAYS.get(1_000L));
     assertEquals("300 ms", DisplayControl.DECAYS.get(300_000L));
+  }
+
+  @Test
+  void keysWithoutModifiersDoNotReplaceOneAnotherInTheMenus() {
+    try (ViewerHarness viewer = new ViewerHarness()) {
+      List<String> plain =
+          viewer.onFx(
+              () ->
+                  viewer.window.context().actions().all().stream()
+                      .filter(ViewerAction::hasPlainKey)
+                      .map(action -> ViewerKeys.label(action.key()))
+                      .toList());
+      assertTrue(plain.size() > 1);
+      viewer.waitFor(
+          "each key",
+          () ->
+              viewer.stage.getScene().getAccelerators().keySet().stream()
+                  .map(KeyCombination::getDisplayText)
+                  .toList()
+                  .containsAll(plain));
+    }
   }
 
   @Test
