@@ -14,7 +14,7 @@ import haltere.filters.trail.TrailPoint;
  * @param vxPxS velocity along the columns, px/s
  * @param vyPxS velocity along the rows, px/s
  * @param sdXPx standard deviation of the column, pixels, with the deformation of the object
- * @param sdYPx standard deviation of the row, pixels
+ * @param sdYPx standard deviation of the row, pixels, with the deformation of the object
  * @param sdVxPxS standard deviation of the velocity along the columns, px/s
  * @param sdVyPxS standard deviation of the velocity along the rows, px/s
  * @param events events assigned to it so far, each pixel at most once in 10 ms

@@ -47,7 +47,6 @@ final class LabelVelocities {
 
   private TrueObject at(int moment, TrueObject object) {
     Line line = new Line(truth.get(moment).timeUs(), object.box());
-    line.add(truth.get(moment).timeUs(), object.box());
     boolean isBetween = add(moment, -1, object.id(), line) && add(moment, 1, object.id(), line);
     return isBetween
         ? new TrueObject(object.id(), object.box(), line.slope(line.sumX), line.slope(line.sumY))
@@ -56,10 +55,9 @@ final class LabelVelocities {
 
   /** Adds the labels on one side; returns whether there is any. */
   private boolean add(int moment, int step, int id, Line line) {
-    long timeUs = truth.get(moment).timeUs();
     boolean isFound = false;
     for (int i = moment + step; i >= 0 && i < truth.size(); i += step) {
-      long gapUs = Math.abs(truth.get(i).timeUs() - timeUs);
+      long gapUs = Math.abs(truth.get(i).timeUs() - line.originUs);
       if (gapUs > (isFound ? REACH_US : MAX_GAP_US)) {
         break;
       }
@@ -73,13 +71,13 @@ final class LabelVelocities {
     return isFound;
   }
 
-  /** Sums of a least-squares line, about one of its points, so that rest is exactly 0. */
+  /** Sums of a least-squares line about its first point, so that rest is exactly 0. */
   private static final class Line {
     private final long originUs;
     private final Box origin;
     private final double[] sumX = new double[2];
     private final double[] sumY = new double[2];
-    private double n;
+    private double n = 1;
     private double sumT;
     private double sumTt;
 

@@ -115,7 +115,7 @@ public final class HaltereProgram {
 
   CommandLine commandLine(String... args) {
     CommandLine program = inOrder(new HaltereCommand());
-    String wanted = Stream.of(args).filter(arg -> !arg.startsWith("-")).findFirst().orElse("");
+    String wanted = firstWord(args);
     boolean known = COMMANDS.contains(wanted);
     for (String name : COMMANDS) {
       if (!known || name.equals(wanted)) {
@@ -174,6 +174,10 @@ public final class HaltereProgram {
     CommandLine line = new CommandLine(((Subcommand) command).in(surroundings));
     line.getCommandSpec().usageMessage().sortOptions(false).sortSynopsis(false);
     return line;
+  }
+
+  private static String firstWord(String... args) {
+    return Stream.of(args).filter(arg -> !arg.startsWith("-")).findFirst().orElse("");
   }
 
   /**

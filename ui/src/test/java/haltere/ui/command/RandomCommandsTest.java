@@ -172,8 +172,7 @@ class RandomCommandsTest {
     List<PositionalParamSpec> parameters = spec.positionalParameters();
     for (int i = 0, count = random.nextInt(parameters.size() + 2); i < count; i++) {
       boolean isFile = i >= parameters.size() || isFile(parameters.get(i));
-      String word = pick(WORDS, random);
-      arguments.add(random.nextInt(4) > 0 ? file(random) : isFile ? inFolder(word) : word);
+      arguments.add(random.nextInt(4) > 0 ? file(random) : word(isFile, WORDS, random));
     }
     return arguments;
   }
@@ -183,9 +182,11 @@ class RandomCommandsTest {
         .anyMatch(Path.class::isAssignableFrom);
   }
 
-  /** A word as the name of a file; nothing is written where the tests run. */
-  private String inFolder(String word) {
-    return word.isEmpty() || word.startsWith("-") ? word : folder.resolve(word).toString();
+  /** A word; one that names a file is in the folder, so nothing is written where the tests run. */
+  private String word(boolean isFile, List<String> from, SplittableRandom random) {
+    String word = pick(from, random);
+    boolean isName = isFile && !word.isEmpty() && !word.startsWith("-");
+    return isName ? folder.resolve(word).toString() : word;
   }
 
   private static CommandEnvironment nowhere() {
@@ -205,13 +206,12 @@ class RandomCommandsTest {
       return candidates.isEmpty() ? "" : pick(candidates, random).toLowerCase(Locale.ROOT);
     }
     boolean number = Number.class.isAssignableFrom(boxed(option.type()));
-    String word =
-        switch (random.nextInt(5)) {
-          case 0 -> pick(WORDS, random);
-          case 1 -> pick(NUMBERS, random);
-          default -> number ? pick(NUMBERS, random) : isFile(option) ? "" : pick(WORDS, random);
-        };
-    return !isFile(option) ? word : word.isEmpty() ? file(random) : inFolder(word);
+    boolean isFile = isFile(option);
+    return switch (random.nextInt(5)) {
+      case 0 -> word(isFile, WORDS, random);
+      case 1 -> word(isFile, NUMBERS, random);
+      default -> number ? pick(NUMBERS, random) : isFile ? file(random) : pick(WORDS, random);
+    };
   }
 
   private static Class<?> boxed(Class<?> type) {
