@@ -20,7 +20,7 @@ import javafx.scene.input.KeyEvent;
 /** The menus, built from the commands. */
 public final class ViewerMenu extends MenuBar {
   private static final List<String> ORDER =
-      List.of("File", "Edit", "View", "Playback", "Chain", "Tools", "Camera", "Help");
+      List.of("File", "Edit", "View", "Playback", "Chain", "Tools", "Camera", "Wings", "Help");
 
   private final ViewerActions actions;
   private final Map<String, Menu> menus = new HashMap<>();

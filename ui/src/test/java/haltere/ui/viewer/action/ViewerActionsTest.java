@@ -10,8 +10,10 @@ import haltere.ui.viewer.feature.DisplayControl;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Menu;
+import javafx.scene.control.MenuBar;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyCombination;
@@ -137,6 +139,25 @@ class ViewerActionsTest {
   void fadingTimesAreRoundNumbers() {
     assertEquals("1 ms", DisplayControl.DECAYS.get(1_000L));
     assertEquals("300 ms", DisplayControl.DECAYS.get(300_000L));
+  }
+
+  @Test
+  void everyMenuOfAnActionIsInTheBar() {
+    try (ViewerHarness viewer = new ViewerHarness()) {
+      MenuBar bar = viewer.node("menu", MenuBar.class);
+      List<String> shown =
+          viewer.onFx(
+              () -> bar.getMenus().stream().map(menu -> menu.getText().substring(1)).toList());
+      List<String> wanted =
+          viewer.onFx(
+              () ->
+                  viewer.window.context().actions().all().stream()
+                      .map(action -> action.menu().split("/")[0])
+                      .filter(menu -> !menu.isEmpty())
+                      .toList());
+      assertEquals(Set.copyOf(wanted), Set.copyOf(shown));
+      assertEquals("Help", shown.get(shown.size() - 1));
+    }
   }
 
   @Test
