@@ -77,14 +77,14 @@ public final class CameraFeature implements ViewerFeature {
   }
 
   private void follow(Optional<ViewerSession> session, BooleanProperty shown) {
+    boolean hadCamera = open.isPresent();
     open = session.flatMap(ViewerSession::camera);
     isUnpluggedShown = false;
     panel.setCamera(open.map(CameraPlayable::camera));
     window.status().setLive("");
-    if (open.isPresent()) {
-      shown.set(true);
-    } else {
-      drawing.set(false);
+    drawing.set(drawing.get() && open.isPresent());
+    if (hadCamera || open.isPresent()) {
+      shown.set(open.isPresent());
     }
     if (!everListed && session.isPresent()) {
       list();

@@ -69,6 +69,19 @@ class CameraFeatureTest {
   }
 
   @Test
+  void panelOfACameraIsClosedWithIt() {
+    try (ViewerHarness harness = new ViewerHarness()) {
+      openFly(harness);
+      harness.waitFor("the panel", () -> harness.isThere("camera-panel"));
+      harness.run(() -> harness.window.context().actions().run("open-scene"));
+      harness.waitUntilOpen("Fly scene");
+      harness.waitFor(
+          "the chain alone",
+          () -> !harness.isThere("camera-panel") && harness.isThere("stage-wing-tracker"));
+    }
+  }
+
+  @Test
   void slidersBiasesAndSetsAreAppliedToTheCamera() {
     try (ViewerHarness harness = new ViewerHarness()) {
       CameraFeature feature = openFly(harness);
