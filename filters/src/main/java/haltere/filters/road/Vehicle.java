@@ -16,7 +16,7 @@ import java.util.Optional;
  * <p>A camera at a height H sees a point at a height z and a distance d at the pixel of the road at
  * s d, with s = H/(H − z), and a speed v as s v. Two points are measured, the lower edge and the
  * middle of the extent; their relative motion determines their heights together with the prior.
- * {@code docs/objects.md} has the equations.
+ * {@code docs/road.md} has the equations.
  */
 final class Vehicle {
   // entries of the state, metres and m/s

@@ -1,6 +1,6 @@
 /**
  * Kalman filters on the clusters of {@code haltere.filters.cluster}, after Cardinale (2006). {@code
- * docs/tracking.md} has the equations.
+ * docs/kalman-tracks.md} has the equations.
  *
  * @since 0.1
  */

@@ -57,7 +57,7 @@ class DocumentedCommandsTest {
     succeed("simulate fly fly.aedat");
     succeed("simulate road overpass.aedat");
     write("chain.json", json("using.md", "\"filters\""));
-    write("road.json", json("tracking.md", "bridgeHeightM"));
+    write("road.json", json("road.md", "bridgeHeightM"));
     write(
         "measured.csv",
         "t_s,x_m\n0,0\n0.01,0.001\n0.02,0.003\n0.03,0.002\n0.04,0.001\n"
