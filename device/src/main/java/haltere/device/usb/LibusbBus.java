@@ -120,6 +120,7 @@ public final class LibusbBus implements UsbBus {
       Context fresh = new Context();
       try {
         LibusbProblem.check(LibUsb.init(fresh), "start libusb");
+        LibusbFiles.remove();
       } catch (LinkageError | RuntimeException noNative) {
         throw new CameraProblem(
             Kind.UNSUPPORTED,
