@@ -28,6 +28,8 @@ public final class BufferedPlayable implements Playable {
   private final EventHistory history;
   private final EventPacket again = new EventPacket(PlaybackEngine.CHUNK_EVENTS);
   private final Keeper keeper = new Keeper();
+  private final Arrived arrived = new Arrived();
+  private final int maxEvents;
   private volatile boolean replaying;
   private volatile long bufferedFromUs;
   private volatile long bufferedToUs;
@@ -46,6 +48,7 @@ public final class BufferedPlayable implements Playable {
    */
   public BufferedPlayable(Playable source, int maxEvents) {
     this.source = Objects.requireNonNull(source, "source");
+    this.maxEvents = maxEvents;
     history = new EventHistory(maxEvents);
   }
 
@@ -114,6 +117,19 @@ public final class BufferedPlayable implements Playable {
         : Math.max(bufferedFromUs, Math.min(bufferedToUs, elapsedUs));
   }
 
+  /** {@inheritDoc} Of a live source, at most as many events as are kept. */
+  @Override
+  public void catchUp() throws IOException {
+    long before = history.events();
+    do {
+      arrived.isAny = false;
+    } while (source.isLive()
+        && end == null
+        && history.events() - before < maxEvents
+        && source.next(keeper.of(arrived))
+        && arrived.isAny);
+  }
+
   @Override
   public void seek(long elapsedUs) throws IOException {
     if (history.isEmpty() || elapsedUs < bufferedFromUs) {
@@ -163,6 +179,26 @@ public final class BufferedPlayable implements Playable {
   private void published() {
     bufferedFromUs = history.isEmpty() ? 0 : history.fromUs();
     bufferedToUs = history.isEmpty() ? 0 : history.lastUs() + 1;
+  }
+
+  /** Whether a source had anything to read. */
+  private static final class Arrived implements StreamHandler {
+    private boolean isAny;
+
+    @Override
+    public void packet(EventPacket packet) {
+      isAny |= !packet.isEmpty();
+    }
+
+    @Override
+    public void sample(SensorSample sample) {
+      isAny = true;
+    }
+
+    @Override
+    public void notified(StreamNotification notification) {
+      isAny = true;
+    }
   }
 
   /** Keeps the elements of the source and passes them on. */

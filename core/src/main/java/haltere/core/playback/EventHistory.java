@@ -93,7 +93,6 @@ final class EventHistory {
   private final SampleHistory samples;
   private StreamNotification pending;
 
-  /** Events so far, including discarded ones. */
   private long events;
 
   // Read position.
@@ -123,6 +122,11 @@ final class EventHistory {
 
   boolean isEmpty() {
     return chunks.isEmpty();
+  }
+
+  /** Events so far, including discarded ones. */
+  long events() {
+    return events;
   }
 
   /** Position of the oldest event; the history must not be empty. */

@@ -81,6 +81,16 @@ public interface Playable extends EventSource {
   }
 
   /**
+   * Reads what has come while nothing was read, as far as {@link #seek} can reach it then. Does not
+   * wait for more; nothing where events wait for their reader, as in a recording.
+   *
+   * @throws IOException if it cannot be read
+   */
+  default void catchUp() throws IOException {
+    // a recording or a scene waits
+  }
+
+  /**
    * Moves to the first event at or after a position. The next element is a {@code Reset(SEEK)}, or
    * the start of the stream if nothing or the end of the stream was passed on before.
    *

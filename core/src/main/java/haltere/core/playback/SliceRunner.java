@@ -72,6 +72,9 @@ final class SliceRunner {
    * next element.
    */
   void jump(long to, Reset.Cause cause) throws IOException {
+    if (to > playable.nearestUs(to)) {
+      playable.catchUp();
+    }
     jump(new StepBackSearch.Position(playable.nearestUs(to), 0), cause);
   }
 

@@ -277,4 +277,52 @@ class BufferedPlayableTest {
     }
     assertEquals(40_000_000, rig.clock.getAsLong() - before, 10_000_000);
   }
+
+  /** A live source: a start, some packets of two events a millisecond, and what else is given. */
+  private static List<Object> packets(int from, int to, Object... then) {
+    List<Object> items = new ArrayList<>();
+    if (from == 0) {
+      items.add(new StreamStarted(SENSOR, "script"));
+    }
+    for (int i = from; i < to; i++) {
+      items.add(EngineRig.events(1000L * i, 1000L * i + 500));
+    }
+    items.addAll(List.of(then));
+    return items;
+  }
+
+  @Test
+  void jumpToTheEndOfAPausedCameraShowsWhatHasComeSince() throws IOException {
+    List<Object> items = packets(0, 20);
+    EventPacket nothing = new EventPacket(1);
+    items.addAll(packets(40, 120, nothing));
+    items.addAll(packets(120, 200));
+    BufferedPlayable kept = new BufferedPlayable(new ScriptedPlayable(items.toArray()), ROOM);
+    EngineRig rig = new EngineRig(kept, byTime(1000));
+    while (rig.engine.status().elapsedUs() < 5_000) {
+      rig.engine.turn();
+    }
+    rig.ask(new PlaybackCommand.Play(false));
+    rig.run();
+    assertTrue(rig.engine.status().elapsedUs() < 20_000);
+    rig.ask(new PlaybackCommand.Seek(Long.MAX_VALUE));
+    rig.run();
+    assertEquals(119_501, rig.engine.status().elapsedUs());
+    assertEquals(PlayerStatus.State.PAUSED, rig.engine.status().state());
+  }
+
+  @Test
+  void sourceThatNeverEndsIsReadForAsManyEventsAsAreKept() throws IOException {
+    BufferedPlayable kept =
+        new BufferedPlayable(new ScriptedPlayable(packets(0, ROOM).toArray()), ROOM);
+    kept.catchUp();
+    assertEquals(500L * ROOM, kept.bufferedToUs(), 1000);
+  }
+
+  @Test
+  void sceneIsNotReadAhead() throws IOException {
+    BufferedPlayable kept = kept();
+    kept.catchUp();
+    assertEquals(0, kept.bufferedToUs());
+  }
 }

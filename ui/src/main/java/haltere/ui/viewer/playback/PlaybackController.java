@@ -354,11 +354,11 @@ public final class PlaybackController {
     long backUs = elapsedUs >= endUs - 1 ? endUs - open.status().sliceUs() : elapsedUs;
     aimUs = open.playable().nearestUs(backUs);
     if (seeking) {
-      nextSeekUs = OptionalLong.of(aimUs);
+      nextSeekUs = OptionalLong.of(elapsedUs);
       return;
     }
     seeking = true;
-    CompletableFuture<Void> done = open.seek(aimUs);
+    CompletableFuture<Void> done = open.seek(backUs);
     report(done);
     done.whenComplete(
         (nothing, problem) ->
@@ -371,12 +371,6 @@ public final class PlaybackController {
                   OptionalLong next = nextSeekUs;
                   nextSeekUs = OptionalLong.empty();
                   next.ifPresent(this::goTo);
-                  boolean paused = open.status().state() == PlayerStatus.State.PAUSED;
-                  if (next.isEmpty() && elapsedUs == Long.MAX_VALUE && paused && isLive()) {
-                    // the first jump has ended at the gap of the pause, behind which newer events
-                    // are kept now
-                    goTo(Long.MAX_VALUE - 1);
-                  }
                 }));
   }
 
