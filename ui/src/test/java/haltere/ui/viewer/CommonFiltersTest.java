@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Filters;
+import haltere.core.playback.PlayerStatus;
 import haltere.ui.viewer.feature.UserSettings;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -42,7 +43,8 @@ class CommonFiltersTest {
   void recordingOpensWithoutFiltersAndShowsAllEvents() throws IOException {
     viewer = ViewerHarness.withRecording(folder, 2_000_000);
     assertEquals(List.of(), kinds());
-    assertEquals(viewer.status().eventsIn(), viewer.status().eventsOut());
+    PlayerStatus status = viewer.status();
+    assertEquals(status.eventsIn(), status.eventsOut());
     assertFalse(isOn("usual-denoise") || isOn("usual-objects") || isOn("usual-wings"));
     assertFalse(viewer.node("hidden-events", javafx.scene.Node.class).isVisible());
   }
