@@ -28,7 +28,6 @@ public final class BufferedPlayable implements Playable {
   private final EventHistory history;
   private final EventPacket again = new EventPacket(PlaybackEngine.CHUNK_EVENTS);
   private final Keeper keeper = new Keeper();
-  private final Arrived arrived = new Arrived();
   private final int maxEvents;
   private volatile boolean replaying;
   private volatile long bufferedFromUs;
@@ -122,12 +121,12 @@ public final class BufferedPlayable implements Playable {
   public void catchUp() throws IOException {
     long before = history.events();
     do {
-      arrived.isAny = false;
+      keeper.hasKept = false;
     } while (source.isLive()
         && end == null
         && history.events() - before < maxEvents
-        && source.next(keeper.of(arrived))
-        && arrived.isAny);
+        && source.next(keeper.of(packet -> {}))
+        && keeper.hasKept);
   }
 
   @Override
@@ -181,29 +180,10 @@ public final class BufferedPlayable implements Playable {
     bufferedToUs = history.isEmpty() ? 0 : history.lastUs() + 1;
   }
 
-  /** Whether a source had anything to read. */
-  private static final class Arrived implements StreamHandler {
-    private boolean isAny;
-
-    @Override
-    public void packet(EventPacket packet) {
-      isAny |= !packet.isEmpty();
-    }
-
-    @Override
-    public void sample(SensorSample sample) {
-      isAny = true;
-    }
-
-    @Override
-    public void notified(StreamNotification notification) {
-      isAny = true;
-    }
-  }
-
   /** Keeps the elements of the source and passes them on. */
   private final class Keeper implements StreamHandler {
     private StreamHandler handler;
+    private boolean hasKept;
 
     Keeper of(StreamHandler newHandler) {
       handler = newHandler;
@@ -213,6 +193,7 @@ public final class BufferedPlayable implements Playable {
     @Override
     public void packet(EventPacket packet) {
       if (!packet.isEmpty()) {
+        hasKept = true;
         offsetUs = source.elapsedUs(packet.firstTimeUs()) - packet.firstTimeUs();
         history.append(packet, offsetUs);
         published();
@@ -222,6 +203,7 @@ public final class BufferedPlayable implements Playable {
 
     @Override
     public void sample(SensorSample sample) {
+      hasKept = true;
       offsetUs = source.elapsedUs(sample.timeUs()) - sample.timeUs();
       history.append(sample, offsetUs);
       handler.sample(sample);
@@ -229,6 +211,7 @@ public final class BufferedPlayable implements Playable {
 
     @Override
     public void notified(StreamNotification notification) {
+      hasKept = true;
       if (notification instanceof EndOfStream last) {
         end = last;
         endGiven = true;

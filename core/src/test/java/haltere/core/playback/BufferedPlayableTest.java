@@ -254,14 +254,23 @@ class BufferedPlayableTest {
     return OptionalLong.of(us);
   }
 
+  /** Packets of two events, one a millisecond. */
+  private static List<Object> packets(int fromMs, int toMs) {
+    List<Object> items = new ArrayList<>();
+    for (int i = fromMs; i < toMs; i++) {
+      items.add(EngineRig.events(1000L * i, 1000L * i + 500));
+    }
+    return items;
+  }
+
+  private static BufferedPlayable live(List<Object> items) {
+    items.add(0, new StreamStarted(SENSOR, "script"));
+    return new BufferedPlayable(new ScriptedPlayable(items.toArray()), ROOM);
+  }
+
   @Test
   void replayOfACameraIsPaced() throws IOException {
-    Object[] items = new Object[1001];
-    items[0] = new StreamStarted(SENSOR, "script");
-    for (int i = 0; i < 1000; i++) {
-      items[i + 1] = EngineRig.events(1000L * i, 1000L * i + 500);
-    }
-    BufferedPlayable kept = new BufferedPlayable(new ScriptedPlayable(items), ROOM);
+    BufferedPlayable kept = live(packets(0, 1000));
     EngineRig rig = new EngineRig(kept, byTime(1000).withSpeed(0.1));
     for (int i = 0; i < 200; i++) {
       assertEquals(0, rig.engine.turn(), "as it comes");
@@ -278,27 +287,14 @@ class BufferedPlayableTest {
     assertEquals(40_000_000, rig.clock.getAsLong() - before, 10_000_000);
   }
 
-  /** A live source: a start, some packets of two events a millisecond, and what else is given. */
-  private static List<Object> packets(int from, int to, Object... then) {
-    List<Object> items = new ArrayList<>();
-    if (from == 0) {
-      items.add(new StreamStarted(SENSOR, "script"));
-    }
-    for (int i = from; i < to; i++) {
-      items.add(EngineRig.events(1000L * i, 1000L * i + 500));
-    }
-    items.addAll(List.of(then));
-    return items;
-  }
-
   @Test
   void jumpToTheEndOfAPausedCameraShowsWhatHasComeSince() throws IOException {
     List<Object> items = packets(0, 20);
+    items.addAll(packets(40, 120));
     EventPacket nothing = new EventPacket(1);
-    items.addAll(packets(40, 120, nothing));
+    items.add(nothing);
     items.addAll(packets(120, 200));
-    BufferedPlayable kept = new BufferedPlayable(new ScriptedPlayable(items.toArray()), ROOM);
-    EngineRig rig = new EngineRig(kept, byTime(1000));
+    EngineRig rig = new EngineRig(live(items), byTime(1000));
     while (rig.engine.status().elapsedUs() < 5_000) {
       rig.engine.turn();
     }
@@ -313,8 +309,7 @@ class BufferedPlayableTest {
 
   @Test
   void sourceThatNeverEndsIsReadForAsManyEventsAsAreKept() throws IOException {
-    BufferedPlayable kept =
-        new BufferedPlayable(new ScriptedPlayable(packets(0, ROOM).toArray()), ROOM);
+    BufferedPlayable kept = live(packets(0, ROOM));
     kept.catchUp();
     assertEquals(500L * ROOM, kept.bufferedToUs(), 1000);
   }
