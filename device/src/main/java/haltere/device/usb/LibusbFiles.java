@@ -2,9 +2,9 @@ package haltere.device.usb;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
 
 /**
  * The file of libusb that usb4java writes into a temporary folder of its own. usb4java removes it
@@ -20,13 +20,11 @@ final class LibusbFiles {
     if (!Files.isReadable(MAPS)) {
       return List.of();
     }
-    try (Stream<String> mapped = Files.lines(MAPS)) {
-      return mapped
-          .filter(line -> line.matches(".* /.*/usb4java\\d+\\.tmp/libusb4java\\.so"))
-          .map(line -> Path.of(line.substring(line.indexOf('/'))))
-          .distinct()
-          .toList();
-    }
+    return Files.readAllLines(MAPS).stream()
+        .filter(line -> line.matches(".* /.*/usb4java\\d+\\.tmp/libusb4java\\.so"))
+        .map(line -> Path.of(line.substring(line.indexOf('/'))))
+        .distinct()
+        .toList();
   }
 
   /** Removes what is loaded: Linux keeps a mapped file until the process ends. */
@@ -36,7 +34,7 @@ final class LibusbFiles {
         Files.deleteIfExists(file);
         Files.deleteIfExists(file.getParent());
       }
-    } catch (IOException kept) {
+    } catch (IOException | InvalidPathException kept) {
       // usb4java removes it at a normal exit
     }
   }
