@@ -68,6 +68,11 @@ public final class CsvFormat implements StreamedFormat {
     if (layout.isEmpty()) {
       return new ProbeResult(Support.NONE, "it is not text with times, columns and rows");
     }
+    if (layout.get().isDoubtful()) {
+      return new ProbeResult(
+          Support.NONE,
+          "it is a table with other columns than those of events, without polarities");
+    }
     return layout.get().named()
         ? new ProbeResult(Support.CERTAIN, "it is text and names its columns")
         : new ProbeResult(Support.PLAUSIBLE, "it is text of four numbers a line");

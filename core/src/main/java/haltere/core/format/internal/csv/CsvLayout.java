@@ -36,6 +36,14 @@ record CsvLayout(
     roles = List.copyOf(roles);
   }
 
+  /**
+   * Whether it may be a table of something else than events, such as the positions of objects: it
+   * names further columns, but no polarity.
+   */
+  boolean isDoubtful() {
+    return named && roles.contains(EventColumn.OTHER) && !roles.contains(EventColumn.POLARITY);
+  }
+
   /** Examines the start of a text; empty if it is not a table of events. */
   static Optional<CsvLayout> of(byte[] head) {
     String text = new String(head, StandardCharsets.ISO_8859_1);

@@ -194,6 +194,20 @@ class CsvReadingTest extends RecordingFormatContract {
   }
 
   @Test
+  void tableOfTracksIsNoRecordingUnlessTheFormatIsNamed() throws IOException {
+    Path file =
+        Files.writeString(
+            folder.resolve("tracks.csv"), "t_us,id,x_px,y_px,events\n10,1,51.16,16.9,0\n");
+    assertSame(Support.NONE, format().probe(FileHead.read(file)).support());
+    ReadOptions named = options(DAVIS346).withFormat("csv");
+    try (RecordingReader reader = Recordings.open(file, named)) {
+      StreamRecorder recorder = new StreamRecorder();
+      reader.drainTo(recorder);
+      assertEquals(1, recorder.events().size());
+    }
+  }
+
+  @Test
   void otherTextIsRejected() throws IOException {
     for (String text :
         List.of(
