@@ -1,6 +1,7 @@
 package haltere.columnar;
 
 import haltere.core.format.AtomicFile;
+import haltere.core.format.internal.compression.ZstdLibrary;
 import haltere.core.sink.RowFields;
 import haltere.core.sink.TableMetadata;
 import haltere.core.sink.TableSink;
@@ -32,6 +33,7 @@ final class ParquetTable<R extends Record> implements TableSink<R> {
 
   ParquetTable(AtomicFile file, Class<R> type, TableMetadata metadata) throws IOException {
     this.file = Objects.requireNonNull(file, "file");
+    ZstdLibrary.load();
     output = new ParquetOutput(file);
     writer =
         new Builder<>(output, new RowWriter<R>(new RowFields(type), metadata))

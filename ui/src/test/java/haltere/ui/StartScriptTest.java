@@ -22,6 +22,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The installed program, as a user starts it. */
 @Timeout(60)
@@ -167,6 +168,22 @@ class StartScriptTest {
     assertEquals("", devices.err());
     Run view = run(script, environment, "view");
     assertEquals(1, view.err().lines().count(), view.err());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"out.parquet", "out.mcap"})
+  void unusableFolderForTemporaryFilesIsReportedWithTheOption(String out) throws Exception {
+    Files.writeString(folder.resolve("in.csv"), "t_us,x,y,on\n1,2,3,1\n");
+    Run run =
+        run(
+            script,
+            Map.of("JAVA_OPTS", "-Djava.io.tmpdir=/nowhere"),
+            ("--quiet convert --sensor 8x8 --rows top in.csv " + out).split(" "));
+    assertEquals(1, run.status());
+    assertEquals(1, run.err().lines().count(), run.err());
+    assertTrue(run.err().contains("/nowhere"), run.err());
+    assertTrue(run.err().contains("-Djava.io.tmpdir=FOLDER"), run.err());
+    assertFalse(Files.exists(folder.resolve(out)));
   }
 
   @Test

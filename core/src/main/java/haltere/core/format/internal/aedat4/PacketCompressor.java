@@ -4,6 +4,7 @@ import com.github.luben.zstd.Zstd;
 import com.github.luben.zstd.ZstdCompressCtx;
 import haltere.core.format.internal.compression.LittleEndian;
 import haltere.core.format.internal.compression.Lz4Codec;
+import haltere.core.format.internal.compression.ZstdLibrary;
 import java.io.Closeable;
 import java.util.Arrays;
 import net.jpountz.lz4.LZ4Compressor;
@@ -35,9 +36,9 @@ final class PacketCompressor implements Closeable {
       lz4 = compression == Aedat4Compression.LZ4 ? Lz4Codec.fast() : Lz4Codec.high();
     }
     if (compression.isZstd()) {
-      zstd = new ZstdCompressCtx();
-      zstd.setLevel(
-          compression == Aedat4Compression.ZSTD ? ZSTD_LEVEL : Zstd.maxCompressionLevel());
+      zstd =
+          ZstdLibrary.compressor(
+              compression == Aedat4Compression.ZSTD ? ZSTD_LEVEL : Zstd.maxCompressionLevel());
     }
   }
 

@@ -10,7 +10,7 @@ import java.io.Closeable;
  * <p>Thread rule: one thread.
  */
 public final class ZstdBlock implements Closeable {
-  private final ZstdDecompressCtx context = new ZstdDecompressCtx();
+  private final ZstdDecompressCtx context = ZstdLibrary.decompressor();
 
   /** Allocates memory outside the heap until it is closed. */
   public ZstdBlock() {}

@@ -10,7 +10,7 @@ import java.io.Closeable;
  * <p>Thread rule: one thread.
  */
 public final class ZstdPacker implements Closeable {
-  private final ZstdCompressCtx context = new ZstdCompressCtx();
+  private final ZstdCompressCtx context;
 
   /**
    * A compressor.
@@ -18,7 +18,7 @@ public final class ZstdPacker implements Closeable {
    * @param level 1 (fast) to 22 (small)
    */
   public ZstdPacker(int level) {
-    context.setLevel(level);
+    context = ZstdLibrary.compressor(level);
   }
 
   /**

@@ -23,7 +23,7 @@ public final class ZstdPayload extends Payload {
   private static final int HEADER_BYTES = 18;
 
   private final ByteSource source;
-  private final ZstdDecompressCtx context = new ZstdDecompressCtx();
+  private final ZstdDecompressCtx context = ZstdLibrary.decompressor();
   private InputStream stream;
   private boolean ended;
   private long claimed;
