@@ -170,6 +170,17 @@ class StartScriptTest {
     assertEquals(1, view.err().lines().count(), view.err());
   }
 
+  @Test
+  void closedStandardInputIsAnEmptyOne() throws Exception {
+    Run run =
+        run(
+            Path.of("/bin/sh"),
+            Map.of("HALTERE", script.toString()),
+            "-c",
+            "\"$HALTERE\" info - <&-");
+    assertEquals(new Run(1, "", "haltere: -: the file is empty; record or copy it again\n"), run);
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"out.parquet", "out.mcap"})
   void unusableFolderForTemporaryFilesIsReportedWithTheOption(String out) throws Exception {
