@@ -198,6 +198,14 @@ class StartScriptTest {
   }
 
   @Test
+  void devicesWithoutAFolderForTemporaryFilesNameItAsTheCause() throws Exception {
+    Run run = run(script, Map.of("JAVA_OPTS", "-Djava.io.tmpdir=/nowhere"), "devices");
+    assertEquals(0, run.status());
+    assertEquals(1, run.err().lines().count(), run.err());
+    assertTrue(run.err().contains("temporary"), run.err());
+  }
+
+  @Test
   void viewWithoutDisplayIsReportedInOneLine() throws Exception {
     Run run = run(script, Map.of(), "view");
     assertEquals(1, run.status());

@@ -115,6 +115,11 @@ public final class LibusbBus implements UsbBus {
     return new LibusbTransport(device, handle, serialIndex, events);
   }
 
+  /** The first cause: a class that could not be initialised names none in its own message. */
+  private static Throwable cause(Throwable failure) {
+    return failure.getCause() == null ? failure : cause(failure.getCause());
+  }
+
   private synchronized Context context() throws CameraProblem {
     if (context == null) {
       Context fresh = new Context();
@@ -129,7 +134,7 @@ public final class LibusbBus implements UsbBus {
                 + " on "
                 + System.getProperty("os.arch")
                 + ": "
-                + noNative.getMessage());
+                + cause(noNative).getMessage());
       }
       context = fresh;
       events = new LibusbEvents(fresh);
