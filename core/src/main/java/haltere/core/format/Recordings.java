@@ -218,8 +218,9 @@ public final class Recordings {
     }
     throw new RecordingProblem(
         file,
-        "no format is written to files ending in ."
-            + extension
+        (extension.isEmpty()
+                ? "its name has no ending that gives a format"
+                : "no format is written to files ending in ." + extension)
             + "; name it with one of "
             + formats().values().stream()
                 .filter(RecordingFormat::writable)

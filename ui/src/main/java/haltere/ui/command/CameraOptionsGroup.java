@@ -47,11 +47,10 @@ final class CameraOptionsGroup extends OptionGroup {
   @Option(
       names = "--when-full",
       paramLabel = "newest|oldest",
-      defaultValue = "newest",
       description =
           "Events to drop if this computer is too slow: the newest (default), or those "
               + "that have waited longest (oldest).")
-  Loss whenFull = Loss.NEWEST;
+  Loss whenFull;
 
   /** Which events are lost. */
   enum Loss {
@@ -62,7 +61,7 @@ final class CameraOptionsGroup extends OptionGroup {
   /** Rejects wrong options before any work, by a {@link ParameterException}. */
   void check() {
     if (durationS != null && !(durationS > 0 && durationS <= 1e9)) {
-      throw wrong("--duration is " + durationS + ", it must be above 0 s");
+      throw wrong("--duration is " + durationS + ", it must be above 0 and at most 1e9 s");
     }
   }
 
@@ -75,8 +74,8 @@ final class CameraOptionsGroup extends OptionGroup {
     if ((file == null) != given() || devices.size() > 1) {
       throw wrong("give either a FILE or one --device");
     }
-    if (!given() && (durationS != null || set != null || !biases.isEmpty())) {
-      throw wrong("--duration, --biases and --bias are for cameras: give --device ID");
+    if (!given() && (durationS != null || set != null || !biases.isEmpty() || whenFull != null)) {
+      throw wrong("--duration, --biases, --bias and --when-full are for cameras: give --device ID");
     }
   }
 
@@ -124,7 +123,8 @@ final class CameraOptionsGroup extends OptionGroup {
                 CameraOptions.DEFAULT
                     .withReconnect(true)
                     .withSamples(samples)
-                    .withWhenFull(WhenFull.valueOf("DROP_" + whenFull)));
+                    .withWhenFull(
+                        whenFull == Loss.OLDEST ? WhenFull.DROP_OLDEST : WhenFull.DROP_NEWEST));
     try {
       setBiases(camera);
       return camera;

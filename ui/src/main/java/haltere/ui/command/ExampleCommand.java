@@ -76,7 +76,7 @@ final class ExampleCommand extends Subcommand {
     boolean falls = name.equals(FALLING_WEIGHT);
     if (!falls && !name.equals(OSCILLATOR)) {
       throw wrongArguments(
-          "there is no example " + name + "; there is: " + FALLING_WEIGHT + ", " + OSCILLATOR);
+          "there is no example " + name + "; there are " + FALLING_WEIGHT + ", " + OSCILLATOR);
     }
     if (data != null && seed != null) {
       throw wrongArguments("--seed is of simulated measurements; --data gives others");

@@ -136,7 +136,7 @@ final class RecordCommand extends Subcommand {
       throw wrongArguments("--max-size is " + maxMb + ", it must be at least 2 MB");
     }
     if (!(keepFreeMb >= 0 && keepFreeMb <= 1e9)) {
-      throw wrongArguments("--keep-free is " + keepFreeMb + ", it must be 0 MB or more");
+      throw wrongArguments("--keep-free is " + keepFreeMb + ", it must be 0 to 1e9 MB");
     }
     return new Limits(
         maxMb == null ? Long.MAX_VALUE : (long) (maxMb * 1e6), (long) (keepFreeMb * 1e6));

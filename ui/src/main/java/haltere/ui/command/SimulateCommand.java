@@ -94,7 +94,7 @@ final class SimulateCommand extends Subcommand {
     }
     try (Scene<?> scene = scene()) {
       writing.checkRecording(out);
-      writing.check(List.of(out), Arrays.asList(truth, observations, cameras));
+      writing.check(List.of(), Arrays.asList(out, truth, observations, cameras));
       FlightFiles flight = flight(scene);
       write(scene);
       if (flight != null) {

@@ -136,6 +136,10 @@ class RecordCommandTest {
                   .toArray());
       assertEquals(2, run.status(), wrong + run.err());
     }
+    CommandRun large = CommandRun.of("record", out, "--keep-free", "1e10");
+    assertTrue(large.err().contains("it must be 0 to 1e9 MB"), large.err());
+    CommandRun unnamed = CommandRun.of("record", folder.resolve("fly"));
+    assertTrue(unnamed.err().contains("fly: its name has no ending"), unnamed.err());
     assertEquals(2, CommandRun.of("record", folder.resolve("fly.nothing")).status());
     assertEquals(
         2, CommandRun.of("record", folder.resolve("fly.csv"), "--max-size", "10").status());

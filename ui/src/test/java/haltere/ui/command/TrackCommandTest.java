@@ -318,6 +318,7 @@ class TrackCommandTest {
   @Test
   void wrongArgumentsAreReportedWithTheUsage() {
     assertFails(2, "--out", "track", in);
+    assertFails(2, "--when-full", "track", in, "--out", out, "--when-full", "oldest");
     assertFails(2, "--rate", "track", in, "--out", out, "--rate", "0");
     assertFails(2, "--rate", "track", in, "--out", out, "--rate", "NaN");
     assertFails(2, "--rate", "track", in, "--out", out, "--rate", "fast");
