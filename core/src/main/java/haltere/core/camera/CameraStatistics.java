@@ -8,7 +8,8 @@ package haltere.core.camera;
  * @param events events passed to the consumer
  * @param lostTransfers buffers that were dropped because too many waited
  * @param lostEvents events in them
- * @param brokenTransfers transfers that ended with an error and unknown content
+ * @param brokenTransfers losses of unknown size: transfers that ended with an error, or pauses of a
+ *     simulated scene that is slower than its clock
  * @param unknownWords invalid words, incomplete words and impossible times
  * @param waiting filled buffers waiting for the consumer
  * @param maxWaiting largest number of waiting buffers

@@ -156,7 +156,8 @@ final class LiveRun {
     }
     if (whenStopped.brokenTransfers() > 0) {
       command.warning(
-          id + ": transfers that were broken: " + Quantities.count(whenStopped.brokenTransfers()));
+          "%s: %,d losses of unknown size, by broken transfers or a simulation that is too slow",
+          id, whenStopped.brokenTransfers());
     }
   }
 

@@ -147,6 +147,15 @@ class RecordCommandTest {
   }
 
   @Test
+  void simulationThatIsTooSlowIsNotReportedAsBrokenTransfers() {
+    Path out = folder.resolve("rendered.aedat4");
+    CommandRun run =
+        CommandRun.of("record", "--device", "simulated:rendered-fly", out, "--duration", "1");
+    assertEquals(0, run.status(), run.err());
+    assertFalse(run.err().contains("transfers that were broken"), run.err());
+  }
+
+  @Test
   void failuresAreReportedInOneLine() throws IOException {
     Path out = folder.resolve("fly.aedat4");
     CommandRun unknown = CommandRun.of("record", "--device", "dvs128:none", out);
