@@ -123,7 +123,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
    */
   public static AtomicFile create(Path target, boolean overwrite) throws IOException {
     if (Files.isDirectory(target)) {
-      throw new RecordingProblem(target, "this is a folder; name a file in it");
+      throw new RecordingProblem(target, "this is a folder already; choose another name");
     }
     refuseExisting(target, overwrite);
     RecordingFile.checkRegular(target);

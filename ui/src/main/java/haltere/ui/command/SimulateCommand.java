@@ -180,11 +180,10 @@ final class SimulateCommand extends Subcommand {
   private <T extends Record> long writeTruth(Scene<T> scene, long endUs, TableSink<T> table)
       throws IOException {
     double rate = rateHz == null ? scene.truthRateHz() : rateHz;
-    long row = 0;
-    for (long timeUs = scene.startUs(); timeUs < endUs; ) {
+    long timeUs = scene.startUs();
+    for (long row = 1; timeUs < endUs; row++) {
       checkInterrupted("simulating");
       scene.truthRows(timeUs).forEach(table);
-      row++;
       timeUs = scene.startUs() + Math.round(row * 1e6 / rate);
     }
     return table.rows();

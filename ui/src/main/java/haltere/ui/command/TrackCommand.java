@@ -183,7 +183,7 @@ final class TrackCommand extends Subcommand {
     }
     RoadFile road = RoadFile.read(roadFile, this::warning);
     if (crossings != null && road.lines().lines() == 0) {
-      throw wrongArguments("--crossings needs counting lines, and " + roadFile + " has none");
+      throw new CommandProblem(roadFile + ": there are no counting lines for --crossings");
     }
     return road;
   }

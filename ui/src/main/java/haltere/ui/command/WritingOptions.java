@@ -24,7 +24,7 @@ class WritingOptions extends OptionGroup {
   void check(Path output) {
     Path folder = output.toAbsolutePath().getParent();
     if (Files.isDirectory(output)) {
-      throw new CommandProblem(output + ": this is a folder; name a file in it");
+      throw new CommandProblem(output + ": this is a folder already; choose another name");
     }
     if (folder == null || !Files.isDirectory(folder)) {
       throw new CommandProblem(

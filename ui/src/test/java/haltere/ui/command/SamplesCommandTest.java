@@ -139,6 +139,7 @@ class SamplesCommandTest {
     assertEquals(13, picture.getRaster().getSample(345, 259, 0));
     CommandRun again = CommandRun.of("convert", davis, out("frames"), "--stream", "frames");
     assertEquals(1, again.status());
+    assertTrue(again.err().contains("folder already; choose another name"), again.err());
   }
 
   @Test

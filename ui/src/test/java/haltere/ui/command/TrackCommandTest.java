@@ -354,12 +354,14 @@ class TrackCommandTest {
       Files.writeString(json, text);
       assertFails(1, json.toString(), "track", in, "--out", out, "--road", json);
     }
+    Path counts = folder.resolve("counts.csv");
+    Files.writeString(json, "{}");
+    assertFails(1, "lines", "track", in, "--out", out, "--road", json, "--crossings", counts);
     Path none = folder.resolve("none.json");
     assertFails(1, "none.json", "track", in, "--out", out, "--road", none);
     assertFails(1, "none.json", "track", in, "--out", out, "--chain", none);
     assertFails(1, "none.json", "track", none, "--out", out);
     assertFails(1, "same file", "track", in, "--out", in, "--overwrite");
-    Path counts = folder.resolve("counts.csv");
     assertFails(2, "--road", "track", in, "--out", out, "--crossings", counts);
     try (Stream<Path> files = Files.list(folder)) {
       assertEquals(
