@@ -20,7 +20,7 @@ final class LayoutFeature implements ViewerFeature {
   private static final String PANELS = "panel.";
   private static final String SHARES = "share.";
   private final Map<String, Object> layouts = new TreeMap<>();
-  private Map<String, Object> beforeHiding = Map.of();
+  private Runnable showHidden = () -> {};
   private ViewerContext window;
 
   @Override
@@ -48,13 +48,8 @@ final class LayoutFeature implements ViewerFeature {
   private void go(int panels) {
     List<Node> areas = window.panels().areas();
     Node focus = window.stage().getScene().getFocusOwner();
-    int here = -1;
-    for (int i = 0; i < areas.size(); i++) {
-      if (FocusOrder.isWithin(focus, areas.get(i))) {
-        here = i;
-      }
-    }
-    int next = here < 0 ? 0 : Math.floorMod(here + panels, areas.size());
+    long here = areas.stream().takeWhile(area -> !FocusOrder.isWithin(focus, area)).count();
+    int next = here == areas.size() ? 0 : Math.floorMod(here + panels, areas.size());
     FocusOrder.of(areas.get(next)).stream().findFirst().ifPresent(Node::requestFocus);
   }
 
@@ -76,10 +71,15 @@ final class LayoutFeature implements ViewerFeature {
   private void hideOrRestorePanels() {
     Map<String, Object> panels = window.settings().chosen(PANELS);
     if (panels.containsValue(true)) {
-      beforeHiding = panels;
+      Runnable tabOrder = window.panels().panelLayout().tabOrder();
       hidePanels();
+      showHidden =
+          () -> {
+            window.settings().choose(panels);
+            tabOrder.run();
+          };
     } else {
-      window.settings().choose(beforeHiding);
+      showHidden.run();
     }
   }
 

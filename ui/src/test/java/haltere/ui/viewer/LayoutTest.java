@@ -14,6 +14,8 @@ import javafx.scene.Node;
 import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.Label;
 import javafx.scene.control.SplitPane;
+import javafx.scene.control.Tab;
+import javafx.scene.control.TabPane;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
@@ -78,6 +80,47 @@ class LayoutTest {
     viewer.waitFor("the picture alone", () -> !viewer.isThere("plots"));
     run("layout-picture");
     viewer.waitFor("their window", () -> viewer.isThere("plots") && !isInWindow("plots"));
+  }
+
+  @Test
+  void pictureAloneRestoresTheOrderOfTheTabsAndTheSelectedOne() {
+    viewer = ViewerHarness.withBlob();
+    run("show-wings");
+    run("show-file-information");
+    run("compare");
+    viewer.waitFor("the panels", () -> tabs().size() == 4);
+    List<String> order = tabs();
+    for (int selected = 0; selected < order.size(); selected++) {
+      int tab = selected;
+      viewer.run(() -> side().getSelectionModel().select(tab));
+      run("layout-picture");
+      viewer.waitFor("fewer panels", () -> tabs().size() == 2);
+      run("layout-picture");
+      viewer.waitFor("the panels in order", () -> tabs().equals(order));
+      assertEquals(tab, viewer.onFx(() -> side().getSelectionModel().getSelectedIndex()));
+    }
+  }
+
+  @Test
+  void pictureAloneShowsTheSelectedChainAgain() {
+    viewer = ViewerHarness.withBlob();
+    run("show-file-information");
+    viewer.waitFor("the panel", () -> tabs().size() == 2);
+    viewer.run(() -> side().getSelectionModel().select(0));
+    run("layout-picture");
+    viewer.waitFor("the chain alone", () -> !isInWindow("side-tabs") && isInWindow("chain-panel"));
+    run("layout-picture");
+    viewer.waitFor("the tabs", () -> isInWindow("side-tabs"));
+    assertEquals(0, viewer.onFx(() -> side().getSelectionModel().getSelectedIndex()));
+    assertTrue(isInWindow("chain-panel"));
+  }
+
+  private TabPane side() {
+    return viewer.node("side-tabs", TabPane.class);
+  }
+
+  private List<String> tabs() {
+    return viewer.onFx(() -> side().getTabs().stream().map(Tab::getText).toList());
   }
 
   @Test

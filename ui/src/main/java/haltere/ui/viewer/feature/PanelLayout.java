@@ -2,6 +2,7 @@ package haltere.ui.viewer.feature;
 
 import haltere.ui.viewer.controls.Controls;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
@@ -41,6 +42,7 @@ public final class PanelLayout extends KeptPanes {
 
   private final Node events;
   private final Node chain;
+  private final Tab chainTab;
 
   /** The events, and panels at their right. */
   private final KeptPanes row = new KeptPanes();
@@ -53,6 +55,8 @@ public final class PanelLayout extends KeptPanes {
   PanelLayout(Node events, Node chain) {
     this.events = events;
     this.chain = chain;
+    chainTab = new Tab("Chain", chain);
+    chainTab.setClosable(false);
     left.setOrientation(Orientation.VERTICAL);
     left.getItems().add(events);
     getItems().addAll(left, chain);
@@ -99,7 +103,7 @@ public final class PanelLayout extends KeptPanes {
       String id, String title, Position position, Supplier<? extends Node> content) {
     BooleanProperty shown = new SimpleBooleanProperty();
     if (position == Position.SIDE) {
-      Tab tab = tab(id, title, null);
+      Tab tab = new Tab(title);
       tab.setOnClosed(event -> shown.set(false));
       shown.subscribe((was, is) -> showTab(tab, is, content));
     } else {
@@ -119,10 +123,14 @@ public final class PanelLayout extends KeptPanes {
     return shown;
   }
 
-  private static Tab tab(String id, String title, Node content) {
-    Tab tab = new Tab(title, content);
-    tab.setId("tab-" + id);
-    return tab;
+  /** The present order and selection of the tabs; running it restores both after a change. */
+  public Runnable tabOrder() {
+    List<Tab> order = List.copyOf(tabs.getTabs());
+    Tab selected = tabs.getSelectionModel().getSelectedItem();
+    return () -> {
+      tabs.getTabs().sort(Comparator.comparingInt(order::indexOf));
+      tabs.getSelectionModel().select(selected);
+    };
   }
 
   private void showTab(Tab tab, boolean show, Supplier<? extends Node> content) {
@@ -133,9 +141,7 @@ public final class PanelLayout extends KeptPanes {
     if (show) {
       if (shown.isEmpty()) {
         getItems().remove(chain);
-        Tab first = tab("chain", "Chain", chain);
-        first.setClosable(false);
-        shown.add(first);
+        shown.add(chainTab);
         getItems().add(tabs);
       }
       if (!shown.contains(tab)) {
