@@ -17,6 +17,7 @@ import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.playback.PlaybackController;
+import haltere.ui.viewer.playback.SeekBar;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -25,6 +26,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
@@ -264,6 +266,22 @@ class PlaybackTest {
     viewer.waitFor("the mark", () -> viewer.status().elapsedUs() == 2_000_000);
     viewer.press(KeyCode.L);
     viewer.waitFor("no loop", () -> !playback.loopProperty().get().on());
+  }
+
+  @Test
+  void longNameOfAMarkIsShownInFullByTheMouse() throws IOException {
+    String name = "landing of the second fly beside the first one";
+    openPausedAt(1_000_000);
+    viewer.run(() -> viewer.window.context().playback().mark(name));
+    viewer.waitFor("the mark", () -> !viewer.session().player().marks().isEmpty());
+    viewer.moveOver("seek-bar", 1_000_000 / (double) viewer.status().durationUs());
+    SeekBar bar = viewer.node("seek-bar", SeekBar.class);
+    viewer.waitFor(
+        "its name", () -> bar.lookupAll(".label").stream().anyMatch(each -> isLabel(each, name)));
+  }
+
+  private static boolean isLabel(Node node, String end) {
+    return node instanceof Label label && label.getText().endsWith(end);
   }
 
   @Test

@@ -15,6 +15,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.geometry.Orientation;
@@ -46,7 +48,8 @@ public final class SeekBar extends Region {
     }
   }
 
-  private static final double MARK_NAME_WIDTH = 120;
+  /** Longer names of marks are shortened; the mouse shows them in full. */
+  private static final Pattern LONG_NAME = Pattern.compile("(.{23}).{2,}", Pattern.DOTALL);
 
   /** Height of the ruler below the rates, and room for one of its times. */
   private static final double RULER_HEIGHT = 16;
@@ -333,7 +336,7 @@ public final class SeekBar extends Region {
   private void showHover(double x) {
     hover.setVisible(canSeek());
     if (canSeek()) {
-      hover.setText(Texts.time(timeAt(x), spanUs < 10_000_000) + tickAt(x));
+      hover.setText(Texts.time(timeAt(x), spanUs < 10_000_000) + nameAt(x));
       hover.autosize();
       hover.relocate(
           Math.max(2, Math.min(getWidth() - hover.getWidth() - 2, x - hover.getWidth() / 2)),
@@ -341,9 +344,9 @@ public final class SeekBar extends Region {
     }
   }
 
-  /** Name of the tick nearest to a position on the bar; empty if none is near. */
-  private String tickAt(double x) {
-    return ticks.stream()
+  /** Name of the mark or tick nearest to a position on the bar; empty if none is near. */
+  private String nameAt(double x) {
+    return Stream.concat(marks.stream(), ticks.stream())
         .filter(tick -> isNear(OptionalLong.of(tick.elapsedUs()), x))
         .min(Comparator.comparingDouble(tick -> Math.abs(xOf(tick.elapsedUs()) - x)))
         .map(tick -> "   " + tick.name())
@@ -387,16 +390,16 @@ public final class SeekBar extends Region {
     drawTicks(graphics, width);
     double namedTo = 0;
     double nameY = ticks.isEmpty() ? 11 : 11 + TICK_HEIGHT;
-    for (Mark mark : marks) {
-      if (!isInView(mark.elapsedUs())) {
-        continue;
-      }
+    for (Mark mark : marks.stream().filter(each -> isInView(each.elapsedUs())).toList()) {
       double x = Math.rint(xOf(mark.elapsedUs()));
       graphics.fillPolygon(new double[] {x - 4, x + 4, x}, new double[] {0, 0, 7}, 3);
       graphics.fillRect(x - 0.5, 0, 1, height);
-      if (x >= namedTo) {
-        graphics.fillText(mark.name(), x + 5, nameY, MARK_NAME_WIDTH);
-        namedTo = x + 5 + Math.min(MARK_NAME_WIDTH, mark.name().length() * DIGIT_WIDTH);
+      String name = LONG_NAME.matcher(mark.name()).replaceAll("$1\u2026");
+      double nameWidth = name.length() * DIGIT_WIDTH;
+      double nameX = x + 5 + nameWidth <= width ? x + 5 : x - 5 - nameWidth;
+      if (nameX >= namedTo) {
+        graphics.fillText(name, nameX, nameY, nameWidth);
+        namedTo = nameX + nameWidth;
       }
     }
   }
@@ -431,9 +434,8 @@ public final class SeekBar extends Region {
     String whole = Texts.time(Math.round(seconds * 1e6), true);
     int decimals = (int) Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
     int point = whole.indexOf('.');
-    return decimals == 0
-        ? whole.substring(0, point)
-        : whole.substring(0, Math.min(whole.length(), point + 1 + decimals));
+    int end = decimals == 0 ? point : point + 1 + decimals;
+    return whole.substring(0, Math.min(whole.length(), end));
   }
 
   /** At most one tick in each column, for any number of moments. */
