@@ -5,6 +5,7 @@ import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.FocusOrder;
 import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.PanelLayout;
+import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.util.List;
@@ -84,9 +85,8 @@ final class LayoutFeature implements ViewerFeature {
   }
 
   private void hidePanels() {
-    Map<String, Object> panels = window.settings().chosen(PANELS);
-    panels.replaceAll((name, shown) -> false);
-    window.settings().choose(panels);
+    UserSettings settings = window.settings();
+    settings.chosen(PANELS).forEach((name, shown) -> settings.choose(Map.of(name, false)));
   }
 
   private void choose(String name) {

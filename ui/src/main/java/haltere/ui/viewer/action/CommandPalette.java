@@ -62,6 +62,7 @@ public final class CommandPalette {
     list.setPrefSize(WIDTH, 380);
     list.setFixedCellSize(34);
     list.setFocusTraversable(false);
+    list.setPlaceholder(new Label("No command matches."));
     list.setCellFactory(view -> new Cell());
     list.setOnMouseClicked(event -> choose());
     VBox box = new VBox(6, search, list);

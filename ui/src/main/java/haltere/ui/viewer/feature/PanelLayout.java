@@ -144,9 +144,7 @@ public final class PanelLayout extends KeptPanes {
         shown.add(chainTab);
         getItems().add(tabs);
       }
-      if (!shown.contains(tab)) {
-        shown.add(tab);
-      }
+      shown.add(tab);
       tabs.getSelectionModel().select(tab);
     } else {
       shown.remove(tab);
@@ -159,9 +157,8 @@ public final class PanelLayout extends KeptPanes {
   }
 
   private void showBelow(Node panel, boolean show) {
-    if (!show) {
-      left.getItems().remove(panel);
-    } else if (!left.getItems().contains(panel)) {
+    left.getItems().remove(panel);
+    if (show) {
       left.getItems().add(panel);
     }
   }

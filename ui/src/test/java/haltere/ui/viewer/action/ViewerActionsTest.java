@@ -12,6 +12,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import javafx.scene.control.ContextMenu;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListView;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
 import javafx.scene.control.TextField;
@@ -103,6 +105,21 @@ class ViewerActionsTest {
       viewer.press(KeyCode.ENTER);
       viewer.waitFor("no overlays", () -> !viewer.window.context().display().marksProperty().get());
       viewer.waitFor("the palette is gone", () -> !viewer.isThere("palette-search"));
+    }
+  }
+
+  @Test
+  void paletteSaysThatNoCommandMatches() {
+    try (ViewerHarness viewer = ViewerHarness.withBlob()) {
+      viewer.press(KeyCode.CONTROL, KeyCode.K);
+      viewer.waitFor("the palette", () -> viewer.isThere("palette-search"));
+      TextField search = viewer.node("palette-search", TextField.class);
+      viewer.run(() -> search.setText("no such command"));
+      ListView<?> list = viewer.node("palette-list", ListView.class);
+      viewer.waitFor("no command", () -> list.getItems().isEmpty());
+      Label words = (Label) viewer.onFx(list::getPlaceholder);
+      assertEquals("No command matches.", words.getText());
+      viewer.press(KeyCode.ESCAPE);
     }
   }
 
