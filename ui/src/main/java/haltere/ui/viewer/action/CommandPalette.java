@@ -78,9 +78,8 @@ public final class CommandPalette {
     if (code == KeyCode.ENTER) {
       choose();
     } else if (code == KeyCode.DOWN || code == KeyCode.UP) {
-      int last = list.getItems().size() - 1;
       int next = list.getSelectionModel().getSelectedIndex() + (code == KeyCode.DOWN ? 1 : -1);
-      list.getSelectionModel().select(Math.max(0, Math.min(last, next)));
+      list.getSelectionModel().select(Math.max(0, next));
       list.scrollTo(Math.max(0, list.getSelectionModel().getSelectedIndex() - 4));
     } else if (code == KeyCode.ESCAPE) {
       popup.hide();

@@ -179,9 +179,8 @@ public final class PanelLayout extends KeptPanes {
       row.getItems().add(events);
       left.getItems().add(0, row);
     }
-    if (!show) {
-      row.getItems().remove(panel);
-    } else if (!row.getItems().contains(panel)) {
+    row.getItems().remove(panel);
+    if (show) {
       row.getItems().add(panel);
       row.setDividerPositions(shares(row.getItems().size() - 1));
     }

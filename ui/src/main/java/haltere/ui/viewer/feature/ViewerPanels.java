@@ -94,8 +94,7 @@ public final class ViewerPanels extends BorderPane {
 
   /** Shows a page in place of all panels and the playback bars; empty shows the panels. */
   public void showPage(Optional<Node> page) {
-    StackPane center = (StackPane) getCenter();
-    center.getChildren().setAll(page.orElse(layout));
+    ((StackPane) getCenter()).getChildren().setAll(page.orElse(layout));
     Controls.show(page.isEmpty(), seekBar, transport);
   }
 

@@ -32,4 +32,19 @@ public record DisplayOptions(
   public static final DisplayOptions DEFAULT =
       new DisplayOptions(
           DisplayMode.POLARITY, ColourMap.DARK, Gradient.CIVIDIS, FOLLOW_SLICES, 0.6);
+
+  /** A fading that follows the slices has this many times their length, within these limits. */
+  private static final double DECAY_PER_SLICE = 2.5;
+
+  private static final double MIN_DECAY_US = 20;
+  private static final double MAX_DECAY_US = 1_000_000;
+
+  /** These options for slices of one length, with the fading that follows it. */
+  public DisplayOptions forSlices(double sliceUs) {
+    if (decayUs != FOLLOW_SLICES) {
+      return this;
+    }
+    double us = Math.max(MIN_DECAY_US, Math.min(MAX_DECAY_US, sliceUs * DECAY_PER_SLICE));
+    return new DisplayOptions(mode, colours, gradient, Math.round(us), frameOpacity);
+  }
 }

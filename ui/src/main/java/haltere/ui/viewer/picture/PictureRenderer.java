@@ -40,12 +40,6 @@ public final class PictureRenderer {
   /** While slices run on, the window waits at most so long for one to end. */
   private static final long MAX_WAIT_NANOS = 1_500_000;
 
-  /** Decay that follows the slices: this many times their length, within these limits. */
-  private static final double DECAY_PER_SLICE = 2.5;
-
-  private static final double MIN_DECAY_US = 20;
-  private static final double MAX_DECAY_US = 1_000_000;
-
   private final EventPicture events;
   private final ViewProbes probes = new ViewProbes();
   private final FrameLayer frames;
@@ -262,9 +256,7 @@ public final class PictureRenderer {
   }
 
   private void fill(DisplayFrame frame) {
-    events.configure(style());
-    events.paintRanked(frame.pixels);
-    paintFrame(frame.pixels);
+    paintPixels(frame.pixels);
     frame.pixel = probes.pixel(events);
     frame.region = probes.region(events.frame().nowUs());
     frame.scale = scale();
@@ -273,8 +265,10 @@ public final class PictureRenderer {
     frame.marks = lastMarks;
   }
 
-  private void paintFrame(int[] ranked) {
+  private void paintPixels(int[] ranked) {
     SensorGeometry geometry = events.frame().geometry();
+    events.configure(style());
+    events.paintRanked(ranked);
     frames.paintUnder(ranked, geometry, events.style().background(), options().frameOpacity());
   }
 
@@ -289,11 +283,9 @@ public final class PictureRenderer {
 
   /** A picture of the present moment in default size, with overlays. */
   BufferedImage picture(Overlays overlays, List<OverlaySnapshots.Marks<?>> marks) {
-    events.configure(style());
     SensorGeometry geometry = events.frame().geometry();
     int[] argb = new int[geometry.pixels()];
-    events.paintRanked(argb);
-    paintFrame(argb);
+    paintPixels(argb);
     for (int i = 0; i < argb.length; i++) {
       argb[i] |= 0xFF000000;
     }
@@ -345,7 +337,7 @@ public final class PictureRenderer {
       return PictureStyle.accumulated(now.mode(), now.colours(), now.gradient());
     }
     boolean sharp = now.decayUs() == DisplayOptions.SLICE_ONLY;
-    long us = sharp ? exposureUs : decayUs(now.decayUs(), fadingSliceUs);
+    long us = sharp ? exposureUs : now.forSlices(fadingSliceUs).decayUs();
     return new PictureStyle(
         now.mode(),
         now.colours(),
@@ -363,11 +355,5 @@ public final class PictureRenderer {
       case FREQUENCY -> "1 kHz" + (events.isWithoutFlicker() ? ", no pixel flickers" : "");
       default -> "";
     };
-  }
-
-  private static long decayUs(long chosen, double sliceUs) {
-    return chosen != DisplayOptions.FOLLOW_SLICES
-        ? chosen
-        : Math.round(Math.max(MIN_DECAY_US, Math.min(MAX_DECAY_US, sliceUs * DECAY_PER_SLICE)));
   }
 }

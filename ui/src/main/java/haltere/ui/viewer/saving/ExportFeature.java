@@ -5,6 +5,7 @@ import haltere.core.chain.FilterChain;
 import haltere.core.playback.BufferedPlayable;
 import haltere.core.playback.Loop;
 import haltere.core.playback.Playable;
+import haltere.core.playback.PlayerStatus;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.FileDialogs;
 import haltere.ui.viewer.feature.StatusLine;
@@ -83,7 +84,8 @@ public final class ExportFeature implements ViewerFeature {
   public void exportFilm(Path file) {
     double speed = window.playback().speedProperty().get();
     double pictureUs = (Double.isInfinite(speed) ? 1 : speed) * 1e6 / ClipExport.FRAMES_PER_SECOND;
-    DisplayOptions options = window.display().options();
+    long sliceUs = window.playback().status().map(PlayerStatus::sliceUs).orElse(0L);
+    DisplayOptions options = window.display().options().forSlices(sliceUs);
     Overlays overlays = window.display().overlays();
     export(file, part -> new ClipExport(part, file, options, overlays, pictureUs));
   }

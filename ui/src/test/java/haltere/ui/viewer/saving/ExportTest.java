@@ -25,6 +25,7 @@ import haltere.ui.rendering.FontLetters;
 import haltere.ui.rendering.Gradient;
 import haltere.ui.viewer.InspectionFeature;
 import haltere.ui.viewer.ViewerHarness;
+import haltere.ui.viewer.feature.DisplayControl;
 import haltere.ui.viewer.picture.MeasuredLine;
 import haltere.ui.viewer.playback.PlaybackController;
 import java.awt.image.BufferedImage;
@@ -356,6 +357,21 @@ class ExportTest {
       }
     }
     return false;
+  }
+
+  @Test
+  void filmFadesAsThePictureOnTheScreenDoes() throws IOException {
+    DisplayControl display = viewer.window.context().display();
+    viewer.run(() -> display.modeProperty().set(DisplayMode.COUNTS));
+    Path following = folder.resolve("following.gif");
+    viewer.run(() -> export().exportFilm(following));
+    viewer.waitFor("it says so", () -> said().startsWith("Exported following.gif"));
+    long fadingUs = Math.round(2.5 * viewer.status().sliceUs());
+    viewer.run(() -> display.decayUsProperty().set(fadingUs));
+    Path fixed = folder.resolve("fixed.gif");
+    viewer.run(() -> export().exportFilm(fixed));
+    viewer.waitFor("it says so", () -> said().startsWith("Exported fixed.gif"));
+    assertEquals(-1, Files.mismatch(following, fixed));
   }
 
   @Test
