@@ -122,6 +122,22 @@ class CommonFiltersTest {
   }
 
   @Test
+  void addedFilterIsKeptWhenTheWindowIsClosedNext() throws IOException {
+    Path file = ViewerHarness.recording(folder, "first.aedat");
+    UserSettings settings = UserSettings.load(folder);
+    viewer = new ViewerHarness(settings);
+    viewer.openRecording(file);
+    viewer.pause();
+    viewer.click("usual-objects");
+    viewer.waitFor("its chain", () -> !viewer.onFx(() -> settings.map("chains")).isEmpty());
+    viewer.close();
+    settings.save();
+    viewer = new ViewerHarness(UserSettings.load(folder));
+    viewer.openRecording(file);
+    assertEquals(List.of("object-tracker"), kinds());
+  }
+
+  @Test
   void eachRecordingKeepsItsOwnChainAcrossWindows() throws IOException {
     Path first = ViewerHarness.recording(folder, "first.aedat");
     Path second = ViewerHarness.recording(folder, "second.aedat");

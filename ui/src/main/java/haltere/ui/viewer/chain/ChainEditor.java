@@ -302,15 +302,12 @@ public final class ChainEditor {
   }
 
   /**
-   * Changes the order or the number of the filters. It can be undone at once: the undo waits for
-   * the change.
+   * Changes the order or the number of the filters. It can be undone at once: the undo, and what
+   * listeners to the history read, wait for the change.
    */
   private void restructure(String text, Consumer<FilterChain> change) {
     AtomicReference<String> before = new AtomicReference<>();
     AtomicReference<String> after = new AtomicReference<>();
-    if (player.isPresent()) {
-      made(text, before, () -> restore(before), () -> restore(after));
-    }
     change(
             chain -> {
               before.set(ChainFile.write(chain));
@@ -322,6 +319,9 @@ public final class ChainEditor {
               Platform.runLater(() -> history.remove(before));
               return null;
             });
+    if (player.isPresent()) {
+      made(text, before, () -> restore(before), () -> restore(after));
+    }
   }
 
   private CompletableFuture<Void> change(Consumer<FilterChain> change) {
