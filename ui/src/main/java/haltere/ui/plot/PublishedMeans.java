@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Averages all numbers that a chain publishes, for the comparison of two chains.
+ * Averages all numbers that a chain publishes, also in run-ups, for the comparison of two chains.
  *
  * <p>Thread rule: everything on the processing thread of the chain.
  */
@@ -22,7 +22,7 @@ public final class PublishedMeans implements AutoCloseable {
     for (PlotField field : PlotField.of(chain)) {
       numbers.put(field, new DoubleSummaryStatistics());
       field
-          .listen(chain, false, (timeUs, key, value) -> add(field, value))
+          .listen(chain, true, (timeUs, key, value) -> add(field, value))
           .ifPresent(subscriptions::add);
     }
   }

@@ -17,9 +17,7 @@ import javafx.scene.layout.ColumnConstraints;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Priority;
 
-/**
- * The published numbers of two chains side by side: means over the last second, and the difference.
- */
+/** The published numbers of two chains side by side: means, and the difference. */
 final class ComparisonTable extends ScrollPane {
   /** A line of the table, below the heading of its outlet. */
   record ComparisonLine(
@@ -77,7 +75,7 @@ final class ComparisonTable extends ScrollPane {
   /** Replaces the shown lines. */
   void show(List<ComparisonLine> lines) {
     grid.getChildren().clear();
-    grid.addRow(0, heading("Mean, 1 s"), heading("First"), heading("Second"), heading("Differs"));
+    grid.addRow(0, heading("Mean"), heading("First"), heading("Second"), heading("Differs"));
     if (lines.isEmpty()) {
       grid.add(small("No filter has published numbers yet."), 0, 1, 4, 1);
     }

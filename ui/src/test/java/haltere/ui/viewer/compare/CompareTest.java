@@ -119,6 +119,19 @@ class CompareTest {
   }
 
   @Test
+  void numbersInAPauseAreThoseOfItsMoment() throws Exception {
+    viewer = ViewerHarness.withRecording(folder, 2_000_000);
+    viewer.pause();
+    viewer.session().player().seek(1_000_000).join();
+    viewer.click("usual-objects");
+    viewer.run(() -> viewer.window.context().actions().run("compare"));
+    viewer.waitFor("numbers of this moment", () -> tableTexts().contains("same"));
+    Set<String> here = tableTexts();
+    viewer.session().player().seek(1_800_000).join();
+    viewer.waitFor("other numbers", () -> !tableTexts().equals(here));
+  }
+
+  @Test
   void bothPicturesShowTheSameMomentDuringPlayback() {
     viewer = ViewerHarness.withBlobAndNoiseFilters();
     viewer.run(() -> viewer.window.context().actions().run("compare"));
