@@ -1,8 +1,8 @@
 package haltere.ui.viewer.cameras;
 
-import haltere.core.camera.Camera;
 import haltere.core.camera.CameraInfo;
 import haltere.core.camera.CameraProvider;
+import haltere.core.camera.CameraStatistics;
 import haltere.core.camera.Cameras;
 import haltere.core.camera.RegionOfInterest;
 import haltere.core.camera.RegionOfInterest.Region;
@@ -72,7 +72,7 @@ public final class CameraFeature implements ViewerFeature {
     window.bindTool(
         drawing, new RegionTool(() -> open.orElseThrow().geometry(), region -> setRegion(region)));
     window.sessions().sessionProperty().subscribe((was, is) -> follow(is, shown));
-    window.panels().every(NUMBERS_NANOS, this::pulse);
+    window.panels().every(NUMBERS_NANOS, () -> open.ifPresent(this::pulse));
     window.stage().addEventHandler(WindowEvent.WINDOW_HIDDEN, event -> end());
   }
 
@@ -81,7 +81,7 @@ public final class CameraFeature implements ViewerFeature {
     open = session.flatMap(ViewerSession::camera);
     isUnpluggedShown = false;
     panel.setCamera(open.map(CameraPlayable::camera));
-    window.status().setLive("");
+    window.status().setLive("", 0);
     drawing.set(drawing.get() && open.isPresent());
     if (hadCamera || open.isPresent()) {
       shown.set(open.isPresent());
@@ -203,19 +203,17 @@ public final class CameraFeature implements ViewerFeature {
 
   // ---- State of the camera
 
-  private void pulse() {
-    if (open.isEmpty()) {
-      return;
-    }
-    Camera camera = open.get().camera();
-    panel.update(camera.statistics());
-    window.status().setLive(CameraPanel.line(camera.statistics()));
-    boolean gone = open.get().isUnplugged();
+  private void pulse(CameraPlayable shown) {
+    CameraStatistics now = shown.camera().statistics();
+    panel.update(now);
+    window.status().setLive(CameraPanel.line(now), now.lostEvents());
+    boolean gone = shown.isUnplugged();
     if (gone && !isUnpluggedShown) {
       window
           .status()
           .showError(
-              camera.info().id() + " was unplugged; it continues when it is plugged in again");
+              shown.camera().info().id()
+                  + " was unplugged; it continues when it is plugged in again");
     } else if (!gone && isUnpluggedShown) {
       window.status().clearError();
     }

@@ -52,6 +52,7 @@ public final class StatusLine extends HBox {
           "Of the camera: transfers that wait for this program, and the time from a transfer's"
               + " arrival to the end of its work");
   private long runUpNanos;
+  private long lostByCamera;
   private String error = "";
   private String details = "";
   private String playerMessage = "";
@@ -74,7 +75,7 @@ public final class StatusLine extends HBox {
         Controls.button(
             "details", Icons.MORE, "All that is known of this", this::showDetails, Styles.SMALL);
     getChildren().addAll(message, more, dismiss, live, dropped, frames, speed, time, rate);
-    setLive("");
+    setLive("", 0);
     clearError();
   }
 
@@ -92,8 +93,9 @@ public final class StatusLine extends HBox {
     showMessage();
   }
 
-  /** Shows the state of a live camera; empty text for none. */
-  public void setLive(String words) {
+  /** Shows the state of a live camera, which may lose events in a pause; empty text for none. */
+  public void setLive(String words, long lostEvents) {
+    lostByCamera = lostEvents;
     live.setText(words);
     live.setManaged(!words.isEmpty());
   }
@@ -155,7 +157,7 @@ public final class StatusLine extends HBox {
     }
     frames.setText(playing ? Math.round(framesPerSecond) + " fps" : "");
     dropped.setText(
-        Texts.count(status.droppedEvents())
+        Texts.count(Math.max(status.droppedEvents(), lostByCamera))
             + " lost"
             + (playing ? ", " + Texts.count(conflatedFrames) + " skipped in display" : ""));
     showMessage();

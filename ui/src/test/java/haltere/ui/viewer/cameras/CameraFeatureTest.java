@@ -69,6 +69,18 @@ class CameraFeatureTest {
   }
 
   @Test
+  void eventsThatAPausedCameraLosesAreCountedInTheBottomLine() {
+    try (ViewerHarness harness = new ViewerHarness()) {
+      openFly(harness);
+      harness.pause();
+      harness.waitFor(
+          "lost events", () -> !harness.text("camera-statistics").contains("lost 0 events"));
+      harness.waitFor("their count", () -> !harness.text("status-dropped").equals("0 lost"));
+      assertEquals(0, harness.status().droppedEvents());
+    }
+  }
+
+  @Test
   void panelOfACameraIsClosedWithIt() {
     try (ViewerHarness harness = new ViewerHarness()) {
       openFly(harness);
