@@ -346,7 +346,7 @@ public final class SeekBar extends Region {
 
   /** Name of the mark or tick nearest to a position on the bar; empty if none is near. */
   private String nameAt(double x) {
-    return Stream.concat(marks.stream(), ticks.stream())
+    return Stream.concat(playback.marks().stream(), ticks.stream())
         .filter(tick -> isNear(OptionalLong.of(tick.elapsedUs()), x))
         .min(Comparator.comparingDouble(tick -> Math.abs(xOf(tick.elapsedUs()) - x)))
         .map(tick -> "   " + tick.name())
