@@ -30,6 +30,10 @@ final class Component {
   private static final double MIN_RATE = ObjectTracker.TICK_S / ShapeTemplate.MEMORY_S;
 
   final GaussianState state = new GaussianState(4);
+
+  /** Angular velocity, rad/s. */
+  final GaussianState turn = new GaussianState(1);
+
   final ShapeTemplate shape = new ShapeTemplate();
   final Presence presence = new Presence();
   final RegionFinder regions = new RegionFinder();
@@ -62,6 +66,7 @@ final class Component {
   double weight;
   double gradientX;
   double gradientY;
+  double gradientTurn;
   final double[] products = new double[Presence.ATTENUATIONS.length];
   final double[] logs = new double[Presence.ATTENUATIONS.length];
 
@@ -83,6 +88,8 @@ final class Component {
   /** Clears everything; the caller sets state, shape and rate. */
   void begin(long nowUs, MotionModel model) {
     motion = model;
+    turn.setMean(0, 0);
+    turn.setVariances(model.turnRadS() * model.turnRadS());
     logGrowth = 0;
     presence.begin();
     regions.clear();
@@ -146,6 +153,7 @@ final class Component {
     weight = 0;
     gradientX = 0;
     gradientY = 0;
+    gradientTurn = 0;
     for (int i = 0; i < logs.length; i++) {
       products[i] = 1;
       logs[i] = 0;
@@ -178,9 +186,11 @@ final class Component {
     predict();
     double moved = ObjectTracker.TICK_S * presence.moving();
     double known = ClutterMap.BIRTH_S + age * ObjectTracker.TICK_S;
+    turn.decay(0, 0, ObjectTracker.TICK_S * Presence.STOP_HZ, motion.turnRadS());
     double keep = Math.exp(-moved / Math.min(ShapeTemplate.MEMORY_S, known));
     if (weight > 0.5) {
       register();
+      registerTurn(Math.min(ShapeTemplate.MEMORY_S, known / 2));
       shape.decay(keep);
       if (isMoving()) {
         activeUs = nowUs;
@@ -254,6 +264,22 @@ final class Component {
       state.correct(
           INDEPENDENT * (cos * gradientX + sin * gradientY) / information, 1 / information);
     }
+  }
+
+  /** Angle of the events against the template, which does not turn: that since its mean age. */
+  private void registerTurn(double meanAgeS) {
+    double information = weight * INDEPENDENT * shape.infoTurn;
+    if (information > 0) {
+      row[0] = meanAgeS;
+      turn.project(row);
+      double angle = INDEPENDENT * gradientTurn / information;
+      turn.correct(angle - meanAgeS * turn.mean(0), 1 / information);
+    }
+  }
+
+  /** Root mean square of its angular velocity. */
+  double turnRadS() {
+    return Math.sqrt(turn.mean(0) * turn.mean(0) + turn.covariance(0, 0));
   }
 
   void setVelocity(double vx, double vy) {

@@ -141,6 +141,7 @@ final class EventAssociation {
       component.weight += share;
       component.gradientX -= share * shape.gradientX[at];
       component.gradientY -= share * shape.gradientY[at];
+      component.gradientTurn -= share * shape.gradientTurn[at];
       shape.add(at, share);
     }
     return noise / sum;

@@ -170,11 +170,11 @@ final class ObjectRelations {
     double unlike = motion.unlikeShare();
     double own = 0.5 * unlike * unlike * (ax * ax + ay * ay + bx * bx + by * by);
     double bend = GAP_SHARE * sizeOf(a, b);
-    double turn = motion.turnRadS() * ticks * ObjectTracker.TICK_S;
-    double lineX = turn * (b.middleX() - a.middleX());
-    double lineY = turn * (b.middleY() - a.middleY());
+    double turn = Math.max(a.turnRadS(), b.turnRadS()) * ticks * ObjectTracker.TICK_S;
+    double lineX = turn * (b.middleX() - a.middleX() - 0.5 * (bx - ax));
+    double lineY = turn * (b.middleY() - a.middleY() - 0.5 * (by - ay));
     double both = bend * bend + CELL_VARIANCE;
-    // positions at both ends of the displacement; a rotation is perpendicular to the line between
+    // positions at both ends; a rotation is perpendicular to the mean of both lines between them
     double xx = 2 * (a.state.covariance(0, 0) + b.state.covariance(0, 0)) + both + lineY * lineY;
     double xy = 2 * (a.state.covariance(0, 2) + b.state.covariance(0, 2)) - lineX * lineY;
     double yy = 2 * (a.state.covariance(2, 2) + b.state.covariance(2, 2)) + both + lineX * lineX;

@@ -60,6 +60,9 @@ final class ShapeTemplate {
 
   final float[] gradientY = new float[CELLS];
 
+  /** Its derivative by the angle about the middle of the extent, per radian. */
+  final float[] gradientTurn = new float[CELLS];
+
   private final float[] smooth = new float[CELLS];
   private final float[] wide = new float[CELLS];
   private final float[] work = new float[CELLS];
@@ -87,6 +90,9 @@ final class ShapeTemplate {
 
   double infoXy;
   double infoYy;
+
+  /** Fisher information of one event about a rotation, per square radian. */
+  double infoTurn;
 
   /** Middle of the extent's box, from the middle of the grid. */
   double middleX;
@@ -193,6 +199,17 @@ final class ShapeTemplate {
     integrate();
     if (sum > 0) {
       measureExtent();
+    }
+    turn();
+  }
+
+  private void turn() {
+    infoTurn = 0;
+    for (int i = 0; i < CELLS; i++) {
+      double byY = (X[i] * cellPx - middleX) * gradientY[i];
+      double turn = byY - (Y[i] * cellPx - middleY) * gradientX[i];
+      gradientTurn[i] = (float) turn;
+      infoTurn += density[i] * turn * turn;
     }
   }
 

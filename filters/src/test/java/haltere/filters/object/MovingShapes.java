@@ -14,7 +14,11 @@ final class MovingShapes {
   record Place(double x, double y) {}
 
   private record Shape(
-      DoubleFunction<Place> path, double halfWidth, double halfHeight, double rateHz) {}
+      DoubleFunction<Place> path,
+      double halfWidth,
+      double halfHeight,
+      double rateHz,
+      double turnRadS) {}
 
   private final SensorGeometry sensor;
   private final SplittableRandom random;
@@ -28,7 +32,17 @@ final class MovingShapes {
 
   /** Adds a filled box whose pixels fire at random. */
   MovingShapes box(double halfWidth, double halfHeight, double rateHz, DoubleFunction<Place> path) {
-    shapes.add(new Shape(path, halfWidth, halfHeight, rateHz));
+    return box(halfWidth, halfHeight, rateHz, 0, path);
+  }
+
+  /** Adds a filled box that turns as well. */
+  MovingShapes box(
+      double halfWidth,
+      double halfHeight,
+      double rateHz,
+      double turnRadS,
+      DoubleFunction<Place> path) {
+    shapes.add(new Shape(path, halfWidth, halfHeight, rateHz, turnRadS));
     return this;
   }
 
@@ -46,11 +60,12 @@ final class MovingShapes {
       for (Shape shape : shapes) {
         Place place = shape.path.apply(s);
         for (int n = place == null ? 0 : count(shape.rateHz * stepS); n > 0; n--) {
-          add(
-              events,
-              s + stepS * random.nextDouble(),
-              place.x() + shape.halfWidth * (2 * random.nextDouble() - 1),
-              place.y() + shape.halfHeight * (2 * random.nextDouble() - 1));
+          double at = s + stepS * random.nextDouble();
+          double dx = shape.halfWidth * (2 * random.nextDouble() - 1);
+          double dy = shape.halfHeight * (2 * random.nextDouble() - 1);
+          double cos = Math.cos(shape.turnRadS * s);
+          double sin = Math.sin(shape.turnRadS * s);
+          add(events, at, place.x() + cos * dx - sin * dy, place.y() + sin * dx + cos * dy);
         }
       }
       for (int n = count(noiseHz * sensor.pixels() * stepS); n > 0; n--) {

@@ -176,6 +176,47 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
+  void edgesThatPassBesideOneAnotherAreTwoTracksAlthoughTheLineBetweenThemTurns() {
+    SensorGeometry wide = new SensorGeometry(240, 128);
+    int separate = 0;
+    for (int seed = 0; seed < 10; seed++) {
+      rows.clear();
+      ObjectTrackerFilter tracker = new ObjectTrackerFilter(wide, ObjectTrackerSettings.defaults());
+      tracker.tracks().subscribe(rows::add);
+      tracker.process(
+          new MovingShapes(wide, 200 + seed)
+              .noise(0.5)
+              .box(1, 8, 10_000, along(30, 40, 60, 0))
+              .box(1, 8, 10_000, along(-6, 68, 96, 0))
+              .events(2));
+      tracker.notified(new EndOfStream(0));
+      separate += byIdentity().size() == 2 ? 1 : 0;
+    }
+    assertTrue(separate >= 9, separate + " of 10");
+  }
+
+  @Test
+  void endsOfATurningRodAreOneTrack() {
+    int whole = 0;
+    for (int seed = 0; seed < 10; seed++) {
+      rows.clear();
+      filter.reset();
+      double turn = 2.5;
+      run(
+          shapes(300 + seed)
+              .box(5, 1, 6_000, turn, s -> rodEnd(12, turn * s, s))
+              .box(5, 1, 6_000, turn, s -> rodEnd(-12, turn * s, s)),
+          1.6);
+      whole += byIdentity().size() == 1 ? 1 : 0;
+    }
+    assertTrue(whole >= 9, whole + " of 10");
+  }
+
+  private static Place rodEnd(double radius, double angleRad, double s) {
+    return new Place(40 + 30 * s + radius * Math.cos(angleRad), 60 + radius * Math.sin(angleRad));
+  }
+
+  @Test
   void smallComponentsMovingTogetherAreOneTrackBesideALargeObject() {
     MovingShapes shapes =
         shapes(6)
