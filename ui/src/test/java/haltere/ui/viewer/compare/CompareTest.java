@@ -125,6 +125,7 @@ class CompareTest {
     viewer.session().player().seek(1_000_000).join();
     viewer.click("usual-objects");
     viewer.run(() -> viewer.window.context().actions().run("compare"));
+    viewer.waitFor("the table", () -> viewer.isThere("comparison"));
     viewer.waitFor("numbers of this moment", () -> tableTexts().contains("same"));
     Set<String> here = tableTexts();
     viewer.session().player().seek(1_800_000).join();
