@@ -3,7 +3,9 @@ package haltere.core.format;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.nio.channels.ClosedChannelException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Objects;
@@ -47,13 +49,23 @@ public final class RecordingProblem extends IOException {
         || cause instanceof ClosedChannelException) {
       return cause;
     }
-    String reason =
-        cause instanceof FileSystemException named && named.getReason() != null
-            ? named.getReason()
-            : Objects.requireNonNullElse(cause.getMessage(), cause.toString());
+    String reason = reason(cause);
     RecordingProblem problem = new RecordingProblem(place + ": " + verb + reason + advice(reason));
     problem.initCause(cause);
     return problem;
+  }
+
+  /** Without the system's name of the file, which may be a temporary one. */
+  private static String reason(IOException cause) {
+    if (cause instanceof NoSuchFileException) {
+      return "there is no such file or folder";
+    }
+    if (cause instanceof AccessDeniedException) {
+      return "no permission";
+    }
+    return cause instanceof FileSystemException named && named.getReason() != null
+        ? named.getReason()
+        : Objects.requireNonNullElse(cause.getMessage(), cause.toString());
   }
 
   private static String advice(String reason) {

@@ -73,6 +73,17 @@ class AtomicFileTest {
   }
 
   @Test
+  void messagesNameTheTargetInsteadOfTheTemporaryFile() throws IOException {
+    Path target = folder.resolve("a.txt");
+    try (AtomicFile file = AtomicFile.create(target, false)) {
+      write(file, "mine");
+      Files.delete(folder.resolve(names().get(0)));
+      String message = assertThrows(RecordingProblem.class, file::commit).getMessage();
+      assertEquals(target + ": cannot be written: there is no such file or folder", message);
+    }
+  }
+
+  @Test
   void filesThatAppearMeanwhileAreNotReplaced() throws IOException {
     Path target = folder.resolve("a.txt");
     try (AtomicFile file = AtomicFile.create(target, false)) {
