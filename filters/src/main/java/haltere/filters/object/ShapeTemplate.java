@@ -204,13 +204,13 @@ final class ShapeTemplate {
   }
 
   private void turn() {
-    infoTurn = 0;
+    float info = 0;
     for (int i = 0; i < CELLS; i++) {
-      double byY = (X[i] * cellPx - middleX) * gradientY[i];
-      double turn = byY - (Y[i] * cellPx - middleY) * gradientX[i];
-      gradientTurn[i] = (float) turn;
-      infoTurn += density[i] * turn * turn;
+      float byY = (X[i] * (float) cellPx - (float) middleX) * gradientY[i];
+      gradientTurn[i] = byY - (Y[i] * (float) cellPx - (float) middleY) * gradientX[i];
+      info += density[i] * gradientTurn[i] * gradientTurn[i];
     }
+    infoTurn = info;
   }
 
   /** A copy shifted by some cells, so that loops are vectorised. */
