@@ -78,7 +78,7 @@ final class ComponentTest {
   }
 
   @Test
-  void angularVelocityIsUnknownOfADisc() {
+  void angularVelocityOfASquareIsLessCertainThanThatOfAnEdge() {
     assertTrue(turning(0, 8, 1).turnRadS() > turning(0, 1, 1).turnRadS());
   }
 }

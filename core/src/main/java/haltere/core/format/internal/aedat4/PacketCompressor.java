@@ -38,7 +38,7 @@ final class PacketCompressor implements Closeable {
     if (compression.isZstd()) {
       zstd =
           ZstdLibrary.compressor(
-              compression == Aedat4Compression.ZSTD ? ZSTD_LEVEL : Zstd.maxCompressionLevel());
+              compression == Aedat4Compression.ZSTD ? ZSTD_LEVEL : ZstdLibrary.maxLevel());
     }
   }
 

@@ -1,5 +1,6 @@
 package haltere.core.format.internal.compression;
 
+import com.github.luben.zstd.Zstd;
 import com.github.luben.zstd.ZstdCompressCtx;
 import com.github.luben.zstd.ZstdDecompressCtx;
 import com.github.luben.zstd.util.Native;
@@ -46,6 +47,17 @@ public final class ZstdLibrary {
     ZstdCompressCtx context = new ZstdCompressCtx();
     context.setLevel(level);
     return context;
+  }
+
+  /**
+   * The level of the smallest output.
+   *
+   * @return it
+   * @throws UncheckedIOException if the library cannot be loaded
+   */
+  public static int maxLevel() {
+    load();
+    return Zstd.maxCompressionLevel();
   }
 
   static ZstdDecompressCtx decompressor() {
