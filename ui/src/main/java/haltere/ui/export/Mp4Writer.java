@@ -175,25 +175,13 @@ public final class Mp4Writer implements FilmWriter {
   /** {@inheritDoc} A program that is still at work is ended. */
   @Override
   public void close() throws IOException {
-    if (process != null && process.isAlive()) {
+    if (process != null) {
+      // a file that is still being written could not be deleted for good
       process.destroyForcibly();
-      awaitGone();
+      process.onExit().completeOnTimeout(process, EXIT_TIMEOUT_S, TimeUnit.SECONDS).join();
     }
     feeder.shutdownNow();
     Files.deleteIfExists(partial);
     Files.deleteIfExists(log);
-  }
-
-  /** A file that is still being written could not be deleted for good. */
-  private void awaitGone() {
-    boolean interrupted = Thread.interrupted();
-    try {
-      process.waitFor(EXIT_TIMEOUT_S, TimeUnit.SECONDS);
-    } catch (InterruptedException again) {
-      interrupted = true;
-    }
-    if (interrupted) {
-      Thread.currentThread().interrupt();
-    }
   }
 }

@@ -43,10 +43,9 @@ final class ClipExport extends PartExport {
     long wanted = Math.round((part.toUs() - part.fromUs()) / pictureUs);
     if (wanted > MAX_PICTURES) {
       throw new IOException(
-          "that would be "
-              + wanted
-              + " pictures; mark a shorter part or choose a higher speed (the film has the speed of"
-              + " playback)");
+          "that would be %d pictures; mark a shorter part or choose a higher speed"
+                  .formatted(wanted)
+              + " (the film has the speed of playback)");
     }
     this.overlays = overlays;
     this.pictureUs = pictureUs;
