@@ -3,7 +3,6 @@ package haltere.ui.viewer;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
@@ -43,15 +42,16 @@ class UiBlocksTest {
   /** AEDAT-2 of a DVS128: an event in each microsecond, 134 seconds long. */
   private static void writeGigabyte(Path file) throws IOException {
     ByteBuffer block = ByteBuffer.allocate(8 * BLOCK_EVENTS);
-    try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
+    long[] words = new long[BLOCK_EVENTS];
+    try (OutputStream out = Files.newOutputStream(file)) {
       out.write("#!AER-DAT2.0\r\n".getBytes(StandardCharsets.US_ASCII));
       for (int i = 0; i < BLOCKS; i++) {
-        block.clear();
         for (int k = 0; k < BLOCK_EVENTS; k++) {
           int timeUs = i * BLOCK_EVENTS + k;
           // rows and columns are walked in big steps, so that the picture is full
-          block.putInt(timeUs * 2654435 >>> 6 & 0x7fff).putInt(timeUs);
+          words[k] = (long) (timeUs * 2654435 >>> 6 & 0x7fff) << 32 | timeUs;
         }
+        block.asLongBuffer().put(words);
         out.write(block.array());
       }
     }

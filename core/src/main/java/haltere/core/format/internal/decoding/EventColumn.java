@@ -2,6 +2,7 @@ package haltere.core.format.internal.decoding;
 
 import java.util.Locale;
 import java.util.OptionalInt;
+import java.util.regex.Pattern;
 
 /** Columns of plain events, by the names in usual programs. */
 public enum EventColumn {
@@ -16,6 +17,11 @@ public enum EventColumn {
   /** Any other column. */
   OTHER;
 
+  private static final Pattern NO_LETTERS = Pattern.compile("[^a-z]+");
+  private static final Pattern EDGES = Pattern.compile("^_|_$");
+  private static final Pattern UNIT =
+      Pattern.compile("_(us|ns|ms|s|px|sec|seconds|microseconds|nanoseconds)$");
+
   /**
    * The column of a name.
    *
@@ -23,8 +29,8 @@ public enum EventColumn {
    * @return {@link #OTHER} for an unknown name
    */
   public static EventColumn named(String name) {
-    String plain = words(name).replaceAll("^_|_$", "");
-    return switch (plain.replaceAll("_(us|ns|ms|s|px|sec|seconds|microseconds|nanoseconds)$", "")) {
+    String plain = EDGES.matcher(words(name)).replaceAll("");
+    return switch (UNIT.matcher(plain).replaceAll("")) {
       case "t", "ts", "time", "timestamp", "timestamps", "times" -> TIME;
       case "x", "xs", "col", "column" -> X;
       case "y", "ys", "row" -> Y;
@@ -58,6 +64,6 @@ public enum EventColumn {
   }
 
   private static String words(String name) {
-    return name.toLowerCase(Locale.ROOT).replaceAll("[^a-z]+", "_");
+    return NO_LETTERS.matcher(name.toLowerCase(Locale.ROOT)).replaceAll("_");
   }
 }
