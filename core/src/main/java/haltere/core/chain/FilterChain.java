@@ -38,6 +38,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   private final SensorGeometry geometry;
   private final CopyOnWriteArrayList<ChainStage> stages = new CopyOnWriteArrayList<>();
   private volatile long outsideSensor;
+  private volatile long atImpossibleTimes;
   private volatile Thread busy;
   private SharedWork work = SharedWork.ALONE;
   private long changes;
@@ -71,13 +72,23 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   }
 
   /**
-   * Events dropped before the first filter because their pixel is not on the sensor or their time
-   * is impossible.
+   * Events dropped before the first filter because their pixel is not on the sensor.
    *
    * @return a count since the chain was created
    */
   public long outsideSensor() {
     return outsideSensor;
+  }
+
+  /**
+   * Events dropped before the first filter because their time is impossible, more than 73,000 years
+   * from 0, although their pixel is on the sensor.
+   *
+   * @return a count since the chain was created
+   * @since 0.1
+   */
+  public long atImpossibleTimes() {
+    return atImpossibleTimes;
   }
 
   /**
@@ -370,12 +381,19 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
       return;
     }
     int passed = 0;
+    int impossible = 0;
     for (int i = 0; i < size; i++) {
-      if (geometry.contains(packet.x(i), packet.y(i)) && isPossible(packet.timeUs(i))) {
+      if (!geometry.contains(packet.x(i), packet.y(i))) {
+        continue;
+      }
+      if (isPossible(packet.timeUs(i))) {
         packet.move(i, passed++);
+      } else {
+        impossible++;
       }
     }
-    outsideSensor += size - passed;
+    outsideSensor += size - passed - impossible;
+    atImpossibleTimes += impossible;
     packet.truncate(passed);
   }
 

@@ -193,25 +193,29 @@ public final class ChainRunner implements StreamHandler {
   }
 
   private boolean throughChain(EventPacket packet, int in, long beforeUs) {
-    long outsideBefore = chain.outsideSensor();
+    long outside = -chain.outsideSensor();
+    long impossible = -chain.atImpossibleTimes();
+    FilterFailure failure = null;
     try {
       chain.process(packet);
-    } catch (FilterFailure failure) {
-      long outside = chain.outsideSensor() - outsideBefore;
-      if (!runUp) {
-        counters.add(Counter.EVENTS_OUTSIDE_SENSOR, outside);
-        counters.add(Counter.EVENTS_LOST_IN_FAILURE, in - outside);
-      }
-      filterFailed(failure);
-      lose(new DataLost(-1, in - outside, beforeUs, StreamNotification.NO_TIME_US, where(failure)));
-      return false;
+    } catch (FilterFailure thrown) {
+      failure = thrown;
     }
+    outside += chain.outsideSensor();
+    impossible += chain.atImpossibleTimes();
+    long filtered = in - outside - impossible;
     if (!runUp) {
-      long outside = chain.outsideSensor() - outsideBefore;
       counters.add(Counter.EVENTS_OUTSIDE_SENSOR, outside);
-      counters.add(Counter.EVENTS_FILTERED, in - outside - packet.size());
+      counters.add(Counter.EVENTS_AT_IMPOSSIBLE_TIMES, impossible);
+      counters.add(
+          failure == null ? Counter.EVENTS_FILTERED : Counter.EVENTS_LOST_IN_FAILURE,
+          failure == null ? filtered - packet.size() : filtered);
     }
-    return true;
+    if (failure != null) {
+      filterFailed(failure);
+      lose(new DataLost(-1, filtered, beforeUs, StreamNotification.NO_TIME_US, where(failure)));
+    }
+    return failure == null;
   }
 
   private static String where(FilterFailure failure) {

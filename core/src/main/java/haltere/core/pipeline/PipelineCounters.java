@@ -24,7 +24,7 @@ public final class PipelineCounters {
     /** Events that filters dropped. */
     EVENTS_FILTERED("Events removed by the filters of the chain."),
     /** Events off the sensor. */
-    EVENTS_OUTSIDE_SENSOR("Events dropped: pixel not on the sensor, or an impossible time."),
+    EVENTS_OUTSIDE_SENSOR("Events dropped: pixel not on the sensor."),
     /** Events lost with a failing filter. */
     EVENTS_LOST_IN_FAILURE("Events lost because a filter failed on their packet."),
     /** Events lost before they came in. */
@@ -38,7 +38,9 @@ public final class PipelineCounters {
     /** Failures of filters. */
     FILTER_FAILURES("Filters switched off after a failure."),
     /** Failures of sinks. */
-    SINK_FAILURES("Sinks removed after a failure.");
+    SINK_FAILURES("Sinks removed after a failure."),
+    /** Events at times that no recording has. */
+    EVENTS_AT_IMPOSSIBLE_TIMES("Events dropped: impossible time.");
 
     private final String description;
 
@@ -92,6 +94,7 @@ public final class PipelineCounters {
         - get(Counter.EVENTS_OUT)
         - get(Counter.EVENTS_FILTERED)
         - get(Counter.EVENTS_OUTSIDE_SENSOR)
+        - get(Counter.EVENTS_AT_IMPOSSIBLE_TIMES)
         - get(Counter.EVENTS_LOST_IN_FAILURE);
   }
 

@@ -245,9 +245,9 @@ public final class RecordingJob {
       List<String> warnings = new ArrayList<>(reader.remarks());
       warnings.addAll(
           reader.violations().describe(hasEvents ? Set.of(Violation.OTHER_DATA) : Set.of()));
-      long dropped = counters.get(Counter.EVENTS_OUTSIDE_SENSOR);
-      if (dropped > 0) {
-        warnings.add(dropped + " events at impossible times were left out by the filters");
+      long impossible = counters.get(Counter.EVENTS_AT_IMPOSSIBLE_TIMES);
+      if (impossible > 0) {
+        warnings.add("events at impossible times, left out by the filters: " + impossible);
       }
       return new JobReport(
           recording,

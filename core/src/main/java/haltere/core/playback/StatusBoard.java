@@ -124,6 +124,7 @@ final class StatusBoard {
             counters.get(Counter.EVENTS_OUT),
             meter.eventRateEps(),
             counters.get(Counter.EVENTS_OUTSIDE_SENSOR)
+                + counters.get(Counter.EVENTS_AT_IMPOSSIBLE_TIMES)
                 + counters.get(Counter.EVENTS_LOST_IN_FAILURE)
                 + counters.get(Counter.EVENTS_LOST_BEFORE),
             shownLengthUs,

@@ -184,7 +184,8 @@ class FilterChainTest {
     empty.process(packet);
     assertEquals(2, packet.size());
     assertEquals(-5, packet.timeUs(0));
-    assertEquals(3, empty.outsideSensor());
+    assertEquals(3, empty.atImpossibleTimes());
+    assertEquals(0, empty.outsideSensor());
   }
 
   @Test

@@ -98,6 +98,7 @@ class PipelineTest {
     long lost = counters.get(Counter.EVENTS_LOST_IN_FAILURE);
     assertTrue(lost > 0 && lost < 300);
     assertEquals(chain.outsideSensor(), counters.get(Counter.EVENTS_OUTSIDE_SENSOR));
+    assertEquals(0, counters.get(Counter.EVENTS_AT_IMPOSSIBLE_TIMES));
     // The filter itself has seen all but those off the sensor, and dropped what is counted, save
     // what it dropped of the packet that was lost.
     assertEquals(20_000 - chain.outsideSensor(), on.timing().eventsIn());

@@ -20,8 +20,9 @@ class RecordingJobTest {
         Files.writeString(
             folder.resolve("a.csv"), "t_us,x,y,on\n1,2,3,1\n9223372036854775807,2,3,1\n");
     JobReport report = RecordingJob.of(file, FilterChain::new, (reader, chain) -> () -> {}).run();
-    assertEquals(1, report.counters().get(PipelineCounters.Counter.EVENTS_OUTSIDE_SENSOR));
+    assertEquals(1, report.counters().get(PipelineCounters.Counter.EVENTS_AT_IMPOSSIBLE_TIMES));
     String warnings = report.warnings().toString();
-    assertTrue(warnings.contains("1 events at impossible times"), warnings);
+    assertTrue(
+        warnings.contains("events at impossible times, left out by the filters: 1"), warnings);
   }
 }
