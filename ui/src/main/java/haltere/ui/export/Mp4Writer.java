@@ -21,6 +21,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.stream.Stream;
 
 /** An MP4 film in H.264, encoded by the program ffmpeg, which gets the pictures by a pipe. */
 public final class Mp4Writer implements FilmWriter {
@@ -76,18 +77,18 @@ public final class Mp4Writer implements FilmWriter {
   /** The program that {@value #PROPERTY} names, or the first ffmpeg on the path. */
   public static Optional<Path> findProgram() {
     String named = System.getProperty(PROPERTY, "");
-    if (!named.isEmpty()) {
-      return Optional.of(Path.of(named)).filter(Files::isExecutable);
-    }
+    Optional<Path> chosen = Optional.of(Path.of(named)).filter(Files::isExecutable);
+    return named.isEmpty() ? onPath("ffmpeg") : chosen;
+  }
+
+  /** The first program of a name on the path. */
+  public static Optional<Path> onPath(String name) {
     boolean windows = System.getProperty("os.name").toLowerCase(Locale.ROOT).contains("win");
     String path = Optional.ofNullable(System.getenv("PATH")).orElse("");
-    for (String folder : path.split(File.pathSeparator)) {
-      Path found = Path.of(folder).resolve(windows ? "ffmpeg.exe" : "ffmpeg");
-      if (Files.isExecutable(found)) {
-        return Optional.of(found);
-      }
-    }
-    return Optional.empty();
+    return Stream.of(path.split(File.pathSeparator))
+        .map(folder -> Path.of(folder, windows ? name + ".exe" : name))
+        .filter(Files::isExecutable)
+        .findFirst();
   }
 
   @Override

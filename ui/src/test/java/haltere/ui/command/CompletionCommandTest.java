@@ -4,7 +4,7 @@ import static java.util.stream.Collectors.joining;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.File;
+import haltere.ui.export.Mp4Writer;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -71,10 +71,7 @@ class CompletionCommandTest {
 
   /** What a shell says; the test is skipped without it. */
   private String said(String... command) throws Exception {
-    String[] places = System.getenv().getOrDefault("PATH", "").split(File.pathSeparator);
-    Assumptions.assumeTrue(
-        List.of(places).stream().anyMatch(place -> Files.exists(Path.of(place, command[0]))),
-        "there is no " + command[0]);
+    Assumptions.assumeTrue(Mp4Writer.onPath(command[0]).isPresent(), "there is no " + command[0]);
     Process shell = new ProcessBuilder(command).redirectErrorStream(true).start();
     String text = new String(shell.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     assertEquals(0, shell.waitFor(), text);

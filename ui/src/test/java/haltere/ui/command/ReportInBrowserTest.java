@@ -5,10 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.File;
+import haltere.ui.export.Mp4Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
@@ -41,16 +40,9 @@ class ReportInBrowserTest {
 
   @TempDir Path folder;
 
-  private static Optional<File> chromium() {
-    return Arrays.stream(System.getenv("PATH").split(File.pathSeparator))
-        .map(place -> new File(place, "chromium"))
-        .filter(File::canExecute)
-        .findFirst();
-  }
-
   @Test
   void reportIsReadableInANarrowWindowWithoutNetworkAndErrors() throws Exception {
-    Optional<File> chromium = chromium();
+    Optional<Path> chromium = Mp4Writer.onPath("chromium");
     assumeTrue(chromium.isPresent(), "no chromium on the path");
     Path dots = folder.resolve("a-rather-long-name-of-a-recording-of-moving-dots.aedat");
     assertEquals(0, CommandRun.of("simulate", "dots", dots, "--duration", "0.2").status());
@@ -64,7 +56,7 @@ class ReportInBrowserTest {
     Path log = folder.resolve("browser.log");
     Process browser =
         new ProcessBuilder(
-                chromium.get().getPath(),
+                chromium.get().toString(),
                 "--headless",
                 "--no-sandbox",
                 "--disable-gpu",
