@@ -7,10 +7,10 @@ import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterTiming;
 import haltere.core.chain.Filters;
+import haltere.ui.command.terminal.Quantities;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.controls.Texts;
-import java.util.Locale;
 import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.scene.AccessibleRole;
@@ -204,8 +204,7 @@ final class StageCard extends VBox {
       counts.setText("idle");
     } else {
       counts.setText(
-          String.format(
-              Locale.ROOT,
+          Quantities.text(
               "%d %% of events pass \u00b7 %s ns/ev",
               Math.round(100.0 * since.eventsOut() / since.eventsIn()),
               Texts.digits(since.microsPerThousandEvents())));

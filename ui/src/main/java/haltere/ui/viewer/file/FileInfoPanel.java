@@ -65,13 +65,13 @@ final class FileInfoPanel extends ScrollPane {
     if (summary.events() > 0) {
       line("First event", Quantities.seconds(summary.firstUs()));
       line("Last event", Quantities.seconds(summary.lastUs()));
-      line("Duration", String.format(Locale.ROOT, "%.6f s", summary.durationS()));
+      line("Duration", Quantities.text("%.6f s", summary.durationS()));
       line("Time origin", facts.clock().describe());
       line("Mean rate", Quantities.rate(summary.meanRateEps()));
       line("Peak rate", Quantities.rate(summary.peakRateEps()) + " over 10 ms");
       line(
           "File bytes per event",
-          String.format(Locale.ROOT, "%.2f", facts.sizeBytes() / (double) summary.events()));
+          Quantities.text("%.2f", facts.sizeBytes() / (double) summary.events()));
       line(
           "Clock",
           summary.timestampsMonotonic()

@@ -3,7 +3,7 @@ package haltere.ui.viewer.picture;
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.OverlayCanvas;
-import java.util.Locale;
+import haltere.ui.command.terminal.Quantities;
 
 /**
  * A measured length and angle between two positions on the sensor, in pixels.
@@ -20,13 +20,9 @@ public record MeasuredLine(double fromX, double fromY, double toX, double toY) {
   public String label() {
     double right = toX - fromX;
     double up = toY - fromY;
-    return String.format(
-        Locale.ROOT,
+    return Quantities.text(
         "%.1f px   %.1f\u00b0   x %.1f   y %.1f",
-        Math.hypot(right, up),
-        Math.toDegrees(Math.atan2(up, right)),
-        right,
-        up);
+        Math.hypot(right, up), Math.toDegrees(Math.atan2(up, right)), right, up);
   }
 
   void draw(OverlayCanvas canvas) {

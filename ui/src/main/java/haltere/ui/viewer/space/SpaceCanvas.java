@@ -1,5 +1,6 @@
 package haltere.ui.viewer.space;
 
+import haltere.ui.command.terminal.Quantities;
 import haltere.ui.rendering.FontLetters;
 import haltere.ui.rendering.PixelOverlayCanvas;
 import haltere.ui.space.BodyFlight;
@@ -9,7 +10,6 @@ import haltere.ui.viewer.controls.PixelImage;
 import haltere.ui.viewer.controls.RotatablePane;
 import haltere.ui.viewer.controls.Theme;
 import java.util.Arrays;
-import java.util.Locale;
 
 /** A body in space and the cameras, at one time. */
 final class SpaceCanvas extends RotatablePane {
@@ -93,8 +93,7 @@ final class SpaceCanvas extends RotatablePane {
   /** A moment as text. */
   static String label(BodyFlight.Moment moment) {
     var now = moment.estimate();
-    return String.format(
-        Locale.ROOT,
+    return Quantities.text(
         "%.3f s   axis (%.2f, %.2f, %.2f) \u00b1 %.1f\u00b0   head %.0f\u00a0%%   used %d, rejected %d",
         now.timeUs() * 1e-6,
         now.ux(),

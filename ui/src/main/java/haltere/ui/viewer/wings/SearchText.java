@@ -1,8 +1,8 @@
 package haltere.ui.viewer.wings;
 
 import haltere.filters.wing.WingTrackerState;
+import haltere.ui.command.terminal.Quantities;
 import java.util.List;
-import java.util.Locale;
 
 /** Describes the state of a wing tracker and the steps of its search. */
 final class SearchText {
@@ -22,33 +22,21 @@ final class SearchText {
   private static String step(WingTrackerState s) {
     return switch (s.phase()) {
       case TWO_MEANS ->
-          String.format(
-              Locale.ROOT,
+          Quantities.text(
               "1. Two classes of %,d events, %.0f px apart about %.1f, %.1f",
-              s.events(),
-              s.sizePx(),
-              s.centreX(),
-              s.centreY());
+              s.events(), s.sizePx(), s.centreX(), s.centreY());
       case BEAT ->
-          String.format(
-              Locale.ROOT,
+          Quantities.text(
               "2. Beat %.1f Hz, body axis %d\u00b0",
-              s.frequencyHz(),
-              Math.floorMod(Math.round(Math.toDegrees(s.headingRad())), 180));
+              s.frequencyHz(), Math.floorMod(Math.round(Math.toDegrees(s.headingRad())), 180));
       case HINGES ->
-          String.format(
-              Locale.ROOT,
+          Quantities.text(
               "3. Hinges about %.1f, %.1f; beat %.1f Hz, reach %.0f px",
-              s.centreX(),
-              s.centreY(),
-              s.frequencyHz(),
-              s.sizePx());
+              s.centreX(), s.centreY(), s.frequencyHz(), s.sizePx());
       default ->
-          String.format(
-              Locale.ROOT,
+          Quantities.text(
               "4. Heading %.0f\u00b0, probability %.0f %%",
-              Math.toDegrees(s.headingRad()),
-              100 * s.confidence());
+              Math.toDegrees(s.headingRad()), 100 * s.confidence());
     };
   }
 }
