@@ -155,19 +155,18 @@ final class BatchCommand extends Subcommand {
       throw new CommandProblem("the inputs contain no recording; " + out + " is not searched");
     }
     if (found.leftOut() > 0) {
-      message(Quantities.count(found.leftOut()) + " files in the folders are not recordings");
+      message("not read, no recording: " + Quantities.counted(found.leftOut(), "file"));
     }
     Batch batch = new Batch(this::chain, options(), Failures::describe);
     BatchReport report = run(batch, items, part.failuresName());
     String summary =
         Quantities.text(
-            "%d recordings: %d done (%s, %.1f MB, %,d rows), %d kept, %d in progress "
-                + "elsewhere, %d failed",
-            items.size(),
+            "%s: %d done (%s, %.1f MB, %s), %d kept, %d in progress elsewhere, %d failed",
+            Quantities.counted(items.size(), "recording"),
             report.done(),
             Quantities.events(report.events()),
             report.bytes() / 1e6,
-            report.rows(),
+            Quantities.counted(report.rows(), "row"),
             report.kept(),
             report.elsewhere(),
             report.failures().size());

@@ -67,6 +67,7 @@ final class BenchCommand extends Subcommand {
 
   @Override
   public Integer call() throws IOException {
+    reading.checkNeeded(file);
     if (!(seconds >= 0 && seconds <= 3600)) {
       throw wrongArguments("--seconds is " + seconds + ", it must be 0 to 3600");
     }

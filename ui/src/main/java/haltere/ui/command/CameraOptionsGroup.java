@@ -74,9 +74,8 @@ final class CameraOptionsGroup extends OptionGroup {
     if ((file == null) != given() || devices.size() > 1) {
       throw wrong("give either a FILE or one --device");
     }
-    if (!given() && (durationS != null || set != null || !biases.isEmpty() || whenFull != null)) {
-      throw wrong("--duration, --biases, --bias and --when-full are for cameras: give --device ID");
-    }
+    subcommand()
+        .checkNeeded(given(), "--device", "--duration", "--biases", "--bias", "--when-full");
   }
 
   /** Whether a camera, or options of cameras, were given. */

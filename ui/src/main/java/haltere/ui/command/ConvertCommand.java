@@ -175,9 +175,7 @@ final class ConvertCommand extends Subcommand {
   }
 
   private void checkStream() {
-    if (!filters.isEmpty()) {
-      throw wrongArguments("--filter applies to events; leave it out with --stream");
-    }
+    checkNeeded(false, "events, and excludes --stream", "--filter", "--origin");
     if (stream != SampleStream.FRAMES
         && Stream.of(".csv", ".parquet").noneMatch(out.toString()::endsWith)) {
       throw wrongArguments("--stream writes a table; let " + out + " end in .csv or .parquet");

@@ -12,6 +12,9 @@ import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import picocli.CommandLine.Command;
@@ -81,7 +84,7 @@ final class ExampleCommand extends Subcommand {
     if (data != null && seed != null) {
       throw wrongArguments("--seed is of simulated measurements; --data gives others");
     }
-    check(out);
+    writing.check(Arrays.asList(data), List.of(out));
     MeasurementSeries series;
     ExampleTable table;
     try {
@@ -97,10 +100,9 @@ final class ExampleCommand extends Subcommand {
       drawn.forEach((plot, svg) -> files.put(plots.resolve(name + "-" + plot + ".svg"), svg));
       makeFolder();
     }
-    for (Path file : files.keySet()) {
-      check(file);
-      WritingOptions.checkDifferent(out, file);
-    }
+    List<Path> outputs = new ArrayList<>(files.keySet());
+    outputs.add(out);
+    writing.check(Arrays.asList(data), outputs);
     for (Map.Entry<Path, String> file : files.entrySet()) {
       AtomicFile.write(file.getKey(), file.getValue(), writing.overwrite);
     }
@@ -119,19 +121,12 @@ final class ExampleCommand extends Subcommand {
     return falls ? SimulatedVideo.fallingWeight(chosen) : SimulatedVideo.oscillator(chosen);
   }
 
-  private void check(Path output) throws IOException {
-    writing.check(output);
-    if (data != null) {
-      WritingOptions.checkDifferent(data, output);
-    }
-  }
-
   private void makeFolder() throws IOException {
     if (!Files.isDirectory(plots)) {
       if (Files.exists(plots)) {
         throw new CommandProblem(plots + ": this is a file; name a folder");
       }
-      check(plots);
+      writing.check(plots);
       Files.createDirectory(plots);
     }
   }

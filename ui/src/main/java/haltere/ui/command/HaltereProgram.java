@@ -162,6 +162,10 @@ public final class HaltereProgram {
   }
 
   private static int executed(ParseResult parsed) {
+    if (!parsed.unmatched().isEmpty() && !parsed.hasSubcommand()) {
+      // the help was requested of a command that does not exist
+      throw new UnmatchedArgumentException(parsed.commandSpec().commandLine(), parsed.unmatched());
+    }
     int status = new CommandLine.RunLast().execute(parsed);
     CommandLine last = parsed.asCommandLineList().get(parsed.asCommandLineList().size() - 1);
     return last.getCommand() instanceof Subcommand command
@@ -211,7 +215,10 @@ public final class HaltereProgram {
       problem.printStackTrace(surroundings.err());
     }
     String name = command.getCommandSpec().qualifiedName();
-    String line = Failures.shortened(problem.getMessage().strip());
+    String line =
+        Failures.shortened(problem.getMessage().strip())
+            .replaceFirst("is not an? (int|long)$", "is no whole number")
+            .replaceFirst("is not a double$", "is no number");
     if (problem instanceof UnmatchedArgumentException unmatched) {
       boolean isCommand = command.getParent() == null && !unmatched.isUnknownOption();
       line = isCommand ? "there is no command " + unmatched.getUnmatched().get(0) : line;

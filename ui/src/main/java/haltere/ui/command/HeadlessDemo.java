@@ -75,7 +75,7 @@ record HeadlessDemo(Subcommand command) {
       }
       chain.close();
       command.result("  picture    " + picture);
-      command.result("  table      " + table + " (" + Quantities.count(rows) + " rows)");
+      command.result("  table      " + table + " (" + Quantities.counted(rows, "row") + ")");
     }
     return Subcommand.OK;
   }

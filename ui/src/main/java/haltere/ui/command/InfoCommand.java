@@ -68,8 +68,10 @@ final class InfoCommand extends Subcommand {
       if (quick || files.size() > 1) {
         throw wrongArguments("--picture needs one recording, and excludes --quick");
       }
-      writing.check(picture);
-      WritingOptions.checkDifferent(files.get(0), picture);
+      if (Pictures.problem(picture).isPresent()) {
+        throw wrongArguments(Pictures.problem(picture).get());
+      }
+      writing.check(files, List.of(picture));
     }
     int status = OK;
     List<Object> objects = new ArrayList<>();

@@ -151,8 +151,10 @@ final class LiveRun {
         statistics.latency999Us());
     if (whenStopped.lostEvents() > 0) {
       command.warning(
-          "%s: lost %s in %,d transfers because this computer did not keep up",
-          id, Quantities.events(whenStopped.lostEvents()), whenStopped.lostTransfers());
+          "%s: lost %s in %s because this computer did not keep up",
+          id,
+          Quantities.events(whenStopped.lostEvents()),
+          Quantities.counted(whenStopped.lostTransfers(), "transfer"));
     }
     if (whenStopped.brokenTransfers() > 0) {
       command.warning(

@@ -3,6 +3,7 @@ package haltere.ui.command;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.LiveResults;
 import haltere.core.stream.StreamHandler;
+import haltere.ui.command.terminal.Quantities;
 import java.io.InterruptedIOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -60,15 +61,15 @@ record Publishing(Subcommand command, List<LiveResults> open) implements JobResu
       results.close();
       if (results.refused() > 0) {
         command.warning(
-            "%s: %,d connections were refused, because there were too many",
-            results.address(), results.refused());
+            "%s: refused %s, because there were too many",
+            results.address(), Quantities.counted(results.refused(), "connection"));
       }
       if (results.lost() > 0) {
         boolean slow = results.failure().isEmpty();
         command.warning(
-            "%s: %,d messages were not sent%s",
+            "%s: lost %s%s",
             results.address(),
-            results.lost(),
+            Quantities.counted(results.lost(), "message"),
             slow ? ", because a receiver or this computer was too slow" : "");
       }
     }

@@ -46,9 +46,7 @@ final class PublishingOptions extends OptionGroup {
     } catch (IllegalArgumentException wrong) {
       throw wrong(wrong.getMessage());
     }
-    if (addresses.isEmpty() && !(outlets.isEmpty() && receivers == 0)) {
-      throw wrong("--outlet and --receivers need --publish");
-    }
+    subcommand().checkNeeded(!addresses.isEmpty(), "--publish", "--outlet", "--receivers");
   }
 
   /** Starts to publish a chain's results, before it runs; may publish none. */

@@ -11,7 +11,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
 
 /** Options of every command that reads a recording. */
 final class ReadingOptions extends SourceOptions {
@@ -30,6 +33,14 @@ final class ReadingOptions extends SourceOptions {
           "Store the time index for seeking beside the recording (FILE.haltere-index), "
               + "for later commands.")
   boolean index;
+
+  @Spec CommandSpec own;
+
+  /** Rejects these options, and others of the command, where no recording is read. */
+  void checkNeeded(Path file, String... others) {
+    Stream<String> all = Stream.concat(own.optionsMap().keySet().stream(), Stream.of(others));
+    subcommand().checkNeeded(file != null, "a FILE", all.toArray(String[]::new));
+  }
 
   /** Read options of the user; rejects an unknown format. */
   ReadOptions readOptions() {

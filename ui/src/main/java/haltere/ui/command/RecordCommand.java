@@ -74,16 +74,13 @@ final class RecordCommand extends Subcommand {
     publishing.check();
     writing.checkRecording(out);
     Limits limits = limits();
-    if (maxMb != null && !Recordings.forWriting(out).name().equals("aedat4")) {
-      throw wrongArguments("--max-size is for .aedat4 only, whose size is known while it grows");
-    }
+    boolean grows = Recordings.forWriting(out).name().equals("aedat4");
+    checkNeeded(grows, "an OUT.aedat4, whose size is known while it grows", "--max-size");
     List<String> devices = cameras.devices.isEmpty() ? List.of("") : cameras.devices;
     if (new HashSet<>(devices).size() < devices.size()) {
       throw wrongArguments("a camera is named twice");
     }
-    if (devices.size() > 1 && !publishing.addresses.isEmpty()) {
-      throw wrongArguments("--publish is for one camera");
-    }
+    checkNeeded(devices.size() == 1, "a single camera", "--publish");
     for (String device : devices) {
       checkParts(devices.size() == 1 ? out : beside(device));
     }

@@ -33,13 +33,6 @@ final class ReportOptions extends OptionGroup {
     return gathered.watching(job);
   }
 
-  /** Refuses a report of cameras: a page is about files that others can read again. */
-  void requireRecording(boolean camera) {
-    if (report != null && camera) {
-      throw wrong("--report needs a recording, not a camera");
-    }
-  }
-
   /** Writes the report of an observed job, if one is requested. */
   void write(JobReport job, List<String> summary, boolean overwrite) throws IOException {
     if (report != null) {

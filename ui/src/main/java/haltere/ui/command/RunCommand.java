@@ -23,11 +23,10 @@ import haltere.core.sink.Tables;
 import haltere.core.stream.EventSource;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -87,6 +86,8 @@ final class RunCommand extends Subcommand {
   @Override
   public Integer call() throws IOException {
     cameras.checkOneSource(file);
+    reading.checkNeeded(file, "--report", "--speed");
+    checkNeeded(out != null, "--out", "--tables", "--origin");
     publishing.check();
     checkTables("--tables", tables);
     if (!(speed >= PlaybackClock.MIN_SPEED)) {
@@ -94,12 +95,8 @@ final class RunCommand extends Subcommand {
     }
     if (out != null) {
       writing.checkRecording(out);
-      if (file != null) {
-        WritingOptions.checkDifferent(file, out);
-      }
     }
-    reporting.requireRecording(cameras.given());
-    writing.check(Arrays.asList(file, chainFile, out), Arrays.asList(reporting.report));
+    writing.check(Arrays.asList(file, chainFile), Arrays.asList(out, reporting.report));
     if (cameras.given()) {
       summary(cameras.run(out != null, this::chain, this::results));
       return OK;
@@ -135,6 +132,7 @@ final class RunCommand extends Subcommand {
     if (out == null) {
       return publishing.open(chain, this);
     }
+    checkTables(chain);
     SessionRecorder recorder =
         writing.session(out, camera, () -> Optional.of(ChainFile.write(chain)), Limits.DEFAULT);
     return JobResults.all(
@@ -144,22 +142,13 @@ final class RunCommand extends Subcommand {
   }
 
   private JobResults tables(FilterChain chain) throws IOException {
-    checkTables(chain);
     return OutletTables.open(chain, this::table, writing::begin, provenance(file).chain(chain));
   }
 
   private void checkTables(FilterChain chain) throws IOException {
-    Set<Path> seen = new HashSet<>(List.of(out));
-    for (Path table : OutletTables.files(chain, this::table)) {
-      writing.check(table);
-      if (file != null) {
-        WritingOptions.checkDifferent(file, table);
-      }
-      if (!seen.add(table)) {
-        throw new CommandProblem(
-            chainFile + ": two stages of the same name would both write " + table);
-      }
-    }
+    List<Path> outputs = new ArrayList<>(OutletTables.files(chain, this::table));
+    outputs.addAll(Arrays.asList(out, reporting.report));
+    writing.check(Arrays.asList(file, chainFile), outputs);
   }
 
   /** Beside OUT: {@code left.aedat} has {@code left.cluster-tracker.clusters.csv}. */

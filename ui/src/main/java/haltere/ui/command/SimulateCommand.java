@@ -92,6 +92,7 @@ final class SimulateCommand extends Subcommand {
     if (durationS != null && !(durationS > 0 && durationS <= 1e9)) {
       throw wrongArguments("--duration is " + durationS + ", it must be above 0 and at most 1e9 s");
     }
+    checkNeeded(truth != null, "--truth", "--rate");
     try (Scene<?> scene = scene()) {
       writing.checkRecording(out);
       writing.check(List.of(), Arrays.asList(out, truth, observations, cameras));
@@ -108,14 +109,11 @@ final class SimulateCommand extends Subcommand {
 
   /** Outputs of several cameras, or null for none. */
   private FlightFiles flight(Scene<?> scene) {
-    if (observations == null && cameras == null) {
-      return null;
-    }
-    if (!(scene instanceof FlightScene several)) {
-      throw wrongArguments(
-          "--observations and --cameras are of the scene flight; " + sceneName + " has one camera");
-    }
-    return new FlightFiles(several, observations, cameras);
+    boolean isFlight = scene instanceof FlightScene;
+    checkNeeded(
+        isFlight, "the scene flight, as others have one camera", "--observations", "--cameras");
+    boolean isNone = observations == null && cameras == null;
+    return isNone ? null : new FlightFiles((FlightScene) scene, observations, cameras);
   }
 
   private Scene<?> scene() {

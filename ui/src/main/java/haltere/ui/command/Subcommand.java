@@ -24,9 +24,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 
 /**
@@ -196,6 +198,16 @@ abstract class Subcommand implements Callable<Integer> {
     return report;
   }
 
+  /** Rejects given options that have no effect without something else, such as another option. */
+  void checkNeeded(boolean there, String needed, String... options) {
+    ParseResult parsed = spec.commandLine().getParseResult();
+    List<String> given = Stream.of(options).filter(parsed::hasMatchedOption).toList();
+    if (!there && !given.isEmpty()) {
+      String need = given.size() == 1 ? " needs " : " need ";
+      throw wrongArguments(String.join(" and ", given) + need + needed);
+    }
+  }
+
   /** Rejects an unknown format of tables. */
   void checkTables(String option, String extension) {
     Optional<String> missing = Tables.problem(Path.of("table." + extension));
@@ -215,7 +227,7 @@ abstract class Subcommand implements Callable<Integer> {
 
   /** Says that a table was written. */
   void wrote(Path file, long rows) {
-    message("wrote %s (%,d rows)", file, rows);
+    message("wrote %s (%s)", file, Quantities.counted(rows, "row"));
   }
 
   /** Ends the work if the process is to stop. */

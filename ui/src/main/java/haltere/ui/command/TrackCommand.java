@@ -136,11 +136,9 @@ final class TrackCommand extends Subcommand {
       throw wrongArguments("--rate is " + rateHz + ", it must be from 0.001 to 100000 Hz");
     }
     cameras.checkOneSource(file);
+    reading.checkNeeded(file, "--report");
     publishing.check();
-    reporting.requireRecording(cameras.given());
-    if (crossings != null && roadFile == null) {
-      throw wrongArguments("--crossings needs a road with counting lines, see --road");
-    }
+    checkNeeded(roadFile != null, "--road", "--crossings");
     writing.check(
         Arrays.asList(file, chainFile, roadFile), Arrays.asList(out, crossings, reporting.report));
     if (preset != null) {

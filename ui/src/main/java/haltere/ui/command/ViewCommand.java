@@ -18,6 +18,7 @@ final class ViewCommand extends Subcommand {
 
   @Override
   public Integer call() throws IOException {
+    reading.checkNeeded(file);
     boolean display = surroundings().window().hasDisplay();
     if (file != null && (surroundings().errIsTerminal() || !display)) {
       // without a terminal, the window reports a bad recording

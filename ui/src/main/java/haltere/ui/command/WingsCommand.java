@@ -133,9 +133,10 @@ final class WingsCommand extends Subcommand {
   public Integer call() throws IOException {
     WingTrackerSettings settings = settings();
     cameras.checkOneSource(file);
+    reading.checkNeeded(file, "--report");
+    checkNeeded(log != null, "--log", "--log-rows", "--log-layout");
     publishing.check();
     logFormat();
-    reporting.requireRecording(cameras.given());
     writing.check(
         Arrays.asList(file), Arrays.asList(out, beats, pairs, geometry, log, reporting.report));
     if (cameras.given()) {

@@ -56,7 +56,7 @@ class WritingOptions extends OptionGroup {
         checkDifferent(input, output);
       }
       if (!seen.add(output.toAbsolutePath().normalize())) {
-        throw wrong(output + " is given for two outputs");
+        throw wrong(output + " would be written by two outputs");
       }
     }
   }

@@ -9,6 +9,8 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
@@ -103,10 +105,20 @@ public final class Pictures {
     return bytes.toByteArray();
   }
 
+  /** The reason why a name is not one of a picture. */
+  public static Optional<String> problem(Path file) {
+    boolean isPng = file.toString().toLowerCase(Locale.ROOT).endsWith(".png");
+    return isPng ? Optional.empty() : Optional.of(file + ": a picture's name ends in .png");
+  }
+
   /**
    * Writes a picture as a PNG file, which appears whole or not at all and replaces one that exists.
    */
   public static void write(Path file, BufferedImage image) throws IOException {
+    Optional<String> problem = problem(file);
+    if (problem.isPresent()) {
+      throw new IOException(problem.get());
+    }
     AtomicFile.write(file, png(image), true);
   }
 }

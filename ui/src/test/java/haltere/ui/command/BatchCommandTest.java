@@ -84,12 +84,21 @@ class BatchCommandTest {
   }
 
   @Test
+  void oneRecordingIsNotCountedInThePlural() {
+    CommandRun run =
+        CommandRun.of(
+            "batch", in.resolve("a.aedat"), "--chain", chain, "--out", folder.resolve("one"));
+    assertEquals(0, run.status(), run.err());
+    assertTrue(run.out().startsWith("1 recording: 1 done"), run.out());
+  }
+
+  @Test
   void eachRecordingHasTablesAndACompletionRecord() throws IOException {
     Path out = folder.resolve("out");
     CommandRun run = batch(out);
     assertEquals(0, run.status(), run.err());
     assertTrue(run.out().startsWith("4 recordings: 4 done"), run.out());
-    assertTrue(run.err().contains("1 files in the folders are not recordings"), run.err());
+    assertTrue(run.err().contains("not read, no recording: 1 file\n"), run.err());
     assertEquals(
         List.of(
             "a.aedat/background-activity.shares.csv",

@@ -86,6 +86,6 @@ class SimulateCommandTest {
   @Test
   void equalFilesForRecordingAndTruthAreRejected() {
     Path out = folder.resolve("x.csv");
-    assertWrong("x.csv is given for two outputs", "simulate", "fly", out, "--truth", out);
+    assertWrong("x.csv would be written by two outputs", "simulate", "fly", out, "--truth", out);
   }
 }

@@ -32,9 +32,14 @@ public final class Quantities {
     return text("%.6f s", microseconds / 1e6);
   }
 
+  /** A count with its noun, which has an s unless it is one. */
+  public static String counted(long count, String noun) {
+    return count(count) + " " + noun + (count == 1 ? "" : "s");
+  }
+
   /** So many events, such as 1 event or 1,200 events. */
   public static String events(long count) {
-    return count(count) + (count == 1 ? " event" : " events");
+    return counted(count, "event");
   }
 
   /** Lines of a table whose columns but the last are as wide as their widest cell. */
