@@ -75,7 +75,6 @@ final class BatchCommand extends Subcommand {
               + "an INPUT recording its own name.")
   Path root;
 
-  /** The work on one recording. */
   static final class WorkOptions {
     @Option(
         names = "--chain",

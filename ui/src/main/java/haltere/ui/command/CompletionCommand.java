@@ -21,7 +21,6 @@ import picocli.CommandLine.Parameters;
       "bash, zsh: source <(haltere completion bash). fish: haltere completion fish | source"
     })
 final class CompletionCommand extends Subcommand {
-  /** Supported shells. */
   enum Shell {
     /** Also the script for zsh, which loads bash's completion. */
     BASH,

@@ -4,6 +4,7 @@ import haltere.core.format.RecordingFile;
 import haltere.core.format.internal.csv.CsvTable;
 import haltere.filters.estimation.internal.example.Measurement;
 import haltere.filters.estimation.internal.example.MeasurementSeries;
+import haltere.ui.command.terminal.Quantities;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
@@ -59,13 +60,9 @@ final class MeasurementFile {
       take();
     }
     if (measurements.size() < MeasurementSeries.MIN_SIZE) {
-      int minRows = MeasurementSeries.MIN_SIZE;
-      throw problem(
-          "the table ends after "
-              + measurements.size()
-              + " rows; at least "
-              + minRows
-              + " are needed");
+      String form = "the table ends after %s; at least %d are needed";
+      String rows = Quantities.counted(measurements.size(), "row");
+      throw problem(Quantities.text(form, rows, MeasurementSeries.MIN_SIZE));
     }
     return new MeasurementSeries(measurements);
   }

@@ -211,13 +211,8 @@ final class OrientCommand extends Subcommand {
       throw Failures.notText(file, notText);
     }
     if (badRows > MAX_REPORTED_ROWS) {
-      warning(
-          file
-              + ": "
-              + (badRows - MAX_REPORTED_ROWS)
-              + " more rows like that, "
-              + badRows
-              + " left out");
+      long more = badRows - MAX_REPORTED_ROWS;
+      warning("%s: %d more rows like that, %d left out", file, more, badRows);
     }
   }
 

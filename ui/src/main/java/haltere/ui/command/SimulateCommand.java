@@ -187,7 +187,6 @@ final class SimulateCommand extends Subcommand {
     return table.rows();
   }
 
-  /** Names of the scenes, for the usage. */
   static final class SceneNames implements Iterable<String> {
     @Override
     public Iterator<String> iterator() {

@@ -133,7 +133,6 @@ abstract class Subcommand implements Callable<Integer> {
     };
   }
 
-  /** Prints a message. */
   void message(String form, Object... values) {
     if (!isQuiet()) {
       surroundings.err().print(line(form, values));

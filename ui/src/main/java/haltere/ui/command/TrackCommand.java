@@ -74,13 +74,8 @@ final class TrackCommand extends Subcommand {
       names = "--chain",
       paramLabel = "CHAIN.json",
       description =
-          "A chain of filters; one without "
-              + OBJECTS
-              + " or "
-              + CLUSTERS
-              + " gets the first at its end. Default: "
-              + OBJECTS
-              + " alone, which needs no noise filter.")
+          "A chain of filters; one without object-tracker or kalman-tracks gets the first at its "
+              + "end. Default: object-tracker alone, which needs no noise filter.")
   Path chainFile;
 
   @Option(
@@ -95,11 +90,8 @@ final class TrackCommand extends Subcommand {
       names = "--set",
       paramLabel = "name=value",
       description =
-          "A setting of "
-              + OBJECTS
-              + " (with --preset: of "
-              + CLUSTERS
-              + "), see: haltere filters; may be repeated.")
+          "A setting of object-tracker (with --preset: of kalman-tracks), see: haltere filters; "
+              + "may be repeated.")
   List<String> assignments = List.of();
 
   @Option(

@@ -102,14 +102,12 @@ public record CameraRig(List<CameraModel> cameras, Playable first, List<Playable
     if (isKnown
         && (camera.widthPx() != geometry.width() || camera.heightPx() != geometry.height())) {
       throw new IOException(
-          "camera "
-              + camera.id()
-              + " is calibrated for "
-              + new SensorGeometry(camera.widthPx(), camera.heightPx())
-              + ", but the events of "
-              + events.name()
-              + " are of "
-              + geometry);
+          "camera %s is calibrated for %s, but the events of %s are of %s"
+              .formatted(
+                  camera.id(),
+                  new SensorGeometry(camera.widthPx(), camera.heightPx()),
+                  events.name(),
+                  geometry));
     }
   }
 

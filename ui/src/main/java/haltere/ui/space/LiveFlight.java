@@ -28,7 +28,6 @@ public final class LiveFlight implements SliceSink {
   private static final long WAIT_US = 50_000;
   private static final long STEP_US = 10_000;
 
-  /** Moments that are shown. */
   private static final int MAX_MOMENTS = 400;
 
   private final CameraRig rig;

@@ -97,15 +97,11 @@ final class PlaybackFeature implements ViewerFeature {
         .reach()
         .filter(span -> us < span.fromUs() || us >= span.toUs())
         .ifPresentOrElse(
-            span ->
-                window
-                    .status()
-                    .showError(
-                        text
-                            + " is outside of what can be shown, "
-                            + Texts.time(span.fromUs(), true)
-                            + " to "
-                            + Texts.time(span.toUs(), true)),
+            span -> {
+              String first = Texts.time(span.fromUs(), true);
+              String range = first + " to " + Texts.time(span.toUs(), true);
+              window.status().showError(text + " is outside of what can be shown, " + range);
+            },
             () -> playback.seek(us));
   }
 

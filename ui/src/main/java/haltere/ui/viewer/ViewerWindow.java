@@ -59,12 +59,7 @@ public final class ViewerWindow {
         }
       };
 
-  /** Fills an empty stage, which the caller shows. */
-  public ViewerWindow(Stage stage) {
-    this(stage, UserSettings.inMemory());
-  }
-
-  /** The same, set up as a user has left it. */
+  /** Fills an empty stage, which the caller shows, and sets it up as a user has left it. */
   ViewerWindow(Stage stage, UserSettings settings) {
     this.stage = stage;
     Rectangle2D room = Screen.getPrimary().getVisualBounds();

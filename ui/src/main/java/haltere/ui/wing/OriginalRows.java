@@ -63,7 +63,6 @@ final class OriginalRows {
     measured[m.edge().ordinal()] = m.measuredRad();
   }
 
-  /** A row for an event. */
   void event(WingMeasurement m) {
     keep(m);
     row(

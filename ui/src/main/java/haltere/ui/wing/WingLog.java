@@ -98,13 +98,8 @@ public final class WingLog implements Closeable {
     List<String> changed = SCHEMA.changed(settings);
     for (Parameter parameter : SCHEMA.parameters()) {
       String name = parameter.name();
-      comment(
-          "setting: "
-              + name
-              + "="
-              + SCHEMA.get(settings, name)
-              + unit(parameter)
-              + (changed.contains(name) ? "" : " (default)"));
+      String value = SCHEMA.get(settings, name) + unit(parameter);
+      comment("setting: " + name + "=" + value + (changed.contains(name) ? "" : " (default)"));
     }
     if (format.layout() == WingLogFormat.Layout.ORIGINAL) {
       original(format.rows());

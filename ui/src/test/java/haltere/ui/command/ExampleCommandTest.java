@@ -178,7 +178,7 @@ class ExampleCommandTest {
         "t_s,x_m;0,1;1|line 3: it has 1 fields, not 2",
         "t_s,x_m;0,1;2,2;1,3|line 4: t_s is 1.0, not after the row above",
         "t_s,x_m;0,1;0,2|line 3: t_s is 0.0, not after the row above",
-        "t_s,x_m;0,1|line 2: the table ends after 1 rows; at least 8",
+        "t_s,x_m;0,1|line 2: the table ends after 1 row; at least 8",
         "t_s,x_m|line 1: the table ends after 0 rows",
         "t_s,x_m;0,1;1,1;2,1;3,1;4,1;5,1;6,1;7,1|the measurements never change",
       })

@@ -4,6 +4,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.ScenePlayable;
 import haltere.ui.viewer.controls.Theme;
+import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
@@ -75,7 +76,7 @@ public final class FrameBenchmark {
           Platform.setImplicitExit(false);
           Theme.DARK.apply();
           Stage stage = new Stage();
-          ViewerWindow window = new ViewerWindow(stage);
+          ViewerWindow window = new ViewerWindow(stage, UserSettings.inMemory());
           window.context().sessions().open(first, "the fly scene");
           stage.show();
           opened.complete(window);
@@ -104,7 +105,7 @@ public final class FrameBenchmark {
         onFx(
             () -> {
               Stage stage = new Stage();
-              ViewerWindow made = new ViewerWindow(stage);
+              ViewerWindow made = new ViewerWindow(stage, UserSettings.inMemory());
               made.context()
                   .sessions()
                   .open(

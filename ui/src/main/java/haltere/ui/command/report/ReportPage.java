@@ -59,7 +59,6 @@ public final class ReportPage {
     return String.format("#%06x", MarkColours.argb(style, dark) & 0xffffff);
   }
 
-  /** Begins a section. */
   void section(String name) {
     body.append("<h2>").append(SvgPlot.escaped(name)).append("</h2>\n");
   }
@@ -71,7 +70,6 @@ public final class ReportPage {
     body.append("<table class=\"facts\">").append(rows(rows, true)).append("</table>\n");
   }
 
-  /** Adds a table. */
   void table(List<String> header, List<List<String>> rows) {
     body.append("<table>").append(row("th", "th", header));
     body.append(rows(rows, false)).append("</table>\n");
@@ -118,7 +116,6 @@ public final class ReportPage {
         .append("</span></figcaption></figure>\n");
   }
 
-  /** Adds a sentence. */
   void sentence(String text) {
     body.append("<p>").append(SvgPlot.escaped(text)).append("</p>\n");
   }

@@ -21,7 +21,6 @@ final class ActionTable {
     return LINES.containsKey(id) ? LINES.get(id).group() : other;
   }
 
-  /** The line of an id. */
   static ActionLine line(String id) {
     ActionLine line = LINES.get(id);
     if (line == null) {

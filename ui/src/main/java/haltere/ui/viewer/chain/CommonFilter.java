@@ -14,9 +14,7 @@ import java.util.Optional;
 public enum CommonFilter {
   /** Removes noise. */
   DENOISE(Icons.DENOISE, "background-activity", "hot-pixels"),
-  /** Finds objects. */
   OBJECTS(Icons.OBJECTS, "object-tracker"),
-  /** Finds wings. */
   WINGS(Icons.WINGS, "wing-tracker");
 
   private final Icons icon;

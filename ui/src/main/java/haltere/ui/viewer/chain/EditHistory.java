@@ -9,7 +9,6 @@ import java.util.function.Function;
  * a drag, are one step.
  */
 public final class EditHistory {
-  /** A change. */
   private record Edit(String label, Object subject, Runnable undo, Runnable redo, long nanos) {}
 
   private static final long MERGE_NANOS = 1_000_000_000;

@@ -164,15 +164,8 @@ public final class SettingField extends VBox {
   }
 
   private String help() {
-    String range =
-        parameter.isNumber()
-            ? "\n"
-                + Parameter.text(parameter.min())
-                + " to "
-                + Parameter.text(parameter.max())
-                + " "
-                + unit()
-            : "";
+    String ends = Parameter.text(parameter.min()) + " to " + Parameter.text(parameter.max());
+    String range = parameter.isNumber() ? "\n" + ends + " " + unit() : "";
     return parameter.help() + range;
   }
 

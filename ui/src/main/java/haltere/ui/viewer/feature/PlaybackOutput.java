@@ -17,10 +17,8 @@ import javafx.beans.property.ReadOnlyBooleanWrapper;
 public final class PlaybackOutput<O extends PlaybackOutput.Output> {
   /** Something that is written or sent; background threads, one at a time. */
   public interface Output {
-    /** Its stream handler. */
     StreamHandler sink();
 
-    /** Message after the start. */
     String startMessage();
 
     /** Ends it; returns a message on the result. */

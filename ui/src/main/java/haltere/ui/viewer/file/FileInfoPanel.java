@@ -38,7 +38,6 @@ final class FileInfoPanel extends ScrollPane {
     grid.add(text, 0, 0, 2, 1);
   }
 
-  /** Shows the facts of a recording. */
   void show(RecordingFacts facts) {
     grid.getChildren().clear();
     RecordingSummary summary = facts.summary();
@@ -48,14 +47,10 @@ final class FileInfoPanel extends ScrollPane {
     line("Size", Quantities.count(facts.sizeBytes()) + " bytes");
     line("Format", summary.format());
     facts.compression().ifPresent(method -> line("Compression", method));
-    line(
-        "Sensor",
-        sensor.width()
-            + " \u00d7 "
-            + sensor.height()
-            + (facts.assumedSensor().isPresent() ? " (guessed)" : "")
-            + ", rows from the "
-            + sensor.origin().name().toLowerCase(Locale.ROOT));
+    String size = sensor.width() + " \u00d7 " + sensor.height();
+    String guessed = facts.assumedSensor().isPresent() ? " (guessed)" : "";
+    String origin = sensor.origin().name().toLowerCase(Locale.ROOT);
+    line("Sensor", size + guessed + ", rows from the " + origin);
     line(
         "Events",
         Quantities.text("%,d (%,d ON, %,d OFF)", summary.events(), summary.on(), summary.off()));

@@ -28,7 +28,6 @@ public final class DisplayFrame {
   /** Information on the pixel under the mouse. */
   Optional<PixelInfo> pixel = Optional.empty();
 
-  /** Measurement of the region of interest. */
   Optional<RegionMeasurement> region = Optional.empty();
 
   /** Meaning of the ends of the colours, empty for polarities. */

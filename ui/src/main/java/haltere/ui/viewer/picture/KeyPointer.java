@@ -30,7 +30,6 @@ final class KeyPointer {
     return y;
   }
 
-  /** Whether the cross is shown. */
   boolean isShown() {
     return shown;
   }

@@ -30,7 +30,6 @@ final class PictureThread implements AutoCloseable {
   private final CompletableFuture<Void> end = new CompletableFuture<>();
   private volatile RuntimeException failure;
 
-  /** Starts the thread. */
   PictureThread() {
     thread.start();
   }

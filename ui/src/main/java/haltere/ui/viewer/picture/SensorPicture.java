@@ -26,7 +26,6 @@ final class SensorPicture {
   private boolean marksVisible = true;
   private int drawn;
 
-  /** An empty picture. */
   SensorPicture() {
     image.setVisible(false);
     image.setSmooth(false);
@@ -37,7 +36,6 @@ final class SensorPicture {
     return image;
   }
 
-  /** Prepares for another sensor. */
   void setGeometry(SensorGeometry newGeometry, ColourMap colours) {
     geometry = newGeometry;
     newest = new DisplayFrame(geometry);

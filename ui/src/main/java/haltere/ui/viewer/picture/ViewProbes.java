@@ -113,7 +113,6 @@ final class ViewProbes {
     return region(nowUs).orElse(RegionMeasurement.NOTHING);
   }
 
-  /** Measurement of the region of interest. */
   Optional<RegionMeasurement> region(long nowUs) {
     follow();
     if (region == null) {

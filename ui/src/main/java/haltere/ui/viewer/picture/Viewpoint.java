@@ -40,12 +40,10 @@ public final class Viewpoint {
     showAll();
   }
 
-  /** Width of the view. */
   double width() {
     return width;
   }
 
-  /** Height of the view. */
   double height() {
     return height;
   }

@@ -250,7 +250,6 @@ public final class SeekBar extends Region {
     return status != null && reach.isPresent() && !reach.get().isEmpty();
   }
 
-  /** Follows the seekable range. */
   private void follow(SeekableRange all) {
     long newSpanUs = Math.max(all.grows() ? MIN_SPAN_US : 1, all.toUs() - all.fromUs());
     if (!all.grows()) {

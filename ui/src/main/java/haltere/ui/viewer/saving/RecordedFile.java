@@ -36,7 +36,6 @@ record RecordedFile(Path file, StreamHandler sink, BooleanSupplier isOver, Calla
     implements PlaybackOutput.Output {
   private static final String UNTIL_JUMP = ", until playback jumped";
 
-  /** A file for the open session. */
   static RecordedFile of(Path file, ViewerSession session) throws IOException {
     return session.camera().isPresent()
         ? ofCamera(file, session.camera().get().camera(), session.chain())

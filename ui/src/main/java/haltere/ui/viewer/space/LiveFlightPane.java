@@ -139,7 +139,6 @@ final class LiveFlightPane extends BorderPane {
     sinks.forEach(sink -> sink.renderer().setOptions(options));
   }
 
-  /** Applies a theme. */
   void setTheme(Theme theme) {
     canvas.setTheme(theme);
   }

@@ -56,7 +56,6 @@ final class MarkTraces {
     open = now;
   }
 
-  /** Removes positions before a time. */
   void removeBefore(long timeUs) {
     traces.forEach(trace -> trace.removeBefore(timeUs));
     traces.removeIf(trace -> trace.positions().isEmpty());
@@ -68,7 +67,6 @@ final class MarkTraces {
     removeBefore(Long.MAX_VALUE);
   }
 
-  /** A copy of the traces. */
   List<Trace> copy() {
     return traces.stream()
         .map(trace -> new Trace(trace.style(), List.copyOf(trace.positions())))

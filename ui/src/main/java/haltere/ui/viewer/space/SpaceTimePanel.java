@@ -80,7 +80,6 @@ final class SpaceTimePanel extends BorderPane {
     goBack();
   }
 
-  /** Another sensor. */
   void setSensor(SensorGeometry newSensor) {
     sensor = newSensor;
     frame = new SpaceTimeSink.Frame(1);
@@ -92,7 +91,6 @@ final class SpaceTimePanel extends BorderPane {
     dirty = true;
   }
 
-  /** The viewpoint. */
   SpaceTimeView view() {
     double from = slice.getValue();
     return new SpaceTimeView(

@@ -113,7 +113,6 @@ final class StartPage extends ScrollPane {
     return link;
   }
 
-  /** Offers scenes. */
   void setScenes(List<ViewerAction> actions) {
     scenes.getChildren().setAll(actions.stream().map(StartPage::tile).toList());
   }

@@ -23,7 +23,6 @@ final class FlyTool implements ViewTool {
 
   private static final double GRIP_SHARE = 0.15;
 
-  /** The dragged part. */
   private enum FlyPart {
     NONE,
     BODY,

@@ -163,7 +163,6 @@ public final class WingsFeature implements ViewerFeature {
     change((chain, view) -> view.filter().tracker().edit(edit));
   }
 
-  /** Restarts a filter. */
   void restart(WingPart part) {
     change((chain, view) -> view.filter().tracker().restart(part));
   }
