@@ -24,6 +24,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import javafx.beans.binding.Bindings;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.value.ObservableBooleanValue;
 import javafx.geometry.Orientation;
 import javafx.scene.control.Label;
 import javafx.scene.control.SplitPane;
@@ -39,22 +40,21 @@ import javafx.scene.layout.VBox;
 public final class CompareFeature implements ViewerFeature {
   private static final long NUMBERS_NANOS = 1_000_000_000;
 
-  /** A running comparison. */
   private record Running(Player player, SecondChain second) {}
 
   /** A chain as JSON and as text, and its recent means. */
   private record Numbers(String json, String filters, Map<PlotField, Double> means) {
     /** Processing thread. */
-    static Numbers of(FilterChain chain, PublishedMeans means) {
+    static Numbers of(PublishedMeans published) {
       String filters =
-          chain.stages().stream()
+          published.chain().stages().stream()
               .filter(ChainStage::isEnabled)
               .map(stage -> Texts.title(stage.name()))
               .collect(Collectors.joining(", "));
       return new Numbers(
-          ChainFile.write(chain),
+          ChainFile.write(published.chain()),
           filters.isEmpty() ? "no filters" : filters,
-          means == null ? Map.of() : means.take());
+          published.means());
     }
   }
 
@@ -69,10 +69,6 @@ public final class CompareFeature implements ViewerFeature {
   private BooleanProperty settingsShown;
   private Optional<Running> running = Optional.empty();
   private int starts;
-
-  // processing thread only
-  private PublishedMeans firstMeans;
-  private PublishedMeans secondMeans;
 
   @Override
   public void install(ViewerContext installed) {
@@ -97,7 +93,8 @@ public final class CompareFeature implements ViewerFeature {
     settingsShown =
         layout.offer("second-chain", "Second chain", PanelLayout.Position.SIDE, () -> settings);
     shown = layout.offer("compare", "Compare", PanelLayout.Position.BESIDE, () -> named);
-    Controls.bindVisible(shown, firstName);
+    ObservableBooleanValue seen = named.sceneProperty().isNotNull();
+    Controls.bindVisible(seen, firstName);
     // both pictures have the width of the narrower panel, so that their scales agree
     EventView first = window.panels().view();
     view.maxWidthProperty().bind(((Region) first.getParent()).widthProperty());
@@ -105,7 +102,7 @@ public final class CompareFeature implements ViewerFeature {
     above.minHeightProperty().bind(first.getParent().getParent().layoutYProperty());
     first
         .maxWidthProperty()
-        .bind(Bindings.when(shown).then(named.widthProperty()).otherwise(Double.MAX_VALUE));
+        .bind(Bindings.when(seen).then(named.widthProperty()).otherwise(Double.MAX_VALUE));
     window.actions().add("compare", shown, () -> shown.get() ? "" : window.nothingOpen());
     ToggleButton button =
         window
@@ -132,7 +129,7 @@ public final class CompareFeature implements ViewerFeature {
   }
 
   /** The second chain; empty while nothing is compared. */
-  Optional<FilterChain> secondChain() {
+  public Optional<FilterChain> secondChain() {
     return running.map(now -> now.second().chain());
   }
 
@@ -168,6 +165,7 @@ public final class CompareFeature implements ViewerFeature {
     Player player = session.player();
     running = Optional.of(new Running(player, made));
     view.setGeometry(made.chain().geometry(), window.display().options().colours());
+    running.ifPresent(this::listen);
     List<StageState> stages = StageState.of(made.chain());
     player.addRawSink(made);
     editor.setPresets(window.editor().presets());
@@ -195,27 +193,13 @@ public final class CompareFeature implements ViewerFeature {
 
   /** Subscribes to the numbers of both present chains. */
   private void listen(Running now) {
-    window.read(
-        first -> {
-          firstMeans = restarted(firstMeans, first);
-          secondMeans = restarted(secondMeans, now.second().chain());
-          return first;
-        },
-        listening -> {});
-  }
-
-  private static PublishedMeans restarted(PublishedMeans before, FilterChain chain) {
-    if (before != null) {
-      before.close();
-    }
-    return new PublishedMeans(chain);
+    window.editor().onProcessing(now.second()::restartNumbers);
   }
 
   private void showNumbers(Running now) {
     chainPanel.update();
     window.read(
-        first ->
-            List.of(Numbers.of(first, firstMeans), Numbers.of(now.second().chain(), secondMeans)),
+        first -> now.second().numbers().stream().map(Numbers::of).toList(),
         both -> {
           show(firstName, "First chain: ", both.get(0));
           show(secondName, "Second chain: ", both.get(1));

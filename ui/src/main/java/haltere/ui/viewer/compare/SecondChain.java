@@ -5,7 +5,10 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorSample;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.StreamNotification;
+import haltere.ui.plot.PublishedMeans;
 import haltere.ui.viewer.picture.DisplaySink;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * A second chain on the same stream. It gets a copy of each packet before the first chain, so both
@@ -15,11 +18,17 @@ import haltere.ui.viewer.picture.DisplaySink;
  * @param first the chain beside it, which is in a run-up when this one is
  * @param display makes its pictures, with those of the first chain
  * @param copy the packet that it works on
+ * @param numbers means of the first and of this chain; none before the first run-up
  */
-record SecondChain(FilterChain chain, FilterChain first, DisplaySink display, EventPacket copy)
+record SecondChain(
+    FilterChain chain,
+    FilterChain first,
+    DisplaySink display,
+    EventPacket copy,
+    List<PublishedMeans> numbers)
     implements SliceSink {
   SecondChain(FilterChain chain, FilterChain first, DisplaySink display) {
-    this(chain, first, display.beside(chain), new EventPacket(4096));
+    this(chain, first, display.beside(chain), new EventPacket(4096), new ArrayList<>());
   }
 
   @Override
@@ -50,6 +59,7 @@ record SecondChain(FilterChain chain, FilterChain first, DisplaySink display, Ev
 
   @Override
   public void runUpBegins(long sliceUs) {
+    restartNumbers();
     display.runUpBegins(sliceUs);
   }
 
@@ -66,6 +76,13 @@ record SecondChain(FilterChain chain, FilterChain first, DisplaySink display, Ev
   @Override
   public void sliceEnd(long fromUs, long toUs) {
     display.sliceEnd(fromUs, toUs);
+  }
+
+  /** Begins new means of the present filters. */
+  void restartNumbers() {
+    numbers.forEach(PublishedMeans::close);
+    numbers.clear();
+    numbers.addAll(List.of(new PublishedMeans(first), new PublishedMeans(chain)));
   }
 
   /** Ends; nothing more is handed to it. */
