@@ -71,12 +71,15 @@ final class LayoutFeature implements ViewerFeature {
 
   private void hideOrRestorePanels() {
     Map<String, Object> panels = window.settings().chosen(PANELS);
-    if (panels.containsValue(true)) {
-      Runnable tabOrder = window.panels().panelLayout().tabOrder();
+    PanelLayout layout = window.panels().panelLayout();
+    if (panels.containsValue(true) || !layout.isAlone()) {
+      Runnable tabOrder = layout.tabOrder();
       hidePanels();
+      Runnable others = layout.hideAll();
       showHidden =
           () -> {
             window.settings().choose(panels);
+            others.run();
             tabOrder.run();
           };
     } else {

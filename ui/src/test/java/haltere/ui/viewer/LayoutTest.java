@@ -1,10 +1,13 @@
 package haltere.ui.viewer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.chain.FilterChain;
 import haltere.ui.plot.Lane;
 import haltere.ui.plot.PlotField;
+import haltere.ui.viewer.compare.CompareFeature;
 import haltere.ui.viewer.feature.UserSettings;
 import java.nio.file.Path;
 import java.util.List;
@@ -94,11 +97,40 @@ class LayoutTest {
       int tab = selected;
       viewer.run(() -> side().getSelectionModel().select(tab));
       run("layout-picture");
-      viewer.waitFor("fewer panels", () -> tabs().size() == 2);
+      viewer.waitFor("no panels", () -> !isInWindow("side-tabs"));
       run("layout-picture");
+      viewer.waitFor("the panels", () -> isInWindow("side-tabs"));
       viewer.waitFor("the panels in order", () -> tabs().equals(order));
       assertEquals(tab, viewer.onFx(() -> side().getSelectionModel().getSelectedIndex()));
     }
+  }
+
+  @Test
+  void pictureAloneHidesAComparisonWhichGoesOn() {
+    viewer = ViewerHarness.withBlobAndNoiseFilters();
+    run("compare");
+    viewer.waitFor("both pictures", () -> isInWindow("second-event-view") && secondChain() != null);
+    FilterChain second = secondChain();
+    double half = viewer.onFx(() -> viewer.node("event-view", Region.class).getWidth());
+    run("layout-picture");
+    viewer.waitFor(
+        "the picture alone",
+        () -> !isInWindow("second-event-view") && !viewer.isThere("first-chain-name"));
+    viewer.waitFor(
+        "its width", () -> viewer.node("event-view", Region.class).getWidth() > 1.5 * half);
+    run("layout-picture");
+    viewer.waitFor("the comparison", () -> isInWindow("second-event-view"));
+    viewer.waitFor("its name", () -> viewer.isThere("first-chain-name"));
+    assertSame(second, secondChain());
+    run("layout-picture");
+    run("compare");
+    run("layout-picture");
+    viewer.waitFor("no ended comparison", () -> !isInWindow("second-event-view"));
+  }
+
+  private FilterChain secondChain() {
+    return viewer.onFx(
+        () -> viewer.window.feature(CompareFeature.class).secondChain().orElse(null));
   }
 
   @Test

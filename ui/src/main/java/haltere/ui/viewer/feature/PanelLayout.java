@@ -3,9 +3,13 @@ package haltere.ui.viewer.feature;
 import haltere.ui.viewer.controls.Controls;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.Property;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.geometry.Orientation;
 import javafx.scene.Node;
@@ -49,6 +53,9 @@ public final class PanelLayout extends KeptPanes {
 
   /** The row, and panels below it. */
   private final KeptPanes left = new KeptPanes();
+
+  /** The panels that were added, with how they come and go. */
+  private final Map<BooleanProperty, Consumer<Boolean>> offered = new LinkedHashMap<>();
 
   private final TabPane tabs = Controls.named(new TabPane(), "side-tabs");
 
@@ -105,11 +112,12 @@ public final class PanelLayout extends KeptPanes {
     if (position == Position.SIDE) {
       Tab tab = new Tab(title);
       tab.setOnClosed(event -> shown.set(false));
-      shown.subscribe((was, is) -> showTab(tab, is, content));
+      offered.put(shown, is -> showTab(tab, is, content));
     } else {
       Node[] made = new Node[1];
-      shown.subscribe(
-          (was, is) -> {
+      offered.put(
+          shown,
+          is -> {
             if (made[0] == null) {
               made[0] = content.get();
             }
@@ -120,7 +128,23 @@ public final class PanelLayout extends KeptPanes {
             }
           });
     }
+    shown.subscribe((was, is) -> offered.get(shown).accept(is));
     return shown;
+  }
+
+  /** Whether the chain is the only panel. */
+  public boolean isAlone() {
+    return shown().equals(List.of(events, chain));
+  }
+
+  /** Hides the shown panels, which go on with their work; running the result undoes that. */
+  public Runnable hideAll() {
+    List<BooleanProperty> hidden = offered.keySet().stream().filter(Property::getValue).toList();
+    hidden.forEach(shown -> offered.get(shown).accept(false));
+    return () ->
+        hidden.stream()
+            .filter(Property::getValue)
+            .forEach(shown -> offered.get(shown).accept(true));
   }
 
   /** The present order and selection of the tabs; running it restores both after a change. */
