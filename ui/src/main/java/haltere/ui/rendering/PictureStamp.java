@@ -14,6 +14,7 @@ public final class PictureStamp {
   private static final int HEIGHT = 26;
   private static final int BAR_HEIGHT = 4;
   private static final int STRIP_WIDTH = 90;
+  private static final int MIN_STRIP_WIDTH = 20;
 
   /** Maximum share of the picture's width for the scale bar. */
   private static final double MAX_BAR_SHARE = 0.25;
@@ -23,6 +24,9 @@ public final class PictureStamp {
   private final int height;
   private final int plate;
   private final int argb;
+
+  /** Right end of the scale bar; 0 without one. */
+  private int barEnd;
 
   /** A stamp for a picture without transparency, dark or light. */
   public PictureStamp(BufferedImage image, boolean dark) {
@@ -53,28 +57,35 @@ public final class PictureStamp {
     String text = length + " px";
     int end = MARGIN + length * scale;
     int top = height - HEIGHT;
-    painter.fill(0, top, end + width(text) + 2 * MARGIN, height, plate);
+    barEnd = end + width(text) + 2 * MARGIN;
+    painter.fill(0, top, barEnd, height, plate);
     write(text, end + MARGIN, top);
     int bar = top + (HEIGHT - BAR_HEIGHT) / 2;
     painter.fill(MARGIN, bar, end, bar + BAR_HEIGHT, argb);
   }
 
-  /** Draws the legend of colours into the lower right corner, if there is room. */
+  /**
+   * Draws the legend of colours into the lower right corner: beside the scale bar, which comes
+   * first, or above it, with a shorter strip where there is less room, or not at all.
+   */
   public void colours(ColourScale scale) {
-    int strip = width - STRIP_WIDTH - width(scale.last()) - 3 * MARGIN;
+    int texts = width(scale.first()) + width(scale.last()) + 5 * MARGIN;
+    boolean above = width - texts - STRIP_WIDTH < barEnd;
+    int length = Math.min(STRIP_WIDTH, width - texts);
+    int strip = width - length - width(scale.last()) - 3 * MARGIN;
     int left = strip - width(scale.first()) - 2 * MARGIN;
-    int top = height - HEIGHT - MARGIN;
-    if (left < 0 || top < 0) {
+    int top = height - HEIGHT - MARGIN - (above ? HEIGHT : 0);
+    if (length < MIN_STRIP_WIDTH || top < HEIGHT) {
       return;
     }
     painter.fill(left, top, width - MARGIN, top + HEIGHT, plate);
-    for (int x = 0; x < STRIP_WIDTH; x++) {
-      int colour = scale.gradient().colour(x / (STRIP_WIDTH - 1.0));
+    for (int x = 0; x < length; x++) {
+      int colour = scale.gradient().colour(x / (length - 1.0));
       int bottom = top + HEIGHT - MARGIN - 2;
       painter.fill(strip + x, top + MARGIN + 2, strip + x + 1, bottom, colour);
     }
     write(scale.first(), left + MARGIN, top);
-    write(scale.last(), strip + STRIP_WIDTH + MARGIN, top);
+    write(scale.last(), strip + length + MARGIN, top);
   }
 
   private static int width(String text) {

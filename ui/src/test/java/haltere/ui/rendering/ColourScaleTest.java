@@ -1,5 +1,6 @@
 package haltere.ui.rendering;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -40,6 +41,21 @@ class ColourScaleTest {
     assertEquals(0, first);
     assertEquals(0xFF, last);
     assertEquals(0xFF000000, image.getRGB(100, row), "nothing elsewhere");
+  }
+
+  @Test
+  void scaleInANarrowPictureIsShorterAndLeavesTheScaleBar() {
+    BufferedImage image = new BufferedImage(160, 160, BufferedImage.TYPE_INT_RGB);
+    PictureStamp stamp = new PictureStamp(image, true);
+    stamp.scaleBar(6);
+    int[] bar = image.getRGB(0, 134, 160, 26, null, 0, 160);
+    stamp.colours(new ColourScale(Gradient.GREY, "0", "12 events"));
+    assertArrayEquals(bar, image.getRGB(0, 134, 160, 26, null, 0, 160), "the scale bar");
+    int right = 160 - 6 - 6 - (int) FontLetters.OF_PICTURES.width("12 events") - 6;
+    int row = 160 - 26 - 6 - 6 - 7;
+    assertEquals(0xFF, image.getRGB(right - 1, row) & 0xFF, "the lightest colour");
+    assertTrue((image.getRGB(right - 20, row) & 0xFF) < 0xFF, "a strip");
+    assertEquals(0xFF000000, image.getRGB(2, 20), "nothing above");
   }
 
   @Test

@@ -49,13 +49,14 @@ public final class DisplaySink implements SliceSink {
   /** One that paints on the thread of the chain. */
   public static DisplaySink direct(
       SensorGeometry geometry, FilterChain chain, DisplayOptions options) {
-    return new DisplaySink(chain, new PictureRenderer(geometry, options, false), Optional.empty());
+    var renderer = new PictureRenderer(geometry, options, false, Optional.empty());
+    return new DisplaySink(chain, renderer, Optional.empty());
   }
 
   /** One that paints on a thread of its own. */
   public static DisplaySink onOwnThread(
       SensorGeometry geometry, FilterChain chain, DisplayOptions options) {
-    PictureRenderer renderer = new PictureRenderer(geometry, options, true);
+    var renderer = new PictureRenderer(geometry, options, true, Optional.empty());
     return new DisplaySink(chain, renderer, Optional.of(new PictureThread()));
   }
 

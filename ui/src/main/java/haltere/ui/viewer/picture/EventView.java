@@ -216,7 +216,7 @@ public final class EventView extends Region implements ArrowKeys {
     frame.setWidth(geometry.width() * scale + 1);
     frame.setHeight(geometry.height() * scale + 1);
     redraw();
-    legend.autosize();
+    legend.resize(Math.min(legend.prefWidth(-1), getWidth() - 24), legend.prefHeight(-1));
     legend.relocate(getWidth() - legend.getWidth() - 12, getHeight() - legend.getHeight() - 10);
     showReadout(readout.getText());
   }

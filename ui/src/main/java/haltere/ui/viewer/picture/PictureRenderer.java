@@ -71,13 +71,10 @@ public final class PictureRenderer {
   private boolean exposed;
 
   /**
-   * A renderer without events, which may also paint in the midst of a slice, see the class comment.
+   * A renderer without events, which may also paint in the midst of a slice, or is painted with
+   * another one, see the class comment.
    */
-  PictureRenderer(SensorGeometry geometry, DisplayOptions options, boolean betweenSlices) {
-    this(geometry, options, betweenSlices, Optional.empty());
-  }
-
-  private PictureRenderer(
+  PictureRenderer(
       SensorGeometry geometry,
       DisplayOptions options,
       boolean betweenSlices,
@@ -309,11 +306,11 @@ public final class PictureRenderer {
             });
     PictureStyle style = events.style();
     PictureStamp stamp = new PictureStamp(picture, dark);
+    stamp.scaleBar(Pictures.defaultScale(geometry));
     ColourScale.of(style.mode(), style.gradient(), scale()).ifPresent(stamp::colours);
     if (sliceFromUs != StreamNotification.NO_TIME_US) {
       stamp.label(sliceFromUs + " \u00b5s");
     }
-    stamp.scaleBar(Pictures.defaultScale(geometry));
     return picture;
   }
 

@@ -69,7 +69,7 @@ class PictureRendererTest {
   }
 
   private static PictureRenderer renderer(boolean betweenSlices) {
-    return new PictureRenderer(SENSOR, DisplayOptions.DEFAULT, betweenSlices);
+    return new PictureRenderer(SENSOR, DisplayOptions.DEFAULT, betweenSlices, Optional.empty());
   }
 
   @Test
