@@ -25,6 +25,10 @@ final class ClipExport extends PartExport {
   private final Overlays overlays;
   private final FilmWriter film;
   private final double pictureUs;
+
+  /** Whether the slice of the next picture has begun. */
+  private boolean inSlice;
+
   private final EventPacket slice = new EventPacket(4096);
   private long pictures;
 
@@ -42,13 +46,12 @@ final class ClipExport extends PartExport {
     super(part);
     long wanted = Math.round((part.toUs() - part.fromUs()) / pictureUs);
     if (wanted > MAX_PICTURES) {
-      throw new IOException(
-          "that would be %d pictures; mark a shorter part or choose a higher speed"
-                  .formatted(wanted)
-              + " (the film has the speed of playback)");
+      String advice = "mark a shorter part or choose a higher speed, which is that of playback";
+      throw new IOException("that would be " + wanted + " pictures; " + advice);
     }
     this.overlays = overlays;
     this.pictureUs = pictureUs;
+    inSlice = part.sliceUs() >= pictureUs;
     film = film(file);
     display = DisplaySink.direct(part.playable().geometry(), part.chain(), options);
     display.renderer().setRegion(overlays.region());
@@ -65,8 +68,9 @@ final class ClipExport extends PartExport {
     throw new IOException(file.getFileName() + ": a film's name ends in .gif or .mp4");
   }
 
+  /** The begin of the next picture's slice, or its end. */
   private double nextUs() {
-    return part.fromUs() + (pictures + 1) * pictureUs;
+    return part.fromUs() + (pictures + 1) * pictureUs - (inSlice ? 0 : part.sliceUs());
   }
 
   @Override
@@ -75,7 +79,7 @@ final class ClipExport extends PartExport {
     while (packet.lastTimeUs() + offsetUs >= nextUs()) {
       int end = packet.indexAtOrAfter((long) Math.ceil(nextUs()) - offsetUs, done);
       pass(packet, done, end);
-      shoot();
+      advance();
       done = end;
     }
     pass(packet, done, packet.size());
@@ -90,13 +94,17 @@ final class ClipExport extends PartExport {
     }
   }
 
-  private void shoot() throws IOException {
+  /** Begins the slice of the next picture, or takes the picture. */
+  private void advance() throws IOException {
     // from the elapsed timeline to the source's clock
-    long offsetUs = -part.playable().elapsedUs(0);
-    display.endSlice(Math.round(nextUs() - pictureUs) + offsetUs, Math.round(nextUs()) + offsetUs);
-    report(Math.round(nextUs()));
-    film.add(display.picture(overlays));
-    pictures++;
+    long atUs = Math.round(nextUs()) - part.playable().elapsedUs(0);
+    display.endSlice(atUs - part.sliceUs(), atUs);
+    if (inSlice) {
+      report(Math.round(nextUs()));
+      film.add(display.picture(overlays));
+      pictures++;
+    }
+    inSlice = !inSlice || part.sliceUs() >= pictureUs;
   }
 
   @Override
@@ -115,7 +123,7 @@ final class ClipExport extends PartExport {
   String finish() throws IOException {
     // the last picture, even if the recording ends before it
     while (nextUs() <= part.toUs() + 0.5) {
-      shoot();
+      advance();
     }
     film.finish();
     return pictures + (pictures == 1 ? " picture" : " pictures");

@@ -35,7 +35,7 @@ public final class ExportFeature implements ViewerFeature {
 
   /** A request, on the elapsed timeline of the playable of {@code open}. */
   private record Wanted(
-      Callable<Playable> open, String chain, long startUs, long fromUs, long toUs) {}
+      Callable<Playable> open, String chain, long startUs, long fromUs, long toUs, long sliceUs) {}
 
   /** Begins to export a part. */
   private interface Exporter {
@@ -164,9 +164,9 @@ public final class ExportFeature implements ViewerFeature {
     long startUs = Math.max(0, fromUs - runUpUs);
     if (playing instanceof BufferedPlayable kept) {
       Playable copy = kept.copy(startUs, toUs);
-      return new Wanted(() -> copy, json, startUs, fromUs, toUs);
+      return new Wanted(() -> copy, json, startUs, fromUs, toUs, sliceUs);
     }
-    return new Wanted(open.request().playable(), json, startUs, fromUs, toUs);
+    return new Wanted(open.request().playable(), json, startUs, fromUs, toUs, sliceUs);
   }
 
   private static String export(Wanted wanted, Exporter exporter, LongConsumer progress)
@@ -176,7 +176,12 @@ public final class ExportFeature implements ViewerFeature {
         PartExport export =
             exporter.begin(
                 new PartExport.ExportedPart(
-                    playable, chain, wanted.startUs(), wanted.fromUs(), wanted.toUs()))) {
+                    playable,
+                    chain,
+                    wanted.startUs(),
+                    wanted.fromUs(),
+                    wanted.toUs(),
+                    wanted.sliceUs()))) {
       return export.run(progress);
     }
   }

@@ -19,8 +19,10 @@ abstract class PartExport implements StreamHandler, AutoCloseable {
    * @param startUs start of the run-up on the elapsed timeline, microseconds
    * @param fromUs start of the part
    * @param toUs end, not included
+   * @param sliceUs length of the slices on the screen
    */
-  record ExportedPart(Playable playable, FilterChain chain, long startUs, long fromUs, long toUs) {}
+  record ExportedPart(
+      Playable playable, FilterChain chain, long startUs, long fromUs, long toUs, long sliceUs) {}
 
   final ExportedPart part;
   private final EventPacket cut = new EventPacket(4096);

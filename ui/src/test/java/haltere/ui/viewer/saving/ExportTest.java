@@ -26,6 +26,7 @@ import haltere.ui.rendering.Gradient;
 import haltere.ui.viewer.InspectionFeature;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.feature.DisplayControl;
+import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.MeasuredLine;
 import haltere.ui.viewer.playback.PlaybackController;
 import java.awt.image.BufferedImage;
@@ -372,6 +373,32 @@ class ExportTest {
     viewer.run(() -> export().exportFilm(fixed));
     viewer.waitFor("it says so", () -> said().startsWith("Exported fixed.gif"));
     assertEquals(-1, Files.mismatch(following, fixed));
+  }
+
+  @Test
+  void filmOfTheLastSliceShowsWhatTheScreenShows() throws IOException {
+    DisplayControl display = viewer.window.context().display();
+    viewer.run(() -> display.decayUsProperty().set(DisplayOptions.SLICE_ONLY));
+    for (DisplayMode mode : List.of(DisplayMode.POLARITY, DisplayMode.COUNTS)) {
+      viewer.run(() -> display.modeProperty().set(mode));
+      Path film = folder.resolve(mode + ".gif");
+      viewer.run(() -> export().exportFilm(film));
+      viewer.waitFor("it says so", () -> said().startsWith("Exported " + mode + ".gif"));
+      // its first picture ends 0.04 s after the start, at a quarter of real time
+      seek(510_000 - viewer.status().sliceUs());
+      Path picture = folder.resolve(mode + ".png");
+      savePicture(picture);
+      BufferedImage onScreen = ImageIO.read(picture.toFile());
+      BufferedImage inFilm = ImageIO.read(film.toFile());
+      int different = 0;
+      for (int i = 3; i < 765; i += 3) {
+        for (int j = 60; j < 700; j += 3) {
+          different += differs(onScreen, inFilm, i, j) ? 1 : 0;
+        }
+      }
+      assertEquals(0, different, "places that differ");
+      seek(620_000);
+    }
   }
 
   @Test
