@@ -226,10 +226,8 @@ final class OrientCommand extends Subcommand {
       }
     }
     if (usable < 2) {
-      warning(
-          "there "
-              + (usable == 1 ? "is one camera" : "is no camera")
-              + " to use; an orientation needs two");
+      String there = usable == 1 ? "one camera" : "no camera";
+      warning("there is " + there + " to use; an orientation needs two");
     }
   }
 

@@ -102,12 +102,10 @@ abstract class SettingsListing extends Subcommand {
   }
 
   private static String values(Parameter parameter) {
+    String ends = Parameter.text(parameter.min()) + " to " + Parameter.text(parameter.max());
     String range =
         parameter.isNumber()
-            ? Parameter.text(parameter.min())
-                + " to "
-                + Parameter.text(parameter.max())
-                + unit(parameter)
+            ? ends + unit(parameter)
             : parameter.choices().isEmpty()
                 ? parameter.type() == boolean.class ? "true or false" : "text"
                 : String.join(", ", parameter.choices());

@@ -44,7 +44,6 @@ abstract class Subcommand implements Callable<Integer> {
   /** The status of bad input or work that failed. */
   static final int FAILED = 1;
 
-  /** The status of wrong arguments. */
   static final int WRONG_ARGUMENTS = 2;
 
   @Spec CommandSpec spec;

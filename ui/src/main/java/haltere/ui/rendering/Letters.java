@@ -2,7 +2,6 @@ package haltere.ui.rendering;
 
 /** Draws text as dots, each of which covers a share of its pixel. */
 public interface Letters {
-  /** Takes a dot. */
   interface Dots {
     /**
      * Takes a dot: column from the left, row from the top, and the share of the pixel that it

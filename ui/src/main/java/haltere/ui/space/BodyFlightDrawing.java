@@ -225,7 +225,6 @@ public final class BodyFlightDrawing {
     return sum;
   }
 
-  /** The point at a length along a direction. */
   private static double[] along(double[] from, double length, double[] direction) {
     double[] point = from.clone();
     Arrays.setAll(point, k -> from[k] + length * direction[k]);

@@ -52,7 +52,6 @@ public final class ViewerKeys {
         });
   }
 
-  /** A key as text. */
   static String label(String key) {
     return key.isEmpty() ? "" : KeyCombination.keyCombination(key).getDisplayText();
   }

@@ -141,10 +141,8 @@ public final class CameraFeature implements ViewerFeature {
   }
 
   private static String label(CameraInfo info) {
-    return Texts.source(info.id())
-        + "   "
-        + info.geometry()
-        + (info.canOpen() ? "" : "   (cannot be opened)");
+    String obstacle = info.canOpen() ? "" : "   (cannot be opened)";
+    return Texts.source(info.id()) + "   " + info.geometry() + obstacle;
   }
 
   private void choose(CameraInfo info) {

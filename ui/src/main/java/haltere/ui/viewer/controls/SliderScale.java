@@ -25,7 +25,6 @@ record SliderScale(double min, double max, double minPositive, boolean logarithm
         min, max, minPositive, parameter.logarithmic() && max > minPositive && max > 0, whole);
   }
 
-  /** The value at a position of the slider. */
   double value(double position) {
     double value;
     if (!logarithmic) {
@@ -39,7 +38,6 @@ record SliderScale(double min, double max, double minPositive, boolean logarithm
     return Math.max(min, Math.min(max, rounded));
   }
 
-  /** The slider position of a value. */
   double position(double value) {
     double position =
         !logarithmic

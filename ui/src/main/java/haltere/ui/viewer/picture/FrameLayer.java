@@ -55,7 +55,6 @@ public final class FrameLayer {
     usedBits |= bits;
   }
 
-  /** The stream jumps. */
   synchronized void jump() {
     latest = null;
     isRequested = true;

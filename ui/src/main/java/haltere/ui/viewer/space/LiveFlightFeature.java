@@ -88,7 +88,6 @@ public final class LiveFlightFeature implements ViewerFeature {
     openRecordings(cameras, files);
   }
 
-  /** Opens a recording for each camera. */
   void openRecordings(List<CameraModel> cameras, List<Path> files) {
     open(
         () ->
@@ -97,7 +96,6 @@ public final class LiveFlightFeature implements ViewerFeature {
         files.get(0).toString());
   }
 
-  /** Opens the cameras themselves. */
   void openCameras(List<CameraModel> calibrated, Cameras cameras) {
     open(() -> CameraRig.live(calibrated, cameras), "cameras");
   }

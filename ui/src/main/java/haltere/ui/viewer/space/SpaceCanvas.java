@@ -90,7 +90,6 @@ final class SpaceCanvas extends RotatablePane {
     image.repaint();
   }
 
-  /** A moment as text. */
   static String label(BodyFlight.Moment moment) {
     var now = moment.estimate();
     return Quantities.text(
