@@ -10,6 +10,7 @@ import haltere.ui.rendering.DisplayMode;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.picture.MeasuredLine;
 import haltere.ui.viewer.picture.RegionTool;
+import haltere.ui.viewer.picture.ScaleLegend;
 import haltere.ui.viewer.playback.PlaybackController;
 import java.util.HashSet;
 import java.util.Optional;
@@ -100,6 +101,29 @@ class InspectionTest {
         "no overlap",
         () -> !readout.getBoundsInParent().intersects(view.legend().getBoundsInParent()));
     assertTrue(viewer.onFx(() -> view.legend().isVisible()));
+  }
+
+  @Test
+  void legendInTheNarrowestPictureIsShorterAndWhole() {
+    viewer.run(() -> viewer.window.context().actions().run("show-as-time-surface"));
+    EventView view = viewer.window.context().panels().view();
+    ScaleLegend legend = view.legend();
+    viewer.waitFor("a legend", legend::isVisible);
+    viewer.run(
+        () -> {
+          view.resize(view.getMinWidth(), view.getMinHeight());
+          view.layout();
+          legend.layout();
+          assertEquals(1, legend.getOpacity());
+          assertTrue(legend.getLayoutX() >= 0, "the left end at " + legend.getLayoutX());
+          for (Node part : legend.getChildren()) {
+            double right = part.getLayoutX() + part.getLayoutBounds().getWidth();
+            assertTrue(right <= legend.getWidth(), part + " ends at " + right);
+            assertTrue(
+                !(part instanceof Label)
+                    || part.getLayoutBounds().getWidth() >= part.prefWidth(-1));
+          }
+        });
   }
 
   @Test

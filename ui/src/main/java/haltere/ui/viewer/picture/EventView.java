@@ -216,8 +216,11 @@ public final class EventView extends Region implements ArrowKeys {
     frame.setWidth(geometry.width() * scale + 1);
     frame.setHeight(geometry.height() * scale + 1);
     redraw();
-    legend.resize(Math.min(legend.prefWidth(-1), getWidth() - 24), legend.prefHeight(-1));
-    legend.relocate(getWidth() - legend.getWidth() - 12, getHeight() - legend.getHeight() - 10);
+    double room = getWidth() - 4;
+    legend.resize(Math.min(legend.prefWidth(-1), room), legend.prefHeight(-1));
+    legend.setOpacity(legend.minWidth(-1) > room ? 0 : 1);
+    double legendX = Math.max(2, getWidth() - legend.getWidth() - 12);
+    legend.relocate(legendX, getHeight() - legend.getHeight() - 10);
     showReadout(readout.getText());
   }
 

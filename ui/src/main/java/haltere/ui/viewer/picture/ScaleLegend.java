@@ -26,9 +26,10 @@ public final class ScaleLegend extends HBox {
     setManaged(false);
     setMouseTransparent(true);
     setVisible(false);
-    strip.setMinSize(20, 8);
+    strip.setMinSize(12, 8);
     strip.setPrefSize(90, 8);
     first.setMinWidth(USE_PREF_SIZE);
+    last.setMinWidth(USE_PREF_SIZE);
     getChildren().addAll(first, strip, last);
   }
 
