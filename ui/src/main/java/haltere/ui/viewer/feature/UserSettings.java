@@ -11,6 +11,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -31,8 +32,8 @@ public final class UserSettings {
   private final Map<String, Object> values;
   private final Map<String, StoredValue> properties = new HashMap<>();
 
-  /** Unsaved values; empty if the file is up to date. */
-  private volatile Optional<Map<String, Object>> unsaved = Optional.empty();
+  /** Values that were changed and are not saved yet. */
+  private final Map<String, Object> unsaved = new ConcurrentHashMap<>();
 
   private UserSettings(Optional<Path> file, Map<String, Object> values) {
     this.file = file;
@@ -81,7 +82,7 @@ public final class UserSettings {
   /** Sets a value that JSON can hold. */
   public void put(String name, Object value) {
     if (!value.equals(values.put(name, value))) {
-      unsaved = Optional.of(new LinkedHashMap<>(values));
+      unsaved.put(name, value);
     }
   }
 
@@ -139,21 +140,22 @@ public final class UserSettings {
     keep(name, property, value -> value, Boolean.class::cast);
   }
 
-  /** Writes the file after changes, and creates its folder. */
+  /** Writes changed values into the file, which another window may have changed elsewhere. */
   public void save() throws IOException {
-    Optional<Map<String, Object>> changed = unsaved;
+    Map<String, Object> changed = Map.copyOf(unsaved);
     if (file.isEmpty() || changed.isEmpty()) {
       return;
     }
-    Files.createDirectories(file.get().toAbsolutePath().getParent());
-    AtomicFile.write(file.get(), Json.write(changed.get()) + "\n", true);
-    if (unsaved.equals(changed)) {
-      unsaved = Optional.empty();
-    }
+    Path folder = file.get().toAbsolutePath().getParent();
+    Files.createDirectories(folder);
+    Map<String, Object> all = load(folder).values;
+    all.putAll(changed);
+    AtomicFile.write(file.get(), Json.write(all) + "\n", true);
+    unsaved.entrySet().removeAll(changed.entrySet());
   }
 
   /** Whether there are unsaved changes. */
   public boolean hasChanged() {
-    return unsaved.isPresent();
+    return !unsaved.isEmpty();
   }
 }
