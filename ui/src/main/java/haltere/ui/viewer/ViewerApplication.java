@@ -140,7 +140,8 @@ public final class ViewerApplication {
     Theme.DARK.apply();
     Stage stage = new Stage();
     ViewerWindow window = new ViewerWindow(stage, settings);
-    stage.addEventHandler(WindowEvent.WINDOW_HIDDEN, event -> closed.countDown());
+    // after the window itself has been closed
+    stage.addEventHandler(WindowEvent.WINDOW_HIDDEN, event -> Platform.runLater(closed::countDown));
     return window;
   }
 }

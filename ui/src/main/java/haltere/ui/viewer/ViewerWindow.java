@@ -19,6 +19,7 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.feature.ViewerPanels;
 import haltere.ui.viewer.playback.PlaybackController;
+import haltere.ui.viewer.saving.ExportFeature;
 import java.io.File;
 import java.util.List;
 import java.util.Optional;
@@ -164,13 +165,14 @@ public final class ViewerWindow {
     stage.show();
   }
 
-  /** Opens the first of some files; false for an empty list. */
+  /** Opens a file, and refuses several with a line; false for an empty list. */
   public boolean dropped(List<File> files) {
-    if (files.isEmpty()) {
-      return false;
+    if (files.size() == 1) {
+      context.sessions().open(files.get(0).toPath());
+    } else if (!files.isEmpty()) {
+      context.status().showError("A window shows one recording: drop a single file");
     }
-    context.sessions().open(files.get(0).toPath());
-    return true;
+    return !files.isEmpty();
   }
 
   /** Shows a fault of the viewer: a line for the user, details in the log. */
@@ -201,6 +203,7 @@ public final class ViewerWindow {
     pulse.stop();
     context.sessions().close();
     context.panels().plots().close();
+    feature(ExportFeature.class).stop();
     context.background().close();
   }
 }

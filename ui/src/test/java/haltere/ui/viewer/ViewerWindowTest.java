@@ -120,6 +120,16 @@ class ViewerWindowTest {
   }
 
   @Test
+  void severalDroppedFilesAreRefusedWithALine() throws IOException {
+    Path file = folder.resolve("dropped.aedat");
+    ViewerHarness.writeRecording(file, 500_000);
+    viewer = ViewerHarness.withBlob();
+    viewer.onFx(() -> viewer.window.dropped(List.of(file.toFile(), file.toFile())));
+    assertEquals("A window shows one recording: drop a single file", viewer.text("status-message"));
+    assertTrue(viewer.onFx(() -> viewer.stage.getTitle().startsWith("blob")));
+  }
+
+  @Test
   void unreadableFileIsReportedInOneLineWithoutOtherChanges() throws IOException {
     Path file = folder.resolve("bad.aedat");
     Files.write(file, new byte[] {1, 2, 3});

@@ -6,6 +6,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import javafx.application.Platform;
@@ -15,6 +16,8 @@ import javafx.application.Platform;
  * JavaFX thread.
  */
 public final class BackgroundWork implements AutoCloseable {
+  private static final long EXIT_TIMEOUT_S = 10;
+
   private final ExecutorService files = thread("haltere-files");
   private final ExecutorService exports = thread("haltere-export");
   private final ExecutorService scans = thread("haltere-scan");
@@ -79,12 +82,20 @@ public final class BackgroundWork implements AutoCloseable {
     }
   }
 
-  /** Finishes queued tasks and ends the threads; results are discarded. */
+  /**
+   * Finishes queued tasks and ends the threads; results are discarded. Waits until an interrupted
+   * export has removed its files.
+   */
   @Override
   public void close() {
     closed.set(true);
     scans.shutdownNow();
     exports.shutdownNow();
     files.shutdown();
+    try {
+      exports.awaitTermination(EXIT_TIMEOUT_S, TimeUnit.SECONDS);
+    } catch (InterruptedException again) {
+      Thread.currentThread().interrupt();
+    }
   }
 }

@@ -73,7 +73,7 @@ public final class ExportFeature implements ViewerFeature {
   }
 
   /** Stops running and waiting exports and removes their files. */
-  void stop() {
+  public void stop() {
     stops++;
     running.forEach(export -> export.cancel(true));
     window.status().setActivity("Exports were stopped");

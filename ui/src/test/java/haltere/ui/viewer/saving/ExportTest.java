@@ -376,6 +376,20 @@ class ExportTest {
   }
 
   @Test
+  void windowThatIsClosedDuringAnExportLeavesNoPartOfTheFilm() throws IOException {
+    viewer.run(() -> viewer.window.context().playback().setSpeed(0.001));
+    viewer.run(() -> export().exportFilm(folder.resolve("closed.gif")));
+    viewer.waitFor("a part of the film", () -> !filmsHere().isEmpty());
+    viewer.run(viewer.stage::hide);
+    assertEquals(List.of(), filmsHere());
+  }
+
+  private List<String> filmsHere() {
+    String[] names = folder.toFile().list((place, name) -> name.contains("closed.gif"));
+    return List.of(names);
+  }
+
+  @Test
   void filmOfTheLastSliceShowsWhatTheScreenShows() throws IOException {
     DisplayControl display = viewer.window.context().display();
     viewer.run(() -> display.decayUsProperty().set(DisplayOptions.SLICE_ONLY));
