@@ -223,6 +223,8 @@ final class BatchCommand extends Subcommand {
       throw new CommandProblem(out + ": this is a file; name a folder");
     }
     if (reporting.report != null) {
+      // a page among the results must not replace one of their files
+      checkNeeded(reporting.report.toString().endsWith(".html"), "a name in .html", "--report");
       Files.createDirectories(out); // a report may be in it
       WritingOptions writing = new WritingOptions();
       writing.overwrite = overwrite || resume;

@@ -81,9 +81,7 @@ final class ExampleCommand extends Subcommand {
       throw wrongArguments(
           "there is no example " + name + "; there are " + FALLING_WEIGHT + ", " + OSCILLATOR);
     }
-    if (data != null && seed != null) {
-      throw wrongArguments("--seed is of simulated measurements; --data gives others");
-    }
+    checkNeeded(data == null, "simulated measurements, not --data", "--seed");
     writing.check(Arrays.asList(data), List.of(out));
     MeasurementSeries series;
     ExampleTable table;

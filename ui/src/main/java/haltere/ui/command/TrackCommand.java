@@ -134,9 +134,7 @@ final class TrackCommand extends Subcommand {
     writing.check(
         Arrays.asList(file, chainFile, roadFile), Arrays.asList(out, crossings, reporting.report));
     if (preset != null) {
-      if (chainFile != null) {
-        throw wrongArguments("--preset and --chain both say how to track");
-      }
+      checkNeeded(chainFile == null, "no --chain, which also says how to track", "--preset");
       start = preset(new KalmanTracksFilter.Provider(), preset);
     }
     if (cameras.given()) {

@@ -76,6 +76,12 @@ class OptionsTest {
   }
 
   @Test
+  void reportOfABatchMayNotReplaceAResult() throws IOException {
+    String batch = "batch @in.aedat --wings --out @. --resume --report @in.aedat/done.json";
+    assertRefused(batch, "--report needs a name in .html");
+  }
+
+  @Test
   void stagesOfTheSameNameMayNotWriteOneTable() throws IOException {
     Files.writeString(
         folder.resolve("chain.json"),
