@@ -34,6 +34,7 @@ final class BirthDetector {
   /** For each cell, the number of tiles stored up to its own last one. */
   private final long[] latest;
 
+  private final int[] changed;
   private final int[] stack;
   private final boolean[] seen;
   private final List<int[]> found = new ArrayList<>();
@@ -45,6 +46,8 @@ final class BirthDetector {
   private double[] eventS = new double[1024];
   private int events;
   private long remembered;
+  private int changedCells;
+  private double excessNat;
   private int tick;
 
   BirthDetector(ActivityGrid grid, ClutterMap clutter) {
@@ -53,10 +56,13 @@ final class BirthDetector {
     stack = new int[clutter.cells()];
     seen = new boolean[clutter.cells()];
     latest = new long[clutter.cells()];
+    changed = new int[clutter.cells()];
   }
 
   void begin(int passed) {
     tick += passed;
+    changedCells = 0;
+    Arrays.fill(seen, false);
   }
 
   void reset() {
@@ -64,8 +70,15 @@ final class BirthDetector {
     Arrays.fill(latest, 0);
   }
 
-  /** Stores the unexplained pixels of a tile. */
+  /** Stores the unexplained pixels of a tile with events, if any. */
   void remember(int tile, int cell, int pixels) {
+    if (!seen[cell]) {
+      seen[cell] = true;
+      changed[changedCells++] = cell;
+    }
+    if (pixels == 0) {
+      return;
+    }
     int i = (int) (remembered++ & RING - 1);
     ringBefore[i] = latest[cell];
     latest[cell] = remembered;
@@ -74,19 +87,15 @@ final class BirthDetector {
     ringTick[i] = tick;
   }
 
-  /** Cells of each birth of this tick; the list is reused. */
+  /** Cells of each birth of this tick, next to events of it; the list is reused. */
   List<int[]> find() {
     found.clear();
     Arrays.fill(seen, false);
-    for (int cell = 0; cell < seen.length; cell++) {
-      if (clutter.isExcess(cell, CELL_NAT) && !seen[cell]) {
-        int size = connect(cell);
-        double total = 0;
-        for (int i = 0; i < size; i++) {
-          total += clutter.logRatio(stack[i]);
-        }
+    for (int k = 0; k < changedCells; k++) {
+      if (!seen[changed[k]] && clutter.isExcess(changed[k], CELL_NAT)) {
+        int size = connect(changed[k]);
         // a component costs nothing but time: its motion is to bring the other half
-        if (total >= 0.5 * clutter.alarmNat()) {
+        if (excessNat >= 0.5 * clutter.alarmNat()) {
           found.add(Arrays.copyOf(stack, size));
         }
       }
@@ -94,11 +103,14 @@ final class BirthDetector {
     return found;
   }
 
+  /** Lists the cells connected with one, and sums their log ratios; returns their number. */
   private int connect(int start) {
     int size = 0;
+    excessNat = 0;
     stack[size++] = start;
     seen[start] = true;
     for (int at = 0; at < size; at++) {
+      excessNat += clutter.logRatio(stack[at]);
       int column = stack[at] % clutter.columns;
       int row = stack[at] / clutter.columns;
       for (int r = Math.max(0, row - 1); r <= Math.min(clutter.rows - 1, row + 1); r++) {

@@ -65,8 +65,8 @@ final class ClutterMap {
   private double perGain;
   private double recentGain;
   private double perRecentGain;
-  private double usual;
-  private double present;
+  private double allBackground;
+  private double allExcess;
   private double level;
   private double perTick;
   private double ticks;
@@ -88,6 +88,8 @@ final class ClutterMap {
     Arrays.fill(excess, 0);
     Arrays.fill(background, 0);
     Arrays.fill(cellRecent, 0);
+    allBackground = 0;
+    allExcess = 0;
     gain = 1;
     recentGain = 1;
     ticks = 0;
@@ -124,6 +126,8 @@ final class ClutterMap {
       background[i] *= keepBackground;
       cellRecent[i] *= keepRecent;
     }
+    allBackground *= keepBackground;
+    allExcess *= keepExcess;
     grow(keep, keepRecent);
     pixelFactor = level / (ticks + 1 / perTick);
   }
@@ -189,12 +193,22 @@ final class ClutterMap {
     cellRecent[cell]++;
     excess[cell] += (float) share;
     background[cell] += (float) share;
+    allExcess += share;
+    allBackground += share;
   }
 
   /** Estimates the usual rate of the picture and its present factor. */
   void end() {
-    winsorisedMeans(Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY);
-    winsorisedMeans((float) (MAX_OF_MEAN * usual), (float) (MAX_OF_MEAN * present));
+    float maxUsual = (float) (MAX_OF_MEAN * allBackground / excess.length);
+    float maxPresent = (float) (MAX_OF_MEAN * allExcess / excess.length);
+    double usual = 0;
+    double present = 0;
+    for (int i = 0; i < excess.length; i++) {
+      usual += background[i] < maxUsual ? background[i] : maxUsual;
+      present += excess[i] < maxPresent ? excess[i] : maxPresent;
+    }
+    usual /= excess.length;
+    present /= excess.length;
     double expected = usual / ticks * BIRTH_S / ObjectTracker.TICK_S;
     boolean isNew = ticks < BirthDetector.WINDOW;
     level = isNew ? 1 : Math.max(1, present / Math.max(expected, 1e-9));
@@ -202,20 +216,6 @@ final class ClutterMap {
     double prior = PRIOR_HZ * PRIOR_S * CELL_PIXELS;
     perTick = (usual + prior) / (CELL_PIXELS * (ticks + priorTicks));
     cellFactor = level / (ticks + 1 / (CELL_PIXELS * perTick)) * BIRTH_S / ObjectTracker.TICK_S;
-  }
-
-  /**
-   * Means over cells with an upper limit each; both at once, as each sum waits for its last term.
-   */
-  private void winsorisedMeans(float maxUsual, float maxPresent) {
-    double first = 0;
-    double second = 0;
-    for (int i = 0; i < excess.length; i++) {
-      first += background[i] < maxUsual ? background[i] : maxUsual;
-      second += excess[i] < maxPresent ? excess[i] : maxPresent;
-    }
-    usual = first / excess.length;
-    present = second / excess.length;
   }
 
   /**
@@ -238,6 +238,7 @@ final class ClutterMap {
 
   /** Removes the excess of a cell, which a component explains. */
   void clear(int cell) {
+    allExcess -= excess[cell];
     excess[cell] = 0;
   }
 }

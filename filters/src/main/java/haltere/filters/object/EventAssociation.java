@@ -97,9 +97,7 @@ final class EventAssociation {
       clutter.add(tile, pixel, cell, share);
       unexplained |= share > 0.5 ? 1 << pixel : 0;
     }
-    if (unexplained != 0) {
-      births.remember(tile, cell, unexplained);
-    }
+    births.remember(tile, cell, unexplained);
   }
 
   /** Assigns one event; returns the share of clutter. */

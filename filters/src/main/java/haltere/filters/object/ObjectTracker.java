@@ -354,8 +354,6 @@ final class ObjectTracker {
     to.state.set(from.state);
     to.shape.clear(from.shape.cellPx);
     from.regions.move(region, from.shape, to.shape);
-    to.shape.settle();
-    from.shape.settle();
     double total = ShapeTemplate.sum(to.shape.mass);
     double share = total / (total + ShapeTemplate.sum(from.shape.mass));
     to.rate = from.rate * share;

@@ -1,7 +1,6 @@
 package haltere.filters.object;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
@@ -37,7 +36,9 @@ final class RegionFinder {
     }
   }
 
+  /** Number of the region of each cell, 0 for none yet, -1 outside of the extent. */
   private final int[] label = new int[ShapeTemplate.CELLS];
+
   private final int[] stack = new int[ShapeTemplate.CELLS];
   private ShapeRegion spare = new ShapeRegion();
   private List<ShapeRegion> regions = List.of();
@@ -95,11 +96,13 @@ final class RegionFinder {
 
   /** Connected regions with at least a share of the events. */
   private List<ShapeRegion> find(ShapeTemplate shape) {
-    Arrays.fill(label, 0);
+    for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
+      label[cell] = shape.isCore(cell) ? 0 : -1;
+    }
     List<ShapeRegion> found = new ArrayList<>(2);
     int labels = 0;
     for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
-      if (shape.isCore(cell) && label[cell] == 0) {
+      if (label[cell] == 0) {
         fill(shape, cell, ++labels, spare);
         if (spare.mass > MIN_SHARE * shape.solidTotal) {
           found.add(spare);
@@ -138,7 +141,7 @@ final class RegionFinder {
       for (int r = Math.max(0, row - 1); r <= Math.min(side - 1, row + 1); r++) {
         for (int c = Math.max(0, column - 1); c <= Math.min(side - 1, column + 1); c++) {
           int next = r * side + c;
-          if (shape.isCore(next) && label[next] == 0) {
+          if (label[next] == 0) {
             label[next] = number;
             stack[top++] = next;
           }
@@ -155,7 +158,6 @@ final class RegionFinder {
 
   /** Moves the cells nearest to a region from one template to another. */
   void move(ShapeRegion leaving, ShapeTemplate from, ShapeTemplate to) {
-    from.settle();
     for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
       if (from.mass[cell] > 0 && owner(cell, from) == leaving) {
         to.add(cell, from.mass[cell]);

@@ -82,7 +82,6 @@ class ShapeTemplateTest {
     template.decay(0.5);
     template.add(cell, 1);
     template.decay(0.5);
-    template.settle();
     assertEquals(2.5, ShapeTemplate.sum(template.mass), 1e-6);
   }
 
