@@ -193,23 +193,25 @@ public final class ChainRunner implements StreamHandler {
   }
 
   private boolean throughChain(EventPacket packet, int in, long beforeUs) {
-    long outside = -chain.outsideSensor();
-    long impossible = -chain.atImpossibleTimes();
+    long outsideBefore = chain.outsideSensor();
+    long impossibleBefore = chain.atImpossibleTimes();
     FilterFailure failure = null;
     try {
       chain.process(packet);
     } catch (FilterFailure thrown) {
       failure = thrown;
     }
-    outside += chain.outsideSensor();
-    impossible += chain.atImpossibleTimes();
+    long outside = chain.outsideSensor() - outsideBefore;
+    long impossible = chain.atImpossibleTimes() - impossibleBefore;
     long filtered = in - outside - impossible;
     if (!runUp) {
       counters.add(Counter.EVENTS_OUTSIDE_SENSOR, outside);
       counters.add(Counter.EVENTS_AT_IMPOSSIBLE_TIMES, impossible);
-      counters.add(
-          failure == null ? Counter.EVENTS_FILTERED : Counter.EVENTS_LOST_IN_FAILURE,
-          failure == null ? filtered - packet.size() : filtered);
+      if (failure == null) {
+        counters.add(Counter.EVENTS_FILTERED, filtered - packet.size());
+      } else {
+        counters.add(Counter.EVENTS_LOST_IN_FAILURE, filtered);
+      }
     }
     if (failure != null) {
       filterFailed(failure);

@@ -70,7 +70,7 @@ final class BirthDetector {
     Arrays.fill(latest, 0);
   }
 
-  /** Stores the unexplained pixels of a tile with events, if any. */
+  /** Notes the cell of a tile with events for {@link #find}, and stores its unexplained pixels. */
   void remember(int tile, int cell, int pixels) {
     if (!seen[cell]) {
       seen[cell] = true;

@@ -44,6 +44,7 @@ abstract class Subcommand implements Callable<Integer> {
   /** The status of bad input or work that failed. */
   static final int FAILED = 1;
 
+  /** The status of wrong arguments. */
   static final int WRONG_ARGUMENTS = 2;
 
   @Spec CommandSpec spec;

@@ -47,10 +47,11 @@ public final class PublishedMeans implements AutoCloseable {
   private void add(PlotField field, long timeUs, double value) {
     if (Double.isFinite(value)) {
       long part = Math.floorDiv(timeUs, PART_US);
-      newestPart = Math.max(newestPart, part);
-      NavigableMap<Long, DoubleSummaryStatistics> parts = numbers.get(field);
-      parts.computeIfAbsent(part, absent -> new DoubleSummaryStatistics()).accept(value);
-      parts.headMap(newestPart - PARTS, true).clear();
+      if (part > newestPart) {
+        newestPart = part;
+        numbers.values().forEach(parts -> parts.headMap(part - PARTS, true).clear());
+      }
+      numbers.get(field).computeIfAbsent(part, at -> new DoubleSummaryStatistics()).accept(value);
     }
   }
 

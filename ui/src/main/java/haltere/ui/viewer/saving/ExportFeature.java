@@ -35,7 +35,11 @@ public final class ExportFeature implements ViewerFeature {
 
   /** A request, on the elapsed timeline of the playable of {@code open}. */
   private record Wanted(
-      Callable<Playable> open, String chain, long startUs, long fromUs, long toUs, long sliceUs) {}
+      Callable<Playable> open, String chain, long startUs, long fromUs, long toUs, long sliceUs) {
+    PartExport.ExportedPart part(Playable opened, FilterChain parsed) {
+      return new PartExport.ExportedPart(opened, parsed, startUs, fromUs, toUs, sliceUs);
+    }
+  }
 
   /** Begins to export a part. */
   private interface Exporter {
@@ -173,15 +177,7 @@ public final class ExportFeature implements ViewerFeature {
       throws Exception {
     try (Playable playable = wanted.open().call();
         FilterChain chain = ChainFile.parse(wanted.chain(), "the chain", playable.geometry());
-        PartExport export =
-            exporter.begin(
-                new PartExport.ExportedPart(
-                    playable,
-                    chain,
-                    wanted.startUs(),
-                    wanted.fromUs(),
-                    wanted.toUs(),
-                    wanted.sliceUs()))) {
+        PartExport export = exporter.begin(wanted.part(playable, chain))) {
       return export.run(progress);
     }
   }
