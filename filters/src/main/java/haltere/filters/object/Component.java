@@ -323,9 +323,12 @@ final class Component {
   void watch(double minS, double maxS) {
     int known = Math.min(knownTicks(), (int) Math.round(maxS / ObjectTracker.TICK_S));
     window = (int) Math.round(minS / ObjectTracker.TICK_S);
-    while (window < known
-        && Math.hypot(displacementX(window), displacementY(window)) < shape.size()) {
-      window++;
+    for (; window < known; window++) {
+      double dx = displacementX(window);
+      double dy = displacementY(window);
+      if (dx * dx + dy * dy >= shape.size() * shape.size()) {
+        return;
+      }
     }
   }
 
@@ -340,7 +343,7 @@ final class Component {
     while (shape.reach() < need) {
       shape.resample(shape.coarser(), 0, 0);
     }
-    shape.absorb(other.shape, dx, dy);
+    shape.spread(other.shape.mass, other.shape.cellPx, dx, dy);
     double share = other.rate / (other.rate + rate);
     setVelocity(vx() + share * (other.vx() - vx()), vy() + share * (other.vy() - vy()));
     rate += other.rate;

@@ -228,10 +228,10 @@ final class ObjectRelations {
 
   /** Whether two objects are to be joined. */
   boolean areOne(TrackedObject a, TrackedObject b) {
-    double odds = score(a.components, b.components);
-    if (odds == FAR || !mayJoin(a) || !mayJoin(b)) {
+    if (!mayJoin(a) || !mayJoin(b)) {
       return false;
     }
+    double odds = score(a.components, b.components);
     if (a.isSettled() && b.isSettled()) {
       return odds > DECISIVE_NAT;
     }

@@ -359,13 +359,14 @@ final class ShapeTemplate {
     return cellPx * Math.sqrt(2);
   }
 
-  /** Cell size for the present extent. */
+  /** Cell size for the present extent; cells that shrank with it are kept for a step. */
   double wantedCell() {
     double span = size() * perCell;
     if (span > MAX_SPAN) {
       return coarser();
     }
-    return Math.max(MIN_CELL_PX, span < MIN_SPAN ? cellPx / Math.sqrt(2) : cellPx);
+    double finest = coarser() > MIN_CELL_PX ? Math.min(cellPx, MIN_CELL_PX) : MIN_CELL_PX;
+    return Math.max(finest, span < MIN_SPAN ? cellPx / Math.sqrt(2) : cellPx);
   }
 
   /** Resamples with another cell size and another middle of the grid. */
@@ -376,12 +377,8 @@ final class ShapeTemplate {
     spread(work, from, -shiftX, -shiftY);
   }
 
-  /** Adds another template at an offset. */
-  void absorb(ShapeTemplate other, double dx, double dy) {
-    spread(other.mass, other.cellPx, dx, dy);
-  }
-
-  private void spread(float[] weights, double side, double dx, double dy) {
+  /** Adds the weights of another template at an offset. */
+  void spread(float[] weights, double side, double dx, double dy) {
     for (int i = 0; i < CELLS; i++) {
       if (weights[i] > 0) {
         spread(X[i] * side + dx, Y[i] * side + dy, weights[i], side);

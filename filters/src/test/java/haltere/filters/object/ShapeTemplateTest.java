@@ -114,8 +114,23 @@ class ShapeTemplateTest {
     Component component = new Component(0);
     ShapeTemplate box = box(6, 6);
     component.shape.clear(box.cellPx);
-    component.shape.absorb(box, 0, 0);
+    component.shape.spread(box.mass, box.cellPx, 0, 0);
     component.shape.refresh();
     return component;
+  }
+
+  @Test
+  void cellsThatShrinkWithTheirObjectAreResampledOnceInAStep() {
+    ShapeTemplate template = box(10, 6);
+    double finest = ShapeTemplate.MIN_CELL_PX;
+    template.grow(finest / template.cellPx);
+    template.refresh();
+    assertEquals(finest, template.wantedCell());
+    template.grow(0.98);
+    template.refresh();
+    assertEquals(template.cellPx, template.wantedCell());
+    template.grow(0.7);
+    template.refresh();
+    assertEquals(finest, template.wantedCell());
   }
 }
