@@ -142,7 +142,7 @@ public final class ViolationCounts {
                     Locale.ROOT,
                     "%,d %s (first at byte %d)",
                     count(kind),
-                    kind.description(),
+                    kind.description(count(kind)),
                     firstOffset(kind)));
       }
     }

@@ -130,7 +130,10 @@ final class SimulatedBiases implements Biases, BiasSliders {
     SensorTuning set = sets.get(name);
     if (set == null) {
       throw new IllegalArgumentException(
-          "there is no set of biases named " + name + "; there are " + sets.keySet());
+          "there is no set of biases named "
+              + name
+              + "; there are "
+              + String.join(", ", sets.keySet()));
     }
     transfers.change(
         () -> {

@@ -158,8 +158,8 @@ final class LiveRun {
     }
     if (whenStopped.brokenTransfers() > 0) {
       command.warning(
-          "%s: %,d losses of unknown size, by broken transfers or a simulation that is too slow",
-          id, whenStopped.brokenTransfers());
+          "%s: %s of unknown size, by broken transfers or a simulation that is too slow",
+          id, Quantities.counted(whenStopped.brokenTransfers(), "gap"));
     }
   }
 
