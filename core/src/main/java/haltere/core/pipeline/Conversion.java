@@ -61,18 +61,21 @@ public final class Conversion {
    * @param eventsWritten events passed by the stage
    * @param samplesWritten frames, inertial samples and triggers that were written
    * @param samplesLeftOut samples that the written format cannot store
-   * @param warnings assumptions of the reader, violations of the file and losses of the written
-   *     format
+   * @param warnings about the recording that was read: assumptions of the reader, violations of the
+   *     file, samples that were left out
+   * @param losses about the recording that was written: what its format cannot hold
    */
   public record Result(
       long eventsRead,
       long eventsWritten,
       SampleCounts samplesWritten,
       SampleCounts samplesLeftOut,
-      List<String> warnings) {
-    /** Copies the warnings. */
+      List<String> warnings,
+      List<String> losses) {
+    /** Copies the lists. */
     public Result {
       warnings = List.copyOf(warnings);
+      losses = List.copyOf(losses);
     }
   }
 
@@ -132,13 +135,17 @@ public final class Conversion {
     boolean samplesReported = !copy.samplesWritten.isEmpty() || !copy.samplesLeftOut.isEmpty();
     warnings.addAll(
         reader.violations().describe(samplesReported ? Set.of(Violation.OTHER_DATA) : Set.of()));
-    warnings.addAll(writer.losses());
     if (!copy.samplesLeftOut.isEmpty()) {
       warnings.add(
-          copy.samplesLeftOut + " were left out: the format that is written cannot hold them");
+          "left out, as the format that is written cannot hold this: " + copy.samplesLeftOut);
     }
     return new Result(
-        copy.eventsRead, copy.eventsWritten, copy.samplesWritten, copy.samplesLeftOut, warnings);
+        copy.eventsRead,
+        copy.eventsWritten,
+        copy.samplesWritten,
+        copy.samplesLeftOut,
+        warnings,
+        writer.losses());
   }
 
   private final class ConversionSink implements StreamHandler {

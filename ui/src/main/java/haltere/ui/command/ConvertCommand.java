@@ -106,7 +106,7 @@ final class ConvertCommand extends Subcommand {
   @Override
   public Integer call() throws IOException {
     checkArguments();
-    if (stream != null || isEventTable(out)) {
+    if (stream != null || WritingOptions.isParquet(out)) {
       writing.check(out);
     } else if (!ReadingOptions.isStandard(out)) {
       writing.checkRecording(out);
@@ -183,12 +183,8 @@ final class ConvertCommand extends Subcommand {
   }
 
   /** Events in Parquet are a table; nothing reads them as a recording. */
-  private static boolean isEventTable(Path file) {
-    return file.toString().endsWith(".parquet");
-  }
-
   private RecordingWriter writer(RecordingReader reader) throws IOException {
-    return isEventTable(out)
+    return WritingOptions.isParquet(out)
         ? new EventTable(
             out,
             writing.overwrite,
@@ -244,6 +240,7 @@ final class ConvertCommand extends Subcommand {
       chain.close();
     }
     warnings(in, done.warnings());
+    warnings(out, done.losses());
     if (done.eventsRead() == 0) {
       warning(in + ": there are no events" + (isPart() ? " in this part" : ""));
     }

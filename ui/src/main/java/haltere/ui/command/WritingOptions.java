@@ -8,6 +8,7 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Set;
 import picocli.CommandLine.Option;
@@ -59,6 +60,11 @@ class WritingOptions extends OptionGroup {
         throw wrong(output + " would be written by two outputs");
       }
     }
+  }
+
+  /** Whether a name is that of a Parquet table, in letters of any case as for all formats. */
+  static boolean isParquet(Path file) {
+    return file.toString().toLowerCase(Locale.ROOT).endsWith(".parquet");
   }
 
   /** Begins a table's file. */

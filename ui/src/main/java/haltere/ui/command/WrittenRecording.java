@@ -59,8 +59,8 @@ final class WrittenRecording implements JobResults, StreamHandler {
     long words = reader.violations().count(Violation.OTHER_DATA);
     if (!leftOut.isEmpty() || samples.isEmpty() && words > 0) {
       String what = leftOut.isEmpty() ? words + " words of other data" : leftOut.toString();
-      String why = " were left out: the format of " + file + " cannot hold them";
-      command.warning(reader.path() + ": " + what + why);
+      String why = ": left out, as the format of " + file + " cannot hold this: ";
+      command.warning(reader.path() + why + what);
     }
     SampleCounts kept = samples.minus(leftOut);
     String beside = kept.isEmpty() ? "" : ", " + kept;

@@ -99,6 +99,26 @@ class ConvertCommandTest {
   }
 
   @Test
+  void lossesOfTheWrittenFormatNameTheWrittenFile() throws IOException {
+    Path late = folder.resolve("late.csv");
+    Files.writeString(late, "t_us,x,y,on\n1700000000000000,1,2,1\n");
+    Path written = folder.resolve("late.es");
+    CommandRun run = CommandRun.of("convert", late, written, "--sensor", "8x8");
+    assertEquals(0, run.status(), run.err());
+    assertTrue(run.err().contains("warning: " + written + ": the format's clock"), run.err());
+  }
+
+  @Test
+  void endingOfATableMayHaveCapitals() throws IOException {
+    Path small = folder.resolve("small.csv");
+    Files.writeString(small, "t_us,x,y,on\n5,1,2,1\n");
+    Path table = folder.resolve("EVENTS.PARQUET");
+    CommandRun run = CommandRun.of("convert", small, table, "--sensor", "8x8");
+    assertEquals(0, run.status(), run.err());
+    assertTrue(Files.exists(table));
+  }
+
+  @Test
   void originTopFlipsRows() throws IOException {
     assertEquals("5001000,1,126,1", converted("--origin", "top").get(2));
     assertEquals("5001000,1,1,1", converted("--origin", "bottom").get(2));
