@@ -38,7 +38,7 @@ final class PlaybackMeter {
   private final long[] binEvents = new long[RATE_BINS];
   private long bin = Long.MIN_VALUE;
   private long firstBin;
-  private long rateAtUs;
+  private double eventRateEps;
 
   PlaybackMeter(FilterChain chain, SourceCursor source, LongSupplier nanoTime) {
     this.chain = chain;
@@ -117,22 +117,22 @@ final class PlaybackMeter {
 
   /** A slice has ended at a position. */
   void sliceEnded(long toUs) {
-    rateAtUs = toUs;
-    if (bin != Long.MIN_VALUE) {
-      goTo(Math.floorDiv(toUs - 1, BIN_US));
+    if (bin == Long.MIN_VALUE) {
+      eventRateEps = 0;
+      return;
     }
+    goTo(Math.floorDiv(toUs - 1, BIN_US));
+    long spanUs = toUs - Math.max(firstBin, bin - RATE_BINS + 1) * BIN_US;
+    eventRateEps = spanUs <= 0 ? 0 : Arrays.stream(binEvents).sum() * 1e6 / spanUs;
   }
 
   double speed() {
     return speed;
   }
 
+  /** Event rate at the end of the last slice, also while a run-up counts other events. */
   double eventRateEps() {
-    if (bin == Long.MIN_VALUE) {
-      return 0;
-    }
-    long spanUs = rateAtUs - Math.max(firstBin, bin - RATE_BINS + 1) * BIN_US;
-    return spanUs <= 0 ? 0 : Arrays.stream(binEvents).sum() * 1e6 / spanUs;
+    return eventRateEps;
   }
 
   String slowestStage() {

@@ -50,6 +50,20 @@ class EngineMomentsTest {
   }
 
   @Test
+  void eventRateOfADisplayedSliceIsNotThatOfARunUp() throws IOException {
+    EngineRig rig = new EngineRig(recording(even(20_000)), byTime(10_000), 40_000);
+    rig.runUntil(150_000_000);
+    assertEquals(100_000, rig.engine.status().eventRateEps(), 100);
+    rig.ask(new PlaybackCommand.Play(false));
+    int runUps = 0;
+    while (rig.engine.turn() != Long.MAX_VALUE) {
+      runUps += rig.engine.status().runUpUs() > 0 ? 1 : 0;
+      assertEquals(100_000, rig.engine.status().eventRateEps(), 100);
+    }
+    assertTrue(runUps > 0);
+  }
+
+  @Test
   void steppedAndSoughtMomentsAreEqual() throws IOException {
     for (int steps : new int[] {1, 3, 7, -1, -5}) {
       EngineRig stepped = sought(2000);
