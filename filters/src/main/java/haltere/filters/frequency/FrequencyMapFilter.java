@@ -5,12 +5,14 @@ import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.stream.EndOfStream;
 import haltere.core.stream.ReportClock;
+import haltere.core.stream.StreamNotification;
 
 /**
  * {@link FrequencyMap} as a stage of a chain; passes all events. Publishes {@code frequencies}: at
- * each report a {@link PixelFrequency} for each pixel whose frequency is known, from events before
- * that time only.
+ * each report, and at the end of the stream, a {@link PixelFrequency} for each pixel whose
+ * frequency is known, from events before that time only.
  *
  * <p>Thread rule: as {@link haltere.core.chain.EventFilter}.
  */
@@ -21,6 +23,8 @@ final class FrequencyMapFilter extends PublishingFilter<FrequencyMapSettings> {
   private final ReportClock reports = new ReportClock();
   private final EventPacket part = new EventPacket(0);
   private boolean begun;
+  private long lastReportUs;
+  private long lastEventUs;
 
   /**
    * A filter in its initial state.
@@ -49,6 +53,7 @@ final class FrequencyMapFilter extends PublishingFilter<FrequencyMapSettings> {
     while (from < packet.size()) {
       if (!begun) {
         begun = true;
+        lastReportUs = Long.MIN_VALUE;
         reports.skipTo(packet.timeUs(from));
       }
       int to = packet.indexAtOrAfter(reports.nextUs(), from);
@@ -60,6 +65,7 @@ final class FrequencyMapFilter extends PublishingFilter<FrequencyMapSettings> {
       }
       from = to;
     }
+    lastEventUs = from > 0 ? packet.lastTimeUs() : lastEventUs;
   }
 
   /**
@@ -77,7 +83,17 @@ final class FrequencyMapFilter extends PublishingFilter<FrequencyMapSettings> {
     }
   }
 
+  /** {@inheritDoc} The end of the stream gives a last report; a short recording has no other. */
+  @Override
+  public void notified(StreamNotification notification) {
+    if (notification instanceof EndOfStream && begun && lastEventUs > lastReportUs) {
+      publish(lastEventUs);
+    }
+    super.notified(notification);
+  }
+
   private void publish(long timeUs) {
+    lastReportUs = timeUs;
     for (int y = 0; y < geometry.height(); y++) {
       for (int x = 0; x < geometry.width(); x++) {
         double frequencyHz = map.frequencyHz(x, y, timeUs);

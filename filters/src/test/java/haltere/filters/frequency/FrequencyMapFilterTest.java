@@ -16,6 +16,7 @@ import haltere.core.simulation.internal.sensor.NoiseSettings;
 import haltere.core.simulation.internal.sensor.PixelArray;
 import haltere.core.simulation.internal.sensor.PixelSettings;
 import haltere.core.simulation.internal.sensor.SensorSettings;
+import haltere.core.stream.EndOfStream;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.testing.EventFilterContract;
@@ -186,5 +187,21 @@ class FrequencyMapFilterTest extends EventFilterContract {
     assertTrue(rows.size() > 3 * 0.9 * SIDE * SIDE / 2, rows.size() + " rows");
     assertTrue(rows.stream().allMatch(row -> row.x() < SIDE / 2));
     assertTrue(EventAddress.x(events.address(0)) < SIDE / 2);
+  }
+
+  @Test
+  void recordingShorterThanTheTimeBetweenReportsHasOneAtItsEnd() {
+    FrequencyMapFilter filter = new FrequencyMapFilter(SENSOR, FrequencyMapSettings.defaults());
+    List<PixelFrequency> rows = new ArrayList<>();
+    filter.frequencies().subscribe(rows::add);
+    EventPacket events = lamp(100, false);
+    long lastUs = events.lastTimeUs();
+    filter.process(events);
+    assertEquals(List.of(), rows);
+    filter.notified(new EndOfStream(lastUs));
+    assertTrue(rows.size() > SIDE * SIDE / 4, rows.size() + " pixels");
+    assertTrue(rows.stream().allMatch(row -> row.timeUs() == lastUs));
+    filter.notified(new EndOfStream(lastUs));
+    assertEquals(rows.size(), rows.stream().distinct().count(), "no report twice");
   }
 }
