@@ -41,6 +41,11 @@ public record PlotField(String stage, String outlet, String column) {
     return COVARIANCE.matcher(name).matches() ? "P" + name.substring(1) : name;
   }
 
+  /** The outlet, the label and the stage, such as "objects: x (object-tracker)". */
+  public String title() {
+    return outlet + ": " + label() + (stage.isEmpty() ? "" : " (" + stage + ")");
+  }
+
   /**
    * All that the filters of a chain publish and that can be plotted, in the order of the chain,
    * without {@link #EVENT_RATE}; read on its processing thread, or while it does not run.

@@ -80,8 +80,8 @@ class ReportInBrowserTest {
     seen = seen.substring(seen.indexOf("<pre>") + 5, seen.indexOf("</pre>"));
     assertEquals(
         """
-        haltere track: %s|Input|Chain|Results|Objects|Pictures of events and results|Plots|How to \
-        repeat it
+        haltere track: %s|Input|Chain|Results|Objects of object-tracker|Pictures of events \
+        and results|Plots|How to repeat it
         plots 3
         pictures 1
         requests 0

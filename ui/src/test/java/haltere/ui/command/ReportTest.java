@@ -96,7 +96,11 @@ class ReportTest {
     assertTrue(page.contains("output.rateHz = 500.0 (default 1000.0)"), "settings that differ");
     assertTrue(page.contains("frequency") && page.contains("in lock"), "the summary");
     assertTrue(page.contains("--rate 500") && page.contains("Version"));
-    assertPlots(page, "Event rate of the recording", "wings: angle", "wings: frequency");
+    assertPlots(
+        page,
+        "Event rate of the recording",
+        "wings: angle (wing-tracker)",
+        "wings: frequency (wing-tracker)");
     assertEquals(4 * 420 + 3 * 4, picture(page).getWidth());
   }
 
@@ -123,8 +127,9 @@ class ReportTest {
   void tracksAndChainsHaveReports() throws Exception {
     Path dots = scene("dots.aedat", "dots", "0.5");
     String track = page("track", dots, "--out", folder.resolve("tracks.csv"));
-    assertPlots(track, "objects: x", "objects: y");
-    assertTrue(track.contains("<h2>Objects</h2>") && track.contains("mean speed (px/s)"));
+    assertPlots(track, "objects: x (object-tracker)", "objects: y (object-tracker)");
+    assertTrue(track.contains("<h2>Objects of object-tracker</h2>"));
+    assertTrue(track.contains("mean speed (px/s)"));
     assertEquals(
         plots(track).size(), track.split("time from the first event").length - 1, "one time axis");
     Path chain =
@@ -169,7 +174,9 @@ class ReportTest {
     long tracks = Files.lines(clusters).skip(1).map(line -> line.split(",")[1]).distinct().count();
     assertTrue(tracks > 100, tracks + " tracks");
     assertTrue(many.contains("The 100 with the most events of " + tracks + "."));
-    String table = many.substring(many.indexOf("<h2>Tracks</h2>"), many.indexOf("<h2>Pictures"));
+    String table =
+        many.substring(
+            many.indexOf("<h2>Tracks of kalman-tracks</h2>"), many.indexOf("<h2>Pictures"));
     assertEquals(101, table.split("<tr>").length - 1);
   }
 
@@ -193,8 +200,30 @@ class ReportTest {
     assertTrue(page.contains("one.aedat") && page.contains("two.es"));
     assertTrue(page.contains("2 kept"));
     assertTrue(page.replace("\n", "").contains(sha256(two)));
-    assertPlots(page, "objects: x");
+    assertPlots(page, "objects: x (object-tracker)");
     assertTrue(picture(page).getWidth() > 400);
+  }
+
+  @Test
+  void reportOfABatchInParquetSaysWhyItHasNoMeans() throws Exception {
+    Path dots = scene("dots.aedat", "dots", "0.5");
+    Path out = folder.resolve("out");
+    String page = page("batch", dots, "--track", "--out", out, "--format", "parquet");
+    assertTrue(page.contains("a batch with --format csv shows the means"));
+    assertEquals(List.of(), plots(page), "no empty plots");
+  }
+
+  @Test
+  void twoTrackersOfOneChainAreToldApart() throws Exception {
+    Path dots = scene("dots.aedat", "dots", "0.5");
+    Path chain = folder.resolve("chain.json");
+    Files.writeString(
+        chain,
+        "{\"filters\": [{\"filter\": \"object-tracker\"}, {\"filter\": \"object-tracker\"}]}");
+    String page = page("run", dots, "--chain", chain);
+    assertTrue(page.contains("<h2>Objects of object-tracker</h2>"));
+    assertTrue(page.contains("<h2>Objects of object-tracker-2</h2>"));
+    assertPlots(page, "objects: x (object-tracker)", "objects: x (object-tracker-2)");
   }
 
   @Test

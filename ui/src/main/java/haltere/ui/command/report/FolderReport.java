@@ -14,6 +14,7 @@ import haltere.core.pipeline.ChainRunner;
 import haltere.core.pipeline.OnFailure;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.pipeline.RecordingJob;
+import haltere.core.sink.Tables;
 import haltere.core.sink.internal.SvgPlot;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.EventSource;
@@ -74,7 +75,7 @@ public record FolderReport(Path folder, RecordingJob.ChainFactory chains, ReadOp
         List.of("", "recording", "format", "sensor", "events", "rows", "warnings", "SHA-256"),
         IntStream.range(0, done.size()).mapToObj(i -> row(i + 1, results.get(i))).toList());
     if (!done.isEmpty()) {
-      addChain(page, done);
+      addChain(page, done, results.stream().allMatch(one -> Tables.CSV.equals(one.get("tables"))));
     }
   }
 
@@ -98,7 +99,7 @@ public record FolderReport(Path folder, RecordingJob.ChainFactory chains, ReadOp
     return number instanceof Number value ? value.longValue() : 0;
   }
 
-  private void addChain(ReportPage page, List<BatchItem> done) throws IOException {
+  private void addChain(ReportPage page, List<BatchItem> done, boolean isText) throws IOException {
     try (RecordingReader first = Recordings.open(done.get(0).recording(), reading);
         FilterChain chain = chains.create(first.geometry())) {
       page.section("Chain");
@@ -106,8 +107,12 @@ public record FolderReport(Path folder, RecordingJob.ChainFactory chains, ReadOp
           ChainTable.HEADER.subList(0, 3),
           ChainTable.rows(chain).stream().map(cells -> cells.subList(0, 3)).toList());
       page.section("Means of each recording");
-      for (List<PlotField> lane : PlotSet.main(PlotField.of(chain))) {
-        addMeans(page, lane.get(0), done);
+      if (isText) {
+        for (List<PlotField> lane : PlotSet.main(PlotField.of(chain))) {
+          addMeans(page, lane.get(0), done);
+        }
+      } else {
+        page.sentence("No command reads Parquet back: a batch with --format csv shows the means.");
       }
       page.section("Pictures of events and results, from the first second");
       for (BatchItem item : done.subList(0, Math.min(MAX_PICTURES, done.size()))) {
@@ -133,7 +138,7 @@ public record FolderReport(Path folder, RecordingJob.ChainFactory chains, ReadOp
         SvgPlot.around(new double[] {0.5, done.size() + 0.5}, values)
             .wholeX()
             .dots("", ReportPage.colour("", 0), numbers, values)
-            .draw(field.outlet() + ": " + field.label(), "recording", field.label() + unit),
+            .draw(field.title(), "recording", field.label() + unit),
         Map.of(),
         "");
   }

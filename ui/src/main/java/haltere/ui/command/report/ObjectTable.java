@@ -1,5 +1,6 @@
 package haltere.ui.command.report;
 
+import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Outlet;
 import haltere.filters.trail.TrailPoint;
@@ -36,12 +37,13 @@ final class ObjectTable {
     private double events;
   }
 
-  private final Outlet<?> outlet;
+  private final String heading;
   private final PlotRow columns;
   private final Map<Integer, Summary> objects = new TreeMap<>();
 
-  private ObjectTable(Outlet<?> outlet) {
-    this.outlet = outlet;
+  private ObjectTable(String stage, Outlet<?> outlet) {
+    String name = outlet.name();
+    heading = name.substring(0, 1).toUpperCase(Locale.ROOT) + name.substring(1) + " of " + stage;
     columns = PlotRow.of(outlet.type()).orElseThrow();
     outlet.subscribe(row -> take((TrailPoint) row));
   }
@@ -49,9 +51,11 @@ final class ObjectTable {
   /** A table for each outlet of objects of a chain, which it subscribes to. */
   static List<ObjectTable> of(FilterChain chain) {
     List<ObjectTable> tables = new ArrayList<>();
-    for (Outlet<?> outlet : chain.outlets()) {
-      if (TrailPoint.class.isAssignableFrom(outlet.type())) {
-        tables.add(new ObjectTable(outlet));
+    for (ChainStage stage : chain.stages()) {
+      for (Outlet<?> outlet : stage.filter().outlets()) {
+        if (TrailPoint.class.isAssignableFrom(outlet.type())) {
+          tables.add(new ObjectTable(stage.name(), outlet));
+        }
       }
     }
     return tables;
@@ -75,8 +79,7 @@ final class ObjectTable {
 
   /** Adds the table to a page, with times from the first event of the recording. */
   void addTo(ReportPage page, long firstUs) {
-    page.section(
-        outlet.name().substring(0, 1).toUpperCase(Locale.ROOT) + outlet.name().substring(1));
+    page.section(heading);
     Collection<Integer> shown = objects.keySet();
     if (objects.size() > MAX_ROWS) {
       shown =

@@ -103,7 +103,7 @@ final class ReportCurves {
     }
     PlotField first = fields.get(0);
     String label = first.label() + (first.unit().isEmpty() ? "" : " (" + first.unit() + ")");
-    String title = first.outlet() + ": " + first.label();
+    String title = first.title();
     List<ReportCurve> all = List.copyOf(traces.values());
     double[] allTimes = join(all.stream().map(trace -> trace.timesS(originUs)).toList());
     SvgPlot whole =
