@@ -56,7 +56,9 @@ final class FollowedCamera implements StreamHandler {
   void to(long timeUs) {
     try {
       deliverUntil(timeUs);
-      while (given == waiting.size() && !ended && readNext()) {
+      while (given == waiting.size()
+          && !ended
+          && (!(source instanceof CameraPlayable live) || live.camera().await(0))) {
         ended = !source.next(this);
         deliverUntil(timeUs);
       }
@@ -65,10 +67,6 @@ final class FollowedCamera implements StreamHandler {
     }
     boolean isComplete = ended || given < waiting.size();
     orientation.reached(number, isComplete ? timeUs : Math.min(lastUs, timeUs));
-  }
-
-  private boolean readNext() throws IOException {
-    return !(source instanceof CameraPlayable live) || live.camera().await(0);
   }
 
   private void deliverUntil(long untilUs) {

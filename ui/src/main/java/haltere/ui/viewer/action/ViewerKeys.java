@@ -4,12 +4,14 @@ import atlantafx.base.controls.ToggleSwitch;
 import haltere.ui.viewer.controls.ArrowKeys;
 import java.util.Map;
 import java.util.Optional;
+import javafx.event.EventHandler;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.ComboBoxBase;
+import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Control;
 import javafx.scene.control.ListView;
 import javafx.scene.control.MenuButton;
@@ -19,11 +21,12 @@ import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
+import javafx.stage.Window;
 
 /**
- * Keys of commands without Ctrl or Alt. They work with any focus except in text fields; arrow keys
- * also belong to sliders, lists and the like. As Space is pause, Enter presses the focused button,
- * toggles the switch or opens the list.
+ * Keys of commands without Ctrl or Alt. They work with any focus except in text fields and open
+ * menus; arrow keys also belong to sliders, lists and the like. As Space is pause, Enter presses
+ * the focused button, toggles the switch or opens the list.
  */
 public final class ViewerKeys {
   /** Key codes that some national keyboards send in place of another one. */
@@ -34,11 +37,20 @@ public final class ViewerKeys {
 
   /** Listens to the keys of a window. */
   public static void install(Scene scene, ViewerActions actions) {
-    scene.addEventFilter(
-        KeyEvent.KEY_PRESSED,
+    EventHandler<KeyEvent> pressed =
         event -> {
           if (handle(event, scene.getFocusOwner(), actions)) {
             event.consume();
+          }
+        };
+    // the bar of menus consumes its keys in the scene, before they reach the root
+    scene.getRoot().addEventFilter(KeyEvent.KEY_PRESSED, pressed);
+    // without a focus, keys reach the scene alone
+    scene.addEventHandler(
+        KeyEvent.KEY_PRESSED,
+        event -> {
+          if (event.getTarget() == scene) {
+            pressed.handle(event);
           }
         });
     // a button fires when Space is released
@@ -60,7 +72,8 @@ public final class ViewerKeys {
     if (event.isControlDown()
         || event.isAltDown()
         || event.isMetaDown()
-        || focus instanceof TextInputControl) {
+        || focus instanceof TextInputControl
+        || Window.getWindows().stream().anyMatch(ContextMenu.class::isInstance)) {
       return false;
     }
     if (event.getCode() == KeyCode.ENTER && press(focus)) {

@@ -25,7 +25,7 @@ public final class LayoutSteps implements Executor {
    */
   @Override
   public void execute(Runnable step) {
-    if (isOnScreen() || !steps.isEmpty()) {
+    if (scene.getWindow() != null && scene.getWindow().isShowing() || !steps.isEmpty()) {
       afterLayout(step);
     } else {
       step.run();
@@ -38,10 +38,6 @@ public final class LayoutSteps implements Executor {
     if (steps.size() == 1) {
       awaitLayout();
     }
-  }
-
-  private boolean isOnScreen() {
-    return scene.getWindow() != null && scene.getWindow().isShowing();
   }
 
   private void awaitLayout() {

@@ -10,7 +10,4 @@ import java.util.Optional;
  * @param region the region of interest, with its rate and frequency
  * @param tape the measured line
  */
-public record Overlays(boolean marks, Optional<PixelRegion> region, Optional<MeasuredLine> tape) {
-  /** The marks of the filters alone. */
-  static final Overlays MARKS = new Overlays(true, Optional.empty(), Optional.empty());
-}
+public record Overlays(boolean marks, Optional<PixelRegion> region, Optional<MeasuredLine> tape) {}

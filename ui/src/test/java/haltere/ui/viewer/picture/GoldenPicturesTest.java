@@ -60,7 +60,7 @@ class GoldenPicturesTest {
       // the handler counts
     }
     display.endSlice(nowUs[0], nowUs[0]);
-    BufferedImage image = display.picture(Overlays.MARKS);
+    BufferedImage image = display.picture(PictureRendererTest.MARKS_ALONE);
     display.close();
     chain.close();
     source.close();

@@ -134,7 +134,7 @@ class MomentsTest {
 
     int[] picture() {
       BufferedImage[] picture = new BufferedImage[1];
-      player.read(all -> picture[0] = display.picture(Overlays.MARKS)).join();
+      player.read(all -> picture[0] = display.picture(PictureRendererTest.MARKS_ALONE)).join();
       BufferedImage made = picture[0];
       return made.getRGB(0, 0, made.getWidth(), made.getHeight(), null, 0, made.getWidth());
     }

@@ -24,6 +24,9 @@ import org.junit.jupiter.api.Timeout;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class PictureRendererTest {
+  /** The marks of the filters alone. */
+  static final Overlays MARKS_ALONE = new Overlays(true, Optional.empty(), Optional.empty());
+
   private static final SensorGeometry SENSOR = new SensorGeometry(64, 48);
 
   /** Words take no room and are not to be seen. */
@@ -104,7 +107,7 @@ class PictureRendererTest {
   void savedPictureNamesTheStartOfItsSlice() {
     PictureRenderer renderer = renderer(false);
     renderer.showSlice(2000, 4000, List.of());
-    BufferedImage saved = renderer.picture(Overlays.MARKS, List.of());
+    BufferedImage saved = renderer.picture(MARKS_ALONE, List.of());
     BufferedImage expected = new BufferedImage(saved.getWidth(), 26, BufferedImage.TYPE_INT_RGB);
     for (int i = 0; i < expected.getWidth() * expected.getHeight(); i++) {
       int background = DisplayOptions.DEFAULT.colours().background();
