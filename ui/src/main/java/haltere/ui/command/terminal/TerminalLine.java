@@ -42,9 +42,10 @@ class TerminalLine implements AutoCloseable {
     return true;
   }
 
-  /** Draws a text in place of the previous one. */
+  /** Draws a text in place of the previous one, cut off at the terminal's edge. */
   synchronized void draw(String text) {
-    err.print("\r" + text + " ".repeat(Math.max(0, drawnLength - text.length())));
+    String rest = " ".repeat(Math.max(0, drawnLength - text.length()));
+    err.print("\u001b[?7l\r" + text + rest + "\u001b[?7h"); // not wrapped in between
     err.flush();
     drawnLength = text.length();
   }
@@ -52,9 +53,9 @@ class TerminalLine implements AutoCloseable {
   /** Takes the line away, so that results can be printed. */
   public synchronized void erase() {
     if (drawnLength > 0) {
-      err.print("\r" + " ".repeat(drawnLength) + "\r");
+      draw("");
+      err.print("\r");
       err.flush();
-      drawnLength = 0;
     }
   }
 

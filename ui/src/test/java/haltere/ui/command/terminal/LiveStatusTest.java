@@ -34,8 +34,9 @@ class LiveStatusTest {
     return cameras.open("simulated:fly", CameraOptions.DEFAULT);
   }
 
+  /** What the terminal shows, which interprets the codes to wrap lines or not. */
   private String screen() {
-    return terminal.toString(StandardCharsets.UTF_8);
+    return terminal.toString(StandardCharsets.UTF_8).replaceAll("\u001b\\[\\?7[lh]", "");
   }
 
   private void take(Camera camera, long ms) throws IOException {

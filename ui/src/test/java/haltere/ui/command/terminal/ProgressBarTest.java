@@ -18,8 +18,9 @@ class ProgressBarTest {
         new PrintStream(terminal, true, StandardCharsets.UTF_8), shown, "reading x", () -> nanos);
   }
 
+  /** What the terminal shows, which interprets the codes to wrap lines or not. */
   private String screen() {
-    return terminal.toString(StandardCharsets.UTF_8);
+    return terminal.toString(StandardCharsets.UTF_8).replaceAll("\u001b\\[\\?7[lh]", "");
   }
 
   @Test
@@ -58,6 +59,19 @@ class ProgressBarTest {
     assertFalse(screen().contains("\n"));
     assertTrue(screen().endsWith(" \r"), screen());
     assertTrue(screen().lines().allMatch(line -> line.length() < 80), screen());
+  }
+
+  @Test
+  void narrowTerminalCutsTheBarOffInsteadOfWrappingIt() {
+    ProgressBar bar = bar(true);
+    for (int i = 1; i < 4; i++) {
+      nanos += 1_000_000_000L;
+      bar.progress(i, 4);
+    }
+    bar.close();
+    for (String drawn : terminal.toString(StandardCharsets.UTF_8).split("(?=\u001b\\[\\?7l)")) {
+      assertTrue(drawn.matches("\u001b\\[\\?7l\r[^\r]*\u001b\\[\\?7h\r?"), drawn);
+    }
   }
 
   @Test
