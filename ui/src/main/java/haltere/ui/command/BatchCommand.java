@@ -215,9 +215,8 @@ final class BatchCommand extends Subcommand {
     if (resume && overwrite) {
       throw wrongArguments("--resume keeps results, and --overwrite replaces them");
     }
-    if (workers != null && (workers < 1 || workers > 1024)) {
-      throw wrongArguments("--workers is " + workers + ", it must be from 1 to 1024");
-    }
+    checkRange(
+        workers == null || workers >= 1 && workers <= 1024, "--workers", workers, "1 to 1024");
     checkTables("--format", format);
     if (Files.exists(out) && !Files.isDirectory(out)) {
       throw new CommandProblem(out + ": this is a file; name a folder");

@@ -68,9 +68,7 @@ final class BenchCommand extends Subcommand {
   @Override
   public Integer call() throws IOException {
     reading.checkNeeded(file);
-    if (!(seconds >= 0 && seconds <= 3600)) {
-      throw wrongArguments("--seconds is " + seconds + ", it must be 0 to 3600");
-    }
+    checkRange(seconds >= 0 && seconds <= 3600, "--seconds", seconds, "0 to 3600");
     if (file != null) {
       measure(file);
       return OK;

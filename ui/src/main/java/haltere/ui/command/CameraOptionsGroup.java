@@ -20,6 +20,9 @@ import picocli.CommandLine.ParameterException;
 
 /** Options of commands that can read events from a camera. */
 final class CameraOptionsGroup extends OptionGroup {
+  /** Description of the recording that is read in place of a camera. */
+  static final String FILE = "A recording, unless --device names a camera.";
+
   @Option(
       names = "--device",
       paramLabel = "ID",
@@ -60,9 +63,7 @@ final class CameraOptionsGroup extends OptionGroup {
 
   /** Rejects wrong options before any work, by a {@link ParameterException}. */
   void check() {
-    if (durationS != null && !(durationS > 0 && durationS <= 1e9)) {
-      throw wrong("--duration is " + durationS + ", it must be above 0 and at most 1e9 s");
-    }
+    subcommand().checkDuration(durationS);
   }
 
   /**

@@ -39,7 +39,6 @@ final class ExampleCommand extends Subcommand {
   private static final String OSCILLATOR = "oscillator";
 
   @Parameters(
-      index = "0",
       paramLabel = "EXAMPLE",
       description = "Which one: " + FALLING_WEIGHT + " or " + OSCILLATOR + ".")
   String name;
@@ -82,7 +81,14 @@ final class ExampleCommand extends Subcommand {
           "there is no example " + name + "; there are " + FALLING_WEIGHT + ", " + OSCILLATOR);
     }
     checkNeeded(data == null, "simulated measurements, not --data", "--seed");
-    writing.check(Arrays.asList(data), List.of(out));
+    if (WritingOptions.isParquet(out)) {
+      throw wrongArguments("--out " + out + ": this table is written as CSV; choose a .csv");
+    }
+    boolean isNewFolder = plots != null && !Files.isDirectory(plots);
+    if (isNewFolder && Files.exists(plots)) {
+      throw new CommandProblem(plots + ": this is a file; name a folder");
+    }
+    writing.check(Arrays.asList(data), Arrays.asList(out, isNewFolder ? plots : null));
     MeasurementSeries series;
     ExampleTable table;
     try {
@@ -96,7 +102,9 @@ final class ExampleCommand extends Subcommand {
       Map<String, String> drawn =
           falls ? ExamplePlots.fallingWeight(table) : ExamplePlots.oscillator(table);
       drawn.forEach((plot, svg) -> files.put(plots.resolve(name + "-" + plot + ".svg"), svg));
-      makeFolder();
+      if (isNewFolder) {
+        Files.createDirectory(plots);
+      }
     }
     List<Path> outputs = new ArrayList<>(files.keySet());
     outputs.add(out);
@@ -117,16 +125,6 @@ final class ExampleCommand extends Subcommand {
     }
     long chosen = seed == null ? 1 : seed;
     return falls ? SimulatedVideo.fallingWeight(chosen) : SimulatedVideo.oscillator(chosen);
-  }
-
-  private void makeFolder() throws IOException {
-    if (!Files.isDirectory(plots)) {
-      if (Files.exists(plots)) {
-        throw new CommandProblem(plots + ": this is a file; name a folder");
-      }
-      writing.check(plots);
-      Files.createDirectory(plots);
-    }
   }
 
   private void printResults(ExampleTable table, double noiseM, boolean falls) {

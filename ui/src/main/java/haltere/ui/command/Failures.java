@@ -24,7 +24,7 @@ final class Failures {
 
   /** The one line for a failure, without the program's name. */
   static String describe(Throwable failure) {
-    return oneLine(sentence(failure));
+    return shortened(sentence(failure).strip().replaceAll("\\s*\\R\\s*", " "));
   }
 
   private static String sentence(Throwable failure) {
@@ -89,10 +89,6 @@ final class Failures {
   /** The problem of a text file that is no text. */
   static CommandProblem notText(Object file, CharacterCodingException cause) {
     return new CommandProblem(file + ": this is not UTF-8 text", cause);
-  }
-
-  private static String oneLine(String text) {
-    return shortened(text.strip().replaceAll("\\s*\\R\\s*", " "));
   }
 
   /** A name that is longer than any file's, with its middle left out. */

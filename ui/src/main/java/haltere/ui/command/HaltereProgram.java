@@ -14,9 +14,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
@@ -48,6 +50,10 @@ public final class HaltereProgram {
     groups.put("More", List.of("filters", "example", "bench", "completion"));
     return groups;
   }
+
+  /** Values of an option, which users type in lower case. */
+  private static final Pattern CHOICES =
+      Pattern.compile("expected one of \\[(.*)] \\(case-insensitive\\)");
 
   private static final int HELP_WIDTH = 80;
   private static final int COMMAND_COLUMN = 14;
@@ -115,7 +121,7 @@ public final class HaltereProgram {
 
   CommandLine commandLine(String... args) {
     CommandLine program = inOrder(new HaltereCommand());
-    String wanted = firstWord(args);
+    String wanted = Stream.of(args).filter(arg -> !arg.startsWith("-")).findFirst().orElse("");
     boolean known = COMMANDS.contains(wanted);
     for (String name : COMMANDS) {
       if (!known || name.equals(wanted)) {
@@ -180,10 +186,6 @@ public final class HaltereProgram {
     return line;
   }
 
-  private static String firstWord(String... args) {
-    return Stream.of(args).filter(arg -> !arg.startsWith("-")).findFirst().orElse("");
-  }
-
   /**
    * Makes a command. It returns an interface, so that Java need not load all of them to check it.
    */
@@ -218,7 +220,14 @@ public final class HaltereProgram {
     String line =
         Failures.shortened(problem.getMessage().strip())
             .replaceFirst("is not an? (int|long)$", "is no whole number")
-            .replaceFirst("is not a double$", "is no number");
+            .replaceFirst("is not a double$", "is no number")
+            .replaceFirst(
+                "option option (.*) \\((.*)\\) should be in KEY=VALUE", "option $1 must be in $2");
+    line =
+        CHOICES
+            .matcher(line)
+            .replaceFirst(
+                choices -> "expected one of " + choices.group(1).toLowerCase(Locale.ROOT));
     if (problem instanceof UnmatchedArgumentException unmatched) {
       boolean isCommand = command.getParent() == null && !unmatched.isUnknownOption();
       line = isCommand ? "there is no command " + unmatched.getUnmatched().get(0) : line;

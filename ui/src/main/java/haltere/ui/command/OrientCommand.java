@@ -42,7 +42,6 @@ final class OrientCommand extends Subcommand {
   private static final int MAX_REPORTED_ROWS = 10;
 
   @Parameters(
-      index = "0",
       paramLabel = "OBSERVATIONS.csv",
       description = {
         "Observations: a table t_us,camera,object,x_px,y_px,angle_rad,area_px,eccentricity; or a "
@@ -217,14 +216,10 @@ final class OrientCommand extends Subcommand {
   }
 
   private void printProblems(List<CameraModel> cameras) {
-    int usable = 0;
     for (CameraModel camera : cameras) {
-      if (camera.problem().isPresent()) {
-        warning("camera " + camera.id() + " is left out: " + camera.problem().get());
-      } else {
-        usable++;
-      }
+      camera.problem().ifPresent(why -> warning("camera " + camera.id() + " is left out: " + why));
     }
+    long usable = cameras.stream().filter(camera -> camera.problem().isEmpty()).count();
     if (usable < 2) {
       String there = usable == 1 ? "one camera" : "no camera";
       warning("there is " + there + " to use; an orientation needs two");

@@ -35,7 +35,6 @@ import picocli.CommandLine.Parameters;
     })
 final class RecordCommand extends Subcommand {
   @Parameters(
-      index = "0",
       paramLabel = "OUT",
       description = "Output file; its ending gives the format, preferably .aedat4.")
   Path out;
@@ -129,12 +128,8 @@ final class RecordCommand extends Subcommand {
   }
 
   private Limits limits() {
-    if (maxMb != null && !(maxMb >= 2 && maxMb <= 1e9)) {
-      throw wrongArguments("--max-size is " + maxMb + ", it must be at least 2 MB");
-    }
-    if (!(keepFreeMb >= 0 && keepFreeMb <= 1e9)) {
-      throw wrongArguments("--keep-free is " + keepFreeMb + ", it must be 0 to 1e9 MB");
-    }
+    checkRange(maxMb == null || maxMb >= 2 && maxMb <= 1e9, "--max-size", maxMb, "2 to 1e9 MB");
+    checkRange(keepFreeMb >= 0 && keepFreeMb <= 1e9, "--keep-free", keepFreeMb, "0 to 1e9 MB");
     return new Limits(
         maxMb == null ? Long.MAX_VALUE : (long) (maxMb * 1e6), (long) (keepFreeMb * 1e6));
   }

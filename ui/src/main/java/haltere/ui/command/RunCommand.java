@@ -14,19 +14,20 @@ import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.OutletTables;
 import haltere.core.pipeline.RecordingJob;
-import haltere.core.pipeline.SessionRecorder;
 import haltere.core.pipeline.SessionRecorder.Limits;
 import haltere.core.playback.PlaybackClock;
 import haltere.core.playback.Sleeper;
 import haltere.core.playback.internal.PacedSource;
 import haltere.core.sink.Tables;
 import haltere.core.stream.EventSource;
+import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -43,11 +44,7 @@ import picocli.CommandLine.Parameters;
           + "them. Results of the filters go to tables beside them, OUT.STAGE.OUTLET.csv."
     })
 final class RunCommand extends Subcommand {
-  @Parameters(
-      index = "0",
-      arity = "0..1",
-      paramLabel = "FILE",
-      description = "A recording, unless --device names a camera.")
+  @Parameters(arity = "0..1", paramLabel = "FILE", description = CameraOptionsGroup.FILE)
   Path file;
 
   @Option(
@@ -91,7 +88,8 @@ final class RunCommand extends Subcommand {
     publishing.check();
     checkTables("--tables", tables);
     if (!(speed >= PlaybackClock.MIN_SPEED)) {
-      throw wrongArguments("--speed must be " + PlaybackClock.MIN_SPEED + " or more");
+      throw wrongArguments(
+          Quantities.text("--speed must be %.4f or more", PlaybackClock.MIN_SPEED));
     }
     if (out != null) {
       writing.checkRecording(out);
@@ -117,28 +115,23 @@ final class RunCommand extends Subcommand {
   }
 
   private JobResults results(RecordingReader reader, FilterChain chain) throws IOException {
-    if (out == null) {
-      return publishing.open(chain, this);
-    }
-    checkTables(chain);
-    RecordingFormat format = Recordings.forWriting(out);
-    return JobResults.all(
-        () -> publishing.open(chain, this),
-        () -> new WrittenRecording(this, reader, out, writing.create(out, format, reader)),
-        () -> tables(chain));
+    RecordingFormat format = out == null ? null : Recordings.forWriting(out);
+    return results(
+        chain, () -> new WrittenRecording(this, reader, out, writing.create(out, format, reader)));
   }
 
   private JobResults results(Camera camera, FilterChain chain) throws IOException {
+    Supplier<Optional<String>> text = () -> Optional.of(ChainFile.write(chain));
+    return results(
+        chain, () -> new SessionResults(this, writing.session(out, camera, text, Limits.DEFAULT)));
+  }
+
+  private JobResults results(FilterChain chain, JobResults.Opener events) throws IOException {
     if (out == null) {
       return publishing.open(chain, this);
     }
     checkTables(chain);
-    SessionRecorder recorder =
-        writing.session(out, camera, () -> Optional.of(ChainFile.write(chain)), Limits.DEFAULT);
-    return JobResults.all(
-        () -> publishing.open(chain, this),
-        () -> new SessionResults(this, recorder),
-        () -> tables(chain));
+    return JobResults.all(() -> publishing.open(chain, this), events, () -> tables(chain));
   }
 
   private JobResults tables(FilterChain chain) throws IOException {

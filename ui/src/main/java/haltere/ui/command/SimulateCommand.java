@@ -86,12 +86,9 @@ final class SimulateCommand extends Subcommand {
 
   @Override
   public Integer call() throws IOException {
-    if (rateHz != null && !(rateHz > 0 && rateHz <= 1e6)) {
-      throw wrongArguments("--rate is " + rateHz + ", it must be above 0 and at most 1000000 Hz");
-    }
-    if (durationS != null && !(durationS > 0 && durationS <= 1e9)) {
-      throw wrongArguments("--duration is " + durationS + ", it must be above 0 and at most 1e9 s");
-    }
+    boolean isRate = rateHz == null || rateHz > 0 && rateHz <= 1e6;
+    checkRange(isRate, "--rate", rateHz, "above 0 and at most 1000000 Hz");
+    checkDuration(durationS);
     checkNeeded(truth != null, "--truth", "--rate");
     try (Scene<?> scene = scene()) {
       writing.checkRecording(out);
@@ -134,13 +131,9 @@ final class SimulateCommand extends Subcommand {
                 ? null
                 : Tables.create(truth, scene.truthType(), writing.overwrite, metadata())) {
       events = writeEvents(scene, endUs, writer);
+      warnings(out, writer.losses());
       if (table != null) {
         rows = writeTruth(scene, endUs, table);
-      }
-      for (String loss : writer.losses()) {
-        warning(out + ": " + loss);
-      }
-      if (table != null) {
         table.finish();
       }
       writer.finish();

@@ -18,7 +18,6 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -264,22 +263,38 @@ abstract class Subcommand implements Callable<Integer> {
     return found;
   }
 
-  /** Settings with the given options, by the settings' names, and assignments. */
+  /** Settings with options, by the settings' names, and assignments, which may not contradict. */
   <S extends Record> S assigned(
       Class<S> type, S settings, Map<String, Object> options, List<String> assignments) {
-    List<String> all = new ArrayList<>();
-    options.forEach(
-        (name, value) -> {
-          if (value != null) {
-            all.add(name + "=" + value);
-          }
-        });
-    all.addAll(assignments);
+    List<String> own =
+        options.entrySet().stream()
+            .filter(option -> option.getValue() != null)
+            .map(option -> option.getKey() + "=" + option.getValue())
+            .toList();
+    SettingsSchema<S> schema = SettingsSchema.of(type);
     try {
-      return SettingsSchema.of(type).withAssignments(settings, all);
+      S all = schema.withAssignments(schema.withAssignments(settings, own), assignments);
+      for (String option : own) {
+        if (!schema.withAssignments(all, List.of(option)).equals(all)) {
+          throw wrongArguments("--set contradicts another option, which sets " + option);
+        }
+      }
+      return all;
     } catch (SettingsProblem problem) {
       throw wrongArguments(problem.getMessage());
     }
+  }
+
+  /** Rejects a value of an option that is out of its range. */
+  void checkRange(boolean isInRange, String option, Object value, String range) {
+    if (!isInRange) {
+      throw wrongArguments(option + " is " + value + ", it must be " + range);
+    }
+  }
+
+  /** Rejects a duration in seconds that is out of range; null is none. */
+  void checkDuration(Double s) {
+    checkRange(s == null || s > 0 && s <= 1e9, "--duration", s, "above 0 and at most 1e9 s");
   }
 
   ParameterException wrongArguments(String message) {

@@ -29,7 +29,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -48,12 +47,9 @@ import picocli.CommandLine.Parameters;
 final class TrackCommand extends Subcommand {
   private static final String OBJECTS = "object-tracker";
   private static final String CLUSTERS = "kalman-tracks";
+  private static final double DEFAULT_RATE_HZ = 100;
 
-  @Parameters(
-      index = "0",
-      arity = "0..1",
-      paramLabel = "FILE",
-      description = "A recording, unless --device names a camera.")
+  @Parameters(arity = "0..1", paramLabel = "FILE", description = CameraOptionsGroup.FILE)
   Path file;
 
   @Option(
@@ -66,9 +62,8 @@ final class TrackCommand extends Subcommand {
   @Option(
       names = "--rate",
       paramLabel = "HZ",
-      defaultValue = "100",
       description = "Rows of each track per second of recording time; default 100.")
-  double rateHz;
+  Double rateHz;
 
   @Option(
       names = "--chain",
@@ -124,9 +119,8 @@ final class TrackCommand extends Subcommand {
 
   @Override
   public Integer call() throws IOException {
-    if (!(rateHz >= 0.001 && rateHz <= 100_000)) {
-      throw wrongArguments("--rate is " + rateHz + ", it must be from 0.001 to 100000 Hz");
-    }
+    boolean isRate = rateHz == null || rateHz >= 0.001 && rateHz <= 100_000;
+    checkRange(isRate, "--rate", rateHz, "0.001 to 100000 Hz");
     cameras.checkOneSource(file);
     reading.checkNeeded(file, "--report");
     publishing.check();
@@ -221,15 +215,14 @@ final class TrackCommand extends Subcommand {
     Consumer<PlanePoint> counter = counter(road, files);
     files.subscribe(
         objects.tracks(),
-        track ->
-            onRoad
-                .apply(track)
-                .ifPresent(
-                    point -> {
-                      table.accept(
-                          new RoadColumns.OfObject(track, RoadColumns.of(point, road.lanes())));
-                      counter.accept(point);
-                    }));
+        track -> {
+          Optional<PlanePoint> point = onRoad.apply(track);
+          if (point.isPresent()) {
+            RoadColumns columns = RoadColumns.of(point.get(), road.lanes());
+            table.accept(new RoadColumns.OfObject(track, columns));
+            counter.accept(point.get());
+          }
+        });
   }
 
   private void trackClusters(KalmanTracksFilter tracks, ResultFiles files) throws IOException {
@@ -262,7 +255,7 @@ final class TrackCommand extends Subcommand {
   }
 
   private <S extends Record> S assigned(Class<S> type, S settings, String rate) {
-    Stream<String> all = Stream.concat(assignments.stream(), Stream.of(rate + "=" + rateHz));
-    return assigned(type, settings, Map.of(), all.toList());
+    S usual = assigned(type, settings, Map.of(rate, DEFAULT_RATE_HZ), List.of());
+    return assigned(type, usual, rateHz == null ? Map.of() : Map.of(rate, rateHz), assignments);
   }
 }

@@ -41,11 +41,7 @@ import picocli.CommandLine.Parameters;
 final class WingsCommand extends Subcommand {
   private static final String TRACKER = "wing-tracker";
 
-  @Parameters(
-      index = "0",
-      arity = "0..1",
-      paramLabel = "FILE",
-      description = "A recording, unless --device names a camera.")
+  @Parameters(arity = "0..1", paramLabel = "FILE", description = CameraOptionsGroup.FILE)
   Path file;
 
   @Option(
@@ -203,9 +199,7 @@ final class WingsCommand extends Subcommand {
         preset == null
             ? WingTrackerSettings.defaults()
             : preset(new WingTrackerFilter.Provider(), preset);
-    if (initialHz != null && !(initialHz > 0)) {
-      throw wrongArguments("--initial-frequency is " + initialHz + ", it must be above 0 Hz");
-    }
+    checkRange(initialHz == null || initialHz > 0, "--initial-frequency", initialHz, "above 0 Hz");
     Map<String, Object> options = new LinkedHashMap<>();
     options.put("filter.method", method);
     options.put("output.rateHz", rateHz);

@@ -255,6 +255,15 @@ class ExampleCommandTest {
     assertFalse(Files.exists(out));
   }
 
+  @Test
+  void plotsInTheTablesPlaceAreRefusedBeforeTheirFolderIsMade() {
+    assertFailed(
+        CommandRun.of("example", "oscillator", "--out", out, "--plots", out),
+        2,
+        out + " would be written by two outputs");
+    assertFalse(Files.exists(out));
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"pendulum", "Falling-Weight"})
   void unknownExampleIsAWrongArgument(String name) {

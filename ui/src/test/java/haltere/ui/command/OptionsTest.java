@@ -62,6 +62,27 @@ class OptionsTest {
     assertRefused(line, why);
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "track @in.aedat --out @o.csv --rate 10 --set reportRateHz=20, reportRateHz=10.0",
+    "track @in.aedat --out @o.csv --preset original --rate 10 --set reportRateHz=20,"
+        + " clusters.output.reportRateHz=10.0",
+    "wings @in.aedat --out @o.csv --method wra --set method=ekf, filter.method=WRA",
+    "wings @in.aedat --out @o.csv --flip-heading --set flipHeading=false,"
+        + " position.flipHeading=true",
+    "orient @in.csv --out @o.csv --gate-angle 5 --set gate.angleDeg=180, gate.angleDeg=5.0",
+  })
+  void optionIsNotReplacedByAnAssignmentToItsSetting(String line, String setting)
+      throws IOException {
+    assertRefused(line, "--set contradicts another option, which sets " + setting);
+  }
+
+  @Test
+  void optionAndAssignmentMayAgree() {
+    String line = "wings @in.aedat --out @o.csv --rate 500 --set output.rateHz=500";
+    assertEquals(0, run(line).status());
+  }
+
   @Test
   void optionsWithTheirDefaultsAreNotRefused() {
     assertEquals(0, run("run @in.aedat --chain @chain.json").status());
@@ -116,6 +137,11 @@ class OptionsTest {
     "batch @in.aedat --wings --out @o --workers 1.5, --workers, '1.5' is no whole number",
     "wings @in.aedat --out @o.csv --rate fast, --rate, 'fast' is no number",
     "record @o.aedat4 --bias x=y, --bias, 'y' is no number",
+    "record @o.aedat4 --bias x, --bias, for option '--bias' must be in NAME=VALUE format but was x",
+    "wings @in.aedat --out @o.csv --method no, --method, 'one of ekf, wra, both but was ''no'''",
+    "convert @in.aedat @o.csv --rows up, --rows, 'one of top, bottom but was ''up'''",
+    "run @in.aedat --chain @chain.json --speed 1e-5, --speed, must be 0.0001 or more",
+    "example oscillator --out @o.parquet, --out, this table is written as CSV",
   })
   void invalidValueIsSaidInWords(String line, String option, String why) throws IOException {
     CommandRun run = run(line);

@@ -120,6 +120,15 @@ class TrackCommandTest {
   }
 
   @Test
+  void rateMayBeGivenAsASetting() throws IOException {
+    assertEquals(0, CommandRun.of("track", in, "--out", out, "--rate", "30").status());
+    Path other = folder.resolve("other.csv");
+    CommandRun run = CommandRun.of("track", in, "--out", other, "--set", "reportRateHz=30");
+    assertEquals(0, run.status(), run.err());
+    assertEquals(-1, Files.mismatch(out, other));
+  }
+
+  @Test
   void originalPresetTracksClusterCentres() throws IOException {
     assertEquals(0, CommandRun.of("track", in, "--out", out).status());
     String usual = Files.readString(out);
