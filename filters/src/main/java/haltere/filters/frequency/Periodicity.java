@@ -16,6 +16,9 @@ final class Periodicity {
   /** Minimum height of a peak, as a share of the variance. */
   private static final double MIN_CORRELATION = 0.12;
 
+  /** Minimum number of pairs of counts a period apart; few scattered counts have some by chance. */
+  private static final double MIN_PAIRS = 8;
+
   /** Minimum height of the period's peak, as a share of the highest one. */
   private static final double MIN_SHARE_OF_HIGHEST = 0.8;
 
@@ -60,7 +63,7 @@ final class Periodicity {
     for (int lag = first; lag <= lags; lag++) {
       highest = Math.max(highest, correlation[lag]);
     }
-    if (first > lags || !(highest > MIN_CORRELATION * correlation[0])) {
+    if (first > lags || !(highest > Math.max(MIN_PAIRS, MIN_CORRELATION * correlation[0]))) {
       return Double.NaN;
     }
     for (int lag = first; lag <= lags; lag++) {

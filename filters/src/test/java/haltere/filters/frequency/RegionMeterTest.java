@@ -58,6 +58,22 @@ class RegionMeterTest {
   }
 
   @Test
+  void fewScatteredEventsHaveNoFrequency() {
+    for (int seed = 0; seed < 200; seed++) {
+      RegionMeter meter = new RegionMeter(new PixelRegion(0, 0, 8, 8));
+      EventPacket events = new EventPacket(64);
+      new SplittableRandom(seed)
+          .longs(2 + seed % 50, 0, 800_000)
+          .sorted()
+          .forEach(timeUs -> events.append(timeUs, 3, 3, true));
+      meter.packet(events);
+      meter.advanceTo(810_000);
+      double frequencyHz = meter.measure(true).frequencyHz();
+      assertTrue(Double.isNaN(frequencyHz), frequencyHz + " Hz of " + events.size() + " events");
+    }
+  }
+
+  @Test
   void irregularBurstsNeverHangTheMeter() {
     assertTimeoutPreemptively(
         Duration.ofSeconds(30),
