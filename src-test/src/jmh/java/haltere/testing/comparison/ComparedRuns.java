@@ -1,7 +1,9 @@
 package haltere.testing.comparison;
 
 import haltere.core.event.EventPacket;
+import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
@@ -24,7 +26,7 @@ import java.util.SplittableRandom;
  * runs. The last line is {@code peak} and the most memory that the process has had, in KiB.
  *
  * <pre>
- * read FILE RUNS                           reads to the end with drainTo
+ * read FILE RUNS [WxH]                     reads to the end with drainTo; WxH is the sensor if no search is wanted
  * write FROM FORMAT TO RUNS                the events of FROM, from memory; FORMAT as of the command line, or
  *                                          aedat4-none, aedat4-lz4, aedat4-zstd
  * repeat FROM FORMAT TO COPIES             the events of FROM one after the other, for inputs
@@ -62,7 +64,11 @@ public final class ComparedRuns {
    */
   public static void main(String[] arguments) throws IOException {
     switch (arguments[0]) {
-      case "read" -> read(Path.of(arguments[1]), Integer.parseInt(arguments[2]));
+      case "read" ->
+          read(
+              Path.of(arguments[1]),
+              Integer.parseInt(arguments[2]),
+              arguments.length > 3 ? stating(arguments[3]) : ReadOptions.DEFAULT);
       case "write" ->
           write(
               Path.of(arguments[1]),
@@ -103,12 +109,18 @@ public final class ComparedRuns {
     }
   }
 
-  private static void read(Path file, int runs) throws IOException {
+  private static ReadOptions stating(String sensor) {
+    String[] sides = sensor.split("x");
+    return ReadOptions.DEFAULT.withSensor(
+        new SensorGeometry(Integer.parseInt(sides[0]), Integer.parseInt(sides[1]), Origin.TOP));
+  }
+
+  private static void read(Path file, int runs, ReadOptions options) throws IOException {
     Sum sum = new Sum();
     time(
         () -> {
           sum.events = 0;
-          try (RecordingReader reader = Recordings.open(file)) {
+          try (RecordingReader reader = Recordings.open(file, options)) {
             reader.drainTo(sum);
           }
           return sum.events;
