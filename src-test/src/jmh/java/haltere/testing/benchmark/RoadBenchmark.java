@@ -7,14 +7,13 @@ import haltere.filters.object.ObjectTrack;
 import haltere.filters.object.ObjectTrackerFilter;
 import haltere.filters.object.ObjectTrackerSettings;
 import haltere.filters.plane.RoadMapping;
-import haltere.filters.plane.RoadViewSettings;
-import haltere.filters.plane.VanishingPoint;
 import haltere.filters.road.CountingLineSettings;
 import haltere.filters.road.LaneSettings;
 import haltere.filters.road.LineCounter;
 import haltere.filters.road.RoadMotion;
 import haltere.filters.road.VehiclePrior;
 import haltere.filters.road.VehiclesOnRoad;
+import haltere.testing.evaluation.RoadEvaluation;
 import java.io.IOException;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -76,15 +75,7 @@ public class RoadBenchmark {
   }
 
   private Consumer<ObjectTrack> vehicles(RoadScene scene) {
-    RoadSceneSettings settings = scene.settings();
-    RoadMapping mapping =
-        new RoadMapping(
-            new RoadViewSettings(
-                settings.camera().bridgeHeightM(),
-                settings.camera().bottomRowM(),
-                settings.camera().vanishingRowM(),
-                VanishingPoint.at(scene.vanishingXPx(), scene.vanishingYPx())),
-            scene.geometry());
+    RoadMapping mapping = RoadEvaluation.mapping(scene);
     VehiclePrior prior = VehiclePrior.defaults();
     tracker.apply(new RoadMotion(mapping, prior));
     VehiclesOnRoad vehicles = new VehiclesOnRoad(mapping, prior);

@@ -1,6 +1,7 @@
 package haltere.testing.evaluation;
 
 import haltere.core.chain.FilterChain;
+import haltere.core.simulation.internal.road.RoadCameraSettings;
 import haltere.core.simulation.internal.road.RoadScene;
 import haltere.core.simulation.internal.road.RoadSceneSettings;
 import haltere.core.simulation.internal.road.RoadTruth;
@@ -88,17 +89,22 @@ public final class RoadEvaluation {
     System.out.println(evaluation);
   }
 
+  /** {@return the mapping of the camera of a scene} */
+  public static RoadMapping mapping(RoadScene scene) {
+    RoadCameraSettings camera = scene.settings().camera();
+    return new RoadMapping(
+        new RoadViewSettings(
+            camera.bridgeHeightM(),
+            camera.bottomRowM(),
+            camera.vanishingRowM(),
+            VanishingPoint.at(scene.vanishingXPx(), scene.vanishingYPx())),
+        scene.geometry());
+  }
+
   /** Tracks a scene. */
   void judge(RoadSceneSettings settings) throws IOException {
     RoadScene scene = new RoadScene(settings);
-    RoadMapping mapping =
-        new RoadMapping(
-            new RoadViewSettings(
-                settings.camera().bridgeHeightM(),
-                settings.camera().bottomRowM(),
-                settings.camera().vanishingRowM(),
-                VanishingPoint.at(scene.vanishingXPx(), scene.vanishingYPx())),
-            scene.geometry());
+    RoadMapping mapping = mapping(scene);
     VehiclePrior prior = VehiclePrior.defaults();
     ObjectTrackerFilter tracker =
         new ObjectTrackerFilter(scene.geometry(), ObjectTrackerSettings.defaults());
