@@ -185,10 +185,19 @@ class Comparison:
         copies = max(1, self.options.events // COPIES[recording])
         return self.make("events-of-" + recording.replace(".", "-"), ("repeat", recording, "npz", ".npz"))
 
-    def row(self, name, ours, others, goals):
+    def others(self, programs, *arguments):
+        """The results of other programs on one core, of those that can be had."""
+        runs = str(self.options.runs + 1)
+        commands = [(program, self.interpreter(program)) for program in programs]
+        return [
+            (program, self.run([python, self.tools, arguments[0], program, *arguments[1:], runs], 1))
+            for program, python in commands
+            if python is not None
+        ]
+
+    def row(self, name, ours, results, goals):
         """A row of the table: ours on one core and on all, the others, best first."""
         one, two = ours
-        results = [(program, self.run(command, 1)) for program, command in others]
         told = []
         good = [(program, result) for program, result in results if not isinstance(result, str)]
         for program, result in sorted(good, key=lambda pair: -pair[1][0]):
@@ -215,11 +224,7 @@ class Comparison:
                 self.notes.append(f"{name}: left out, its recording or the program that writes it is missing")
                 continue
             file.read_bytes()  # into the page cache
-            others = []
-            for program in programs:
-                python = self.interpreter(program)
-                if python is not None:
-                    others.append((program, [python, self.tools, "read", program, name, file, str(self.options.runs + 1)]))
+            others = self.others(programs, "read", name, file)
             for sensor in (None, SENSORS[name]) if name in SENSORS else (None,):
                 stated = [] if sensor is None else [sensor]
                 ours = [self.run(self.ours("read", file, str(self.options.runs), *stated), cores) for cores in (1, 2)]
@@ -247,13 +252,7 @@ class Comparison:
             if any(isinstance(result, str) for result in ours):
                 self.notes.append(f"{name}: ours failed: {ours}")
                 continue
-            others = []
-            for program in programs:
-                python = self.interpreter(program)
-                if python is not None:
-                    others.append(
-                        (program, [python, self.tools, "write", program, name, events, file, str(self.options.runs + 1)])
-                    )
+            others = self.others(programs, "write", name, events, file)
             lines.append(self.row(name, ours, others, (goal, None)))
             file.unlink(missing_ok=True)
         return lines

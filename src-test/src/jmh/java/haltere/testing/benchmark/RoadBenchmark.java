@@ -7,8 +7,6 @@ import haltere.filters.object.ObjectTrack;
 import haltere.filters.object.ObjectTrackerFilter;
 import haltere.filters.object.ObjectTrackerSettings;
 import haltere.filters.plane.RoadMapping;
-import haltere.filters.road.CountingLineSettings;
-import haltere.filters.road.LaneSettings;
 import haltere.filters.road.LineCounter;
 import haltere.filters.road.RoadMotion;
 import haltere.filters.road.VehiclePrior;
@@ -80,8 +78,7 @@ public class RoadBenchmark {
     tracker.apply(new RoadMotion(mapping, prior));
     VehiclesOnRoad vehicles = new VehiclesOnRoad(mapping, prior);
     LineCounter counter =
-        new LineCounter(
-            new LaneSettings(4, -7, 3.5), new CountingLineSettings(2, 20, 20), rows::consume);
+        new LineCounter(RoadEvaluation.LANES, RoadEvaluation.LINES, rows::consume);
     return row -> vehicles.apply(row).ifPresent(counter);
   }
 

@@ -34,8 +34,12 @@ import java.util.function.ToDoubleFunction;
  * differ by less than a second; those in one lane first, then the nearest in time.
  */
 public final class RoadEvaluation {
-  private static final CountingLineSettings LINES = new CountingLineSettings(2, 20, 20);
-  private static final LaneSettings LANES = new LaneSettings(4, -7, 3.5);
+  /** Counting lines of all scenes. */
+  public static final CountingLineSettings LINES = new CountingLineSettings(2, 20, 20);
+
+  /** Lanes of all scenes. */
+  public static final LaneSettings LANES = new LaneSettings(4, -7, 3.5);
+
   private static final double MATCH_S = 1;
   private static final double SECONDS = 30;
   private static final int STEP_US = 10_000;

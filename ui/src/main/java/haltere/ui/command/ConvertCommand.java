@@ -21,7 +21,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -37,6 +36,9 @@ import picocli.CommandLine.Parameters;
     footer = {"", "Example: haltere convert recording.raw part.csv --from 0 --to 2000000"},
     description = "Write a recording, or a part of it, in the format given by OUT's ending.")
 final class ConvertCommand extends Subcommand {
+  /** Ending of events as a table, which nothing reads as a recording. */
+  private static final String PARQUET = ".parquet";
+
   /** Names of the formats that {@code .raw} files may have. */
   private static final Map<String, String> ENCODINGS =
       Map.of("2", "evt2", "2.1", "evt21", "3", "evt3");
@@ -106,7 +108,7 @@ final class ConvertCommand extends Subcommand {
   @Override
   public Integer call() throws IOException {
     checkArguments();
-    if (stream != null || WritingOptions.isParquet(out)) {
+    if (stream != null || WritingOptions.hasEnding(out, PARQUET)) {
       writing.check(out);
     } else if (!ReadingOptions.isStandard(out)) {
       writing.checkRecording(out);
@@ -167,8 +169,7 @@ final class ConvertCommand extends Subcommand {
     if (!ENCODINGS.containsKey(evt)) {
       throw wrongArguments("--evt is " + evt + ", it must be 2, 2.1 or 3");
     }
-    boolean isRaw =
-        ReadingOptions.isStandard(out) || out.toString().toLowerCase(Locale.ROOT).endsWith(".raw");
+    boolean isRaw = ReadingOptions.isStandard(out) || WritingOptions.hasEnding(out, ".raw");
     if (stream != null || !isRaw) {
       throw wrongArguments("--evt is for recordings in .raw files, which " + out + " is not");
     }
@@ -182,9 +183,8 @@ final class ConvertCommand extends Subcommand {
     }
   }
 
-  /** Events in Parquet are a table; nothing reads them as a recording. */
   private RecordingWriter writer(RecordingReader reader) throws IOException {
-    return WritingOptions.isParquet(out)
+    return WritingOptions.hasEnding(out, PARQUET)
         ? new EventTable(
             out,
             writing.overwrite,

@@ -81,7 +81,7 @@ final class ExampleCommand extends Subcommand {
           "there is no example " + name + "; there are " + FALLING_WEIGHT + ", " + OSCILLATOR);
     }
     checkNeeded(data == null, "simulated measurements, not --data", "--seed");
-    if (WritingOptions.isParquet(out)) {
+    if (WritingOptions.hasEnding(out, ".parquet")) {
       throw wrongArguments("--out " + out + ": this table is written as CSV; choose a .csv");
     }
     boolean isNewFolder = plots != null && !Files.isDirectory(plots);

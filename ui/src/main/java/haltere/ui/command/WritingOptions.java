@@ -62,9 +62,9 @@ class WritingOptions extends OptionGroup {
     }
   }
 
-  /** Whether a name is that of a Parquet table, in letters of any case as for all formats. */
-  static boolean isParquet(Path file) {
-    return file.toString().toLowerCase(Locale.ROOT).endsWith(".parquet");
+  /** Whether a name has an ending, in letters of any case as for all formats. */
+  static boolean hasEnding(Path file, String ending) {
+    return file.toString().toLowerCase(Locale.ROOT).endsWith(ending);
   }
 
   /** Begins a table's file. */
