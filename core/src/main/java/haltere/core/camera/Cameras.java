@@ -90,8 +90,14 @@ public final class Cameras {
         CameraProblem.Kind.NOT_FOUND,
         (id.isEmpty() ? "no camera can be opened" : "there is no camera " + id)
             + "; "
-            + (seen.isEmpty() ? "none is seen" : "seen are " + words(seen))
+            + (seen.isEmpty() ? none() : "seen are " + words(seen))
             + obstacles().stream().map(why -> "; " + why).collect(Collectors.joining()));
+  }
+
+  private String none() {
+    return providers.isEmpty()
+        ? "no driver is found; those of USB cameras are in haltere-device"
+        : "none is seen";
   }
 
   private static String words(List<FoundCamera> seen) {

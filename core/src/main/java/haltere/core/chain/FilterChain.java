@@ -40,6 +40,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   private volatile long outsideSensor;
   private volatile long atImpossibleTimes;
   private volatile Thread busy;
+  private volatile boolean closed;
   private SharedWork work = SharedWork.ALONE;
   private long changes;
   private boolean runUp;
@@ -126,7 +127,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
       throw new ChainProblem(
           "a chain for " + nested.geometry + " pixels does not fit into one for " + geometry);
     }
-    requireIdle();
+    requireUsable();
     ChainStage stage = new ChainStage(freeName(kind), kind, filter, enabled);
     filter.share(work);
     stages.add(position, stage);
@@ -211,7 +212,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
    * @param enabled whether packets go through it
    */
   public void setEnabled(ChainStage stage, boolean enabled) {
-    requireIdle();
+    requireUsable();
     if (!holds(stage)) {
       require(stage);
     }
@@ -272,8 +273,11 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
     return false;
   }
 
-  /** Fails if another thread uses the chain. */
-  private void requireIdle() {
+  /** Fails if the chain is closed or another thread uses it. */
+  private void requireUsable() {
+    if (closed) {
+      throw new ChainProblem("the chain is closed; create another one");
+    }
     Thread other = busy;
     if (other != null && other != Thread.currentThread()) {
       throw new ChainProblem(
@@ -286,7 +290,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   }
 
   private void require(ChainStage stage) {
-    requireIdle();
+    requireUsable();
     if (!stages.contains(stage)) {
       throw new ChainProblem("stage " + stage.name() + " is not in this chain");
     }
@@ -357,7 +361,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
 
   /** Claims the chain for this thread; what is given back ends that. */
   private Thread enter() {
-    requireIdle();
+    requireUsable();
     Thread before = busy;
     busy = Thread.currentThread();
     return before;
@@ -439,10 +443,15 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
 
   @Override
   public void sample(SensorSample sample) {
-    for (ChainStage stage : stages) {
-      if (stage.isEnabled()) {
-        stage.sample(sample);
+    Thread before = enter();
+    try {
+      for (ChainStage stage : stages) {
+        if (stage.isEnabled()) {
+          stage.sample(sample);
+        }
       }
+    } finally {
+      busy = before;
     }
   }
 
@@ -457,7 +466,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
    */
   @Override
   public void share(SharedWork with) {
-    requireIdle();
+    requireUsable();
     work = with;
     stages.forEach(stage -> stage.filter().share(with));
   }
@@ -522,8 +531,14 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
     return overlays;
   }
 
+  /** Closes the filters; the chain accepts nothing more. A second call has no effect. */
   @Override
   public void close() {
+    if (closed) {
+      return;
+    }
+    requireUsable();
+    closed = true;
     for (ChainStage stage : stages) {
       stage.filter().close();
     }

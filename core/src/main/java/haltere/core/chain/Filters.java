@@ -3,6 +3,7 @@ package haltere.core.chain;
 import haltere.core.extension.Extensions;
 import java.util.Collections;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
@@ -57,7 +58,7 @@ public final class Filters {
    * @throws ChainProblem if there is none, listing the names that there are
    */
   public static FilterProvider<?> named(String name) {
-    FilterProvider<?> provider = all().get(name);
+    FilterProvider<?> provider = all().get(Objects.requireNonNull(name, "name"));
     if (provider == null) {
       throw new ChainProblem(
           "there is no filter named "

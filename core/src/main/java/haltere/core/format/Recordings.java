@@ -10,6 +10,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
@@ -48,6 +49,8 @@ public final class Recordings {
    * @throws IOException if reading fails
    */
   public static RecordingReader open(Path file, ReadOptions options) throws IOException {
+    Objects.requireNonNull(file, "file");
+    Objects.requireNonNull(options, "options");
     List<Path> parts = parts(file);
     if (parts.size() == 1) {
       return openPart(parts.get(0), options);

@@ -13,8 +13,7 @@ import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
 import java.util.List;
 import java.util.Objects;
-import java.util.Queue;
-import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -35,7 +34,7 @@ public final class ChainRunner implements StreamHandler {
   private final Consumer<String> failures;
   private final List<StreamHandler> rawSinks = new CopyOnWriteArrayList<>();
   private final List<StreamHandler> sinks = new CopyOnWriteArrayList<>();
-  private final Queue<Consumer<FilterChain>> edits = new ConcurrentLinkedQueue<>();
+  private final ChainEdits edits = new ChainEdits();
   private final Predicate<StreamHandler> followsRunUps;
   private boolean runUp;
   private StreamStarted running;
@@ -105,18 +104,15 @@ public final class ChainRunner implements StreamHandler {
   }
 
   /**
-   * Changes the chain before its next packet or notification, on the processing thread.
+   * Changes the chain before its next packet or notification, on the processing thread. The stream
+   * continues if the change throws, such as for a setting out of its range; the failure is then
+   * reported in one line.
    *
    * @param change changes the chain; may be passed from any thread
+   * @return completed when applied; what the change throws fails the future
    */
-  public void edit(Consumer<FilterChain> change) {
-    edits.add(Objects.requireNonNull(change, "change"));
-  }
-
-  private void applyEdits() {
-    for (Consumer<FilterChain> edit = edits.poll(); edit != null; edit = edits.poll()) {
-      edit.accept(chain);
-    }
+  public CompletableFuture<Void> edit(Consumer<FilterChain> change) {
+    return edits.add(Objects.requireNonNull(change, "change"));
   }
 
   /**
@@ -158,7 +154,7 @@ public final class ChainRunner implements StreamHandler {
 
   @Override
   public void packet(EventPacket packet) {
-    applyEdits();
+    edits.applyTo(chain, failures);
     int in = packet.size();
     if (runUp) {
       counters.add(Counter.EVENTS_RUN_UP, in);
@@ -232,7 +228,7 @@ public final class ChainRunner implements StreamHandler {
 
   @Override
   public void notified(StreamNotification notification) {
-    applyEdits();
+    edits.applyTo(chain, failures);
     if (notification instanceof StreamStarted started) {
       running = started;
     } else if (notification instanceof EndOfStream) {
@@ -298,11 +294,16 @@ public final class ChainRunner implements StreamHandler {
 
   private void filterFailed(FilterFailure failure) {
     counters.add(Counter.FILTER_FAILURES, 1);
-    failures.accept(oneLine(failure.getMessage()) + "; it is switched off");
+    report(failure.getMessage(), "it is switched off");
     if (onFailure == OnFailure.STOP) {
       throw failure;
     }
     chain.setEnabled(failure.stage(), false);
+  }
+
+  private void report(String failure, String consequence) {
+    String line = failure.lines().findFirst().orElse("");
+    failures.accept(onFailure == OnFailure.STOP ? line : line + "; " + consequence);
   }
 
   private void guarded(
@@ -316,16 +317,17 @@ public final class ChainRunner implements StreamHandler {
 
   private void sinkFailed(List<StreamHandler> list, StreamHandler sink, RuntimeException thrown) {
     counters.add(Counter.SINK_FAILURES, 1);
-    failures.accept(
-        oneLine("sink " + sink.getClass().getSimpleName() + " failed: " + thrown)
-            + "; it is removed");
+    report("sink " + name(sink) + " failed: " + thrown, "it is removed");
     if (onFailure == OnFailure.STOP) {
       throw thrown;
     }
     list.remove(sink);
   }
 
-  private static String oneLine(String text) {
-    return text.lines().findFirst().orElse("");
+  /** The name of a sink's class; that of an anonymous class has its enclosing class. */
+  private static String name(StreamHandler sink) {
+    String simple = sink.getClass().getSimpleName();
+    String full = sink.getClass().getName();
+    return simple.isEmpty() ? full.substring(full.lastIndexOf('.') + 1) : simple;
   }
 }

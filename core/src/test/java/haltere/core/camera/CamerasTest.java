@@ -58,7 +58,9 @@ class CamerasTest {
         assertThrows(
             CameraProblem.class, () -> new Cameras(List.of()).open("", CameraOptions.DEFAULT));
 
-    assertEquals("no camera can be opened; none is seen", problem.getMessage());
+    assertEquals(
+        "no camera can be opened; no driver is found; those of USB cameras are in haltere-device",
+        problem.getMessage());
   }
 
   @Test

@@ -1,14 +1,17 @@
 package haltere.core.pipeline;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.chain.ChainProblem;
 import haltere.core.chain.FilterChain;
+import haltere.core.chain.FilterFailure;
 import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
+import haltere.core.event.InertialSample;
 import haltere.core.event.SensorGeometry;
 import haltere.core.settings.Help;
 import haltere.core.settings.Range;
@@ -17,6 +20,7 @@ import haltere.core.settings.Unit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -39,6 +43,7 @@ class HostFaultTest {
     final Outlet<Long> counts = outlet("counts", Long.class);
     CounterSettings settings = CounterSettings.defaults();
     long events;
+    int closings;
     Runnable atWork = () -> {};
 
     @Override
@@ -54,6 +59,11 @@ class HostFaultTest {
     @Override
     public void reset() {
       events = 0;
+    }
+
+    @Override
+    public void close() {
+      closings++;
     }
 
     @Override
@@ -116,7 +126,9 @@ class HostFaultTest {
             () -> chain.add("another", new Counter()),
             () -> chain.setEnabled(chain.stages().get(0), false),
             () -> chain.set("counter", "every", 2),
-            chain::reset)) {
+            () -> chain.sample(new InertialSample(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
+            chain::reset,
+            chain::close)) {
       ChainProblem problem = assertThrows(ChainProblem.class, touch::run);
       assertTrue(problem.getMessage().contains("the-worker"), problem.getMessage());
       assertTrue(problem.getMessage().contains("ChainRunner.edit"), problem.getMessage());
@@ -144,6 +156,54 @@ class HostFaultTest {
     assertEquals(1, counter.settings.every());
     runner.packet(packet(10, 1));
     assertEquals(7, counter.settings.every());
+  }
+
+  @Test
+  void changeThatThrowsIsReportedAndTheStreamContinues() {
+    List<String> failures = new ArrayList<>();
+    ChainRunner runner =
+        new ChainRunner(chain, new PipelineCounters(), OnFailure.STOP, failures::add);
+    CompletableFuture<Void> wrong = runner.edit(own -> own.set("counter", "every", 0));
+    CompletableFuture<Void> right = runner.edit(own -> own.set("counter", "every", 7));
+    runner.packet(packet(0, 7));
+    assertInstanceOf(
+        SettingsProblem.class, assertThrows(CompletionException.class, wrong::join).getCause());
+    right.join();
+    assertEquals(7, counter.events);
+    assertEquals(7, counter.settings.every());
+    assertEquals(
+        List.of("a change of the chain failed: setting every is 0, it must be 1 to 100 events"),
+        failures);
+  }
+
+  @Test
+  void failureThatEndsARunIsNotSaidToSwitchTheFilterOff() {
+    List<String> failures = new ArrayList<>();
+    counter.atWork =
+        () -> {
+          throw new IllegalStateException("no such pixel");
+        };
+    ChainRunner runner =
+        new ChainRunner(chain, new PipelineCounters(), OnFailure.STOP, failures::add);
+    assertThrows(FilterFailure.class, () -> runner.packet(packet(0, 1)));
+    assertEquals(
+        List.of("filter counter failed: java.lang.IllegalStateException: no such pixel"), failures);
+    assertTrue(chain.stages().get(0).isEnabled());
+  }
+
+  @Test
+  void closedChainIsRefused() {
+    chain.close();
+    chain.close();
+    for (Runnable use :
+        List.<Runnable>of(
+            () -> chain.process(packet(0, 1)),
+            () -> chain.add("another", new Counter()),
+            chain::reset)) {
+      ChainProblem problem = assertThrows(ChainProblem.class, use::run);
+      assertEquals("the chain is closed; create another one", problem.getMessage());
+    }
+    assertEquals(1, counter.closings);
   }
 
   @Test

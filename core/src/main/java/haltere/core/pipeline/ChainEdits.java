@@ -1,0 +1,37 @@
+package haltere.core.pipeline;
+
+import haltere.core.chain.FilterChain;
+import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Consumer;
+
+/**
+ * Changes of a chain that wait for its processing thread.
+ *
+ * <p>Thread rule: any thread adds; the processing thread applies.
+ */
+final class ChainEdits {
+  private record Edit(Consumer<FilterChain> change, CompletableFuture<Void> done) {}
+
+  private final Queue<Edit> waiting = new ConcurrentLinkedQueue<>();
+
+  CompletableFuture<Void> add(Consumer<FilterChain> change) {
+    Edit edit = new Edit(change, new CompletableFuture<>());
+    waiting.add(edit);
+    return edit.done;
+  }
+
+  void applyTo(FilterChain chain, Consumer<String> failures) {
+    for (Edit edit = waiting.poll(); edit != null; edit = waiting.poll()) {
+      try {
+        edit.change.accept(chain);
+        edit.done.complete(null);
+      } catch (RuntimeException thrown) {
+        String why = thrown.getMessage() == null ? thrown.toString() : thrown.getMessage();
+        failures.accept("a change of the chain failed: " + why);
+        edit.done.completeExceptionally(thrown);
+      }
+    }
+  }
+}
