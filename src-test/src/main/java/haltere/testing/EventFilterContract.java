@@ -79,6 +79,14 @@ public abstract class EventFilterContract {
   }
 
   @Test
+  void sameEventsGiveTheSameResults() {
+    EventPacket stream = stream(SENSOR, 1);
+    Results first = run(create(SENSOR), List.of(EventPackets.copy(stream)));
+    Results second = run(create(SENSOR), List.of(EventPackets.copy(stream)));
+    assertSame(first, second, "of a second new filter on the same packet");
+  }
+
+  @Test
   void resultsDoNotDependOnPacketBoundaries() {
     EventPacket stream = stream(SENSOR, 1);
     Results whole = run(create(SENSOR), List.of(EventPackets.copy(stream)));

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
@@ -16,6 +17,8 @@ import java.util.stream.Collectors;
  * @since 0.1
  */
 public final class Filters {
+  private static final Pattern NAME = Pattern.compile("[a-z0-9]+(-[a-z0-9]+)*");
+
   private Filters() {}
 
   /**
@@ -41,6 +44,10 @@ public final class Filters {
       return Optional.of("another filter is named " + provider.name() + " too");
     }
     if (Extensions.isForeign(provider)) {
+      if (!NAME.matcher(provider.name()).matches()) {
+        return Optional.of(
+            "its name \"" + provider.name() + "\" is not lower case words joined by hyphens");
+      }
       try {
         provider.schema();
       } catch (RuntimeException | LinkageError wrong) {

@@ -113,7 +113,8 @@ public final class Extensions {
 
   /**
    * Registers each jar in a folder that is not registered yet, each with a class loader of its own,
-   * so that two may bring different versions of a library.
+   * so that two may bring different versions of a library. A jar without a service of this library
+   * is left out and {@link #problems() named}.
    *
    * @param folder a folder; one that does not exist has no jars
    * @return the jars, in the order of their names
@@ -134,7 +135,11 @@ public final class Extensions {
     }
     for (Path jar : jars) {
       if (OPENED.add(jar.toRealPath())) {
-        register(new URLClassLoader(new URL[] {url(jar)}, OWN), jar.getFileName().toString());
+        String name = jar.getFileName().toString();
+        ExtensionJar.fault(jar)
+            .ifPresentOrElse(
+                fault -> problem(name + ": " + fault),
+                () -> register(new URLClassLoader(new URL[] {url(jar)}, OWN), name));
       }
     }
     return jars;

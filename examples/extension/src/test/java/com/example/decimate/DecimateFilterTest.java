@@ -3,6 +3,7 @@ package com.example.decimate;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import haltere.core.chain.EventFilter;
+import haltere.core.chain.Filters;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.testing.EventFilterContract;
@@ -12,6 +13,11 @@ class DecimateFilterTest extends EventFilterContract {
   @Override
   protected EventFilter create(SensorGeometry geometry) {
     return new DecimateFilter(geometry, DecimateSettings.defaults());
+  }
+
+  @Test
+  void filterIsFoundByItsName() {
+    assertEquals("Passes every n-th event.", Filters.named("decimate").description());
   }
 
   @Test
