@@ -41,7 +41,8 @@ public final class BatchInputs {
   }
 
   /**
-   * Adds a recording or all recordings in a folder.
+   * Adds a recording or all recordings in a folder. A folder in it that cannot be read is an item
+   * too, so that it fails in the batch beside the recordings. Links to folders are not followed.
    *
    * @param input a file or folder
    * @throws RecordingProblem if the input does not exist, or two recordings would have one name
@@ -86,6 +87,16 @@ public final class BatchInputs {
             }
             return FileVisitResult.CONTINUE;
           }
+
+          @Override
+          public FileVisitResult visitFileFailed(Path unreadable, IOException problem)
+              throws IOException {
+            if (unreadable.equals(folder)) {
+              throw problem;
+            }
+            put(unreadable, folder, 0);
+            return FileVisitResult.CONTINUE;
+          }
         });
   }
 
@@ -94,13 +105,17 @@ public final class BatchInputs {
   }
 
   private void add(Path recording, Path folder) throws IOException {
+    put(recording, folder, bytes(recording));
+  }
+
+  private void put(Path recording, Path folder, long bytes) throws IOException {
     Path from = root.orElse(folder.toAbsolutePath().normalize());
     Path absolute = recording.toAbsolutePath().normalize();
     if (!absolute.startsWith(from)) {
       throw new RecordingProblem(recording, "this is not in the folder " + from);
     }
     String name = from.relativize(absolute).toString().replace('\\', '/');
-    BatchItem before = items.put(name, new BatchItem(recording, name, bytes(recording)));
+    BatchItem before = items.put(name, new BatchItem(recording, name, bytes));
     if (before != null && !Files.isSameFile(before.recording(), recording)) {
       throw new RecordingProblem(
           recording,
