@@ -178,7 +178,7 @@ final class ConvertCommand extends Subcommand {
   private void checkStream() {
     checkNeeded(false, "events, and excludes --stream", "--filter", "--origin");
     if (stream != SampleStream.FRAMES
-        && Stream.of(".csv", ".parquet").noneMatch(out.toString()::endsWith)) {
+        && Stream.of(".csv", PARQUET).noneMatch(ending -> WritingOptions.hasEnding(out, ending))) {
       throw wrongArguments("--stream writes a table; let " + out + " end in .csv or .parquet");
     }
   }

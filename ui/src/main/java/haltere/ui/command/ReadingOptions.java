@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
@@ -73,10 +74,22 @@ final class ReadingOptions extends SourceOptions {
       throw new CommandProblem(
           file + ": there is no such file; a camera is opened in the window, or with --device");
     }
-    return indexed(
+    RecordingReader reader =
         isStandard(file)
             ? Recordings.openStream(file, subcommand().surroundings().in(), options)
-            : Recordings.open(file, options));
+            : Recordings.open(file, options);
+    noteUnused(file, reader.geometry());
+    return indexed(reader);
+  }
+
+  /** Names the options without effect, because the recording or its format states the property. */
+  private void noteUnused(Path file, SensorGeometry stated) {
+    if (sensor != null && !sensor.toString().equals(stated.toString())) {
+      subcommand().warning(file + ": it states " + stated + " pixels; --sensor has no effect");
+    }
+    if (rows != null && rows != stated.origin()) {
+      subcommand().warning(file + ": it states where rows count from; --rows has no effect");
+    }
   }
 
   /** Whether a path is standard input or output. */

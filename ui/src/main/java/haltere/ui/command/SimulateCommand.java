@@ -1,8 +1,9 @@
 package haltere.ui.command;
 
-import haltere.core.event.EventPacket;
 import haltere.core.format.RecordingWriter;
+import haltere.core.settings.SettingsSchema;
 import haltere.core.simulation.Scene;
+import haltere.core.simulation.SceneProvider;
 import haltere.core.simulation.Scenes;
 import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.core.sink.TableMetadata;
@@ -18,7 +19,10 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Iterator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicLong;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -32,7 +36,7 @@ import picocli.CommandLine.Parameters;
         "Write a synthetic recording and its ground truth. The same settings give the same events.")
 final class SimulateCommand extends Subcommand {
   /** Length of a scene whose settings and options give none. */
-  private static final long DEFAULT_DURATION_US = 10_000_000;
+  private static final String DEFAULT_DURATION = "durationS=10";
 
   @Parameters(
       index = "0",
@@ -86,8 +90,8 @@ final class SimulateCommand extends Subcommand {
 
   @Override
   public Integer call() throws IOException {
-    boolean isRate = rateHz == null || rateHz > 0 && rateHz <= 1e6;
-    checkRange(isRate, "--rate", rateHz, "above 0 and at most 1000000 Hz");
+    boolean isRate = rateHz == null || rateHz >= 0.1 && rateHz <= 1e6;
+    checkRange(isRate, "--rate", rateHz, "0.1 to 1000000 Hz");
     checkDuration(durationS);
     checkNeeded(truth != null, "--truth", "--rate");
     try (Scene<?> scene = scene()) {
@@ -96,9 +100,7 @@ final class SimulateCommand extends Subcommand {
       FlightFiles flight = flight(scene);
       write(scene);
       if (flight != null) {
-        flight
-            .write(scene.startUs() + lengthUs(scene), writing.overwrite, metadata())
-            .forEach(this::message);
+        flight.write(endUs(scene), writing.overwrite, metadata()).forEach(this::message);
       }
     }
     return OK;
@@ -115,14 +117,27 @@ final class SimulateCommand extends Subcommand {
 
   private Scene<?> scene() {
     try {
-      return Scenes.named(sceneName).create(assignments);
+      return scene(Scenes.named(sceneName));
     } catch (IllegalArgumentException problem) {
       throw wrongArguments(problem.getMessage());
     }
   }
 
+  private <S extends Record> Scene<?> scene(SceneProvider<S> provider) {
+    Map<String, Object> options = new LinkedHashMap<>();
+    options.put("durationS", durationS);
+    options.put("truthRateHz", rateHz);
+    SettingsSchema<S> schema = provider.schema();
+    S settings = assigned(provider.settingsType(), schema.defaults(), options, assignments);
+    Scene<?> scene = provider.create(settings);
+    if (scene.durationUs().isPresent()) {
+      return scene;
+    }
+    scene.close();
+    return provider.create(schema.withAssignments(settings, List.of(DEFAULT_DURATION)));
+  }
+
   private <T extends Record> void write(Scene<T> scene) throws IOException {
-    long endUs = scene.startUs() + lengthUs(scene);
     long events;
     long rows = 0;
     try (RecordingWriter writer = writing.create(out, scene.geometry());
@@ -130,10 +145,10 @@ final class SimulateCommand extends Subcommand {
             truth == null
                 ? null
                 : Tables.create(truth, scene.truthType(), writing.overwrite, metadata())) {
-      events = writeEvents(scene, endUs, writer);
+      events = writeEvents(scene, writer);
       warnings(out, writer.losses());
       if (table != null) {
-        rows = writeTruth(scene, endUs, table);
+        rows = writeTruth(scene, table);
         table.finish();
       }
       writer.finish();
@@ -150,32 +165,35 @@ final class SimulateCommand extends Subcommand {
         .with("haltere.settings", () -> String.join(" ", assignments));
   }
 
-  private long lengthUs(Scene<?> scene) {
-    long asked = durationS == null ? Long.MAX_VALUE : Math.round(durationS * 1e6);
-    long own = scene.durationUs().orElse(durationS == null ? DEFAULT_DURATION_US : Long.MAX_VALUE);
-    return Math.min(asked, own);
+  private static long endUs(Scene<?> scene) {
+    return scene.startUs() + scene.durationUs().getAsLong();
   }
 
-  private long writeEvents(Scene<?> scene, long endUs, RecordingWriter writer) throws IOException {
+  private long writeEvents(Scene<?> scene, RecordingWriter writer) throws IOException {
+    AtomicLong events = new AtomicLong();
     try (ProgressBar bar = progressBar("simulating", out)) {
-      UntilTime sink = new UntilTime(writer, scene.startUs(), endUs, bar);
-      while (!sink.full && scene.next(sink)) {
+      StreamHandler sink =
+          packet -> {
+            if (!packet.isEmpty()) {
+              bar.events(events.getAndAdd(packet.size()));
+              bar.progress(packet.lastTimeUs() - scene.startUs(), scene.durationUs().getAsLong());
+              Unchecked.write(() -> writer.write(packet));
+            }
+          };
+      while (scene.next(sink)) {
         checkInterrupted("simulating");
       }
-      return sink.events;
     } catch (UncheckedIOException problem) {
       throw problem.getCause();
     }
+    return events.get();
   }
 
-  private <T extends Record> long writeTruth(Scene<T> scene, long endUs, TableSink<T> table)
+  private <T extends Record> long writeTruth(Scene<T> scene, TableSink<T> table)
       throws IOException {
-    double rate = rateHz == null ? scene.truthRateHz() : rateHz;
-    long timeUs = scene.startUs();
-    for (long row = 1; timeUs < endUs; row++) {
+    for (long row = 0; scene.truthTimeUs(row) < endUs(scene); row++) {
       checkInterrupted("simulating");
-      scene.truthRows(timeUs).forEach(table);
-      timeUs = scene.startUs() + Math.round(row * 1e6 / rate);
+      scene.truthRows(scene.truthTimeUs(row)).forEach(table);
     }
     return table.rows();
   }
@@ -184,37 +202,6 @@ final class SimulateCommand extends Subcommand {
     @Override
     public Iterator<String> iterator() {
       return Scenes.all().keySet().iterator();
-    }
-  }
-
-  /** Writes events up to a time. */
-  private static final class UntilTime implements StreamHandler {
-    private final RecordingWriter writer;
-    private final long startUs;
-    private final long endUs;
-    private final ProgressBar bar;
-    private long events;
-    private boolean full;
-
-    UntilTime(RecordingWriter writer, long startUs, long endUs, ProgressBar bar) {
-      this.writer = writer;
-      this.startUs = startUs;
-      this.endUs = endUs;
-      this.bar = bar;
-    }
-
-    @Override
-    public void packet(EventPacket packet) {
-      if (packet.isEmpty()) {
-        return;
-      }
-      bar.events(events);
-      bar.progress(packet.lastTimeUs() - startUs, endUs - startUs);
-      int kept = packet.indexAtOrAfter(endUs);
-      full = kept < packet.size();
-      packet.truncate(kept);
-      events += kept;
-      Unchecked.write(() -> writer.write(packet));
     }
   }
 }

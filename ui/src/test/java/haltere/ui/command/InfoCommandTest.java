@@ -89,6 +89,25 @@ class InfoCommandTest {
   }
 
   @Test
+  void optionsForPropertiesThatTheRecordingStatesAreNamed() throws IOException {
+    CommandRun run = CommandRun.of("info", recording, "--sensor", "64x64", "--rows", "top");
+    assertEquals(0, run.status(), run.err());
+    assertEquals(
+        List.of(
+            "haltere: warning: " + recording + ": it states 128x128 pixels; --sensor has no effect",
+            "haltere: warning: "
+                + recording
+                + ": it states where rows count from; --rows has no effect"),
+        run.errorLines());
+    Path table = Files.writeString(folder.resolve("t.csv"), "t_us,x,y,on\n1,2,3,1\n2,3,4,0\n");
+    for (String rows : List.of("top", "bottom")) {
+      CommandRun used = CommandRun.of("info", table, "--sensor", "9x8", "--rows", rows);
+      assertEquals("", used.err());
+      assertTrue(used.out().contains("9x8 pixels, rows count from the " + rows), used.out());
+    }
+  }
+
+  @Test
   void rateOverTimeIsPrintedOnlyOnATerminal() throws IOException {
     TinyRecording bursts = new TinyRecording();
     for (int ms = 0; ms < 300; ms++) {

@@ -113,13 +113,13 @@ class SamplesCommandTest {
     assertTrue(imu.get(1).startsWith("1589163147369190,0.02758789,-0.9951172,0.2590332,"));
     assertEquals(1 + 2363, imu.size());
 
-    succeed("convert", davis, out("t.csv"), "--stream", "triggers", "--to", "1589163147400000");
+    succeed("convert", davis, out("t.CSV"), "--stream", "triggers", "--to", "1589163147400000");
     assertEquals(
         List.of(
             "t_us,source,edge,channel",
             "1589163147374647,frame-readout,falling,0",
             "1589163147395806,frame-readout,rising,0"),
-        Files.readAllLines(out("t.csv")));
+        Files.readAllLines(out("t.CSV")));
   }
 
   @Test

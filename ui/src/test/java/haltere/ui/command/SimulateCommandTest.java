@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -75,6 +76,22 @@ class SimulateCommandTest {
     assertWrong("name=value", "simulate", "fly", out, "--set", "wingspan");
     assertWrong("--duration", "simulate", "fly", out, "--duration", "-1");
     assertWrong("--rate", "simulate", "fly", out, "--rate", "NaN");
+  }
+
+  @Test
+  void settingThatContradictsAnOptionIsRefused() {
+    Path out = folder.resolve("x.aedat");
+    assertWrong(
+        "durationS=0.1", "simulate", "dots", out, "--duration", 0.1, "--set", "durationS=3");
+    Object[] rates = {"simulate", "dots", out, "--truth", folder.resolve("t.csv"), "--rate", 5};
+    assertWrong("truthRateHz=5", plus(rates, "--set", "truthRateHz=100"));
+    CommandRun same =
+        CommandRun.of("simulate", "dots", out, "--duration", 0.1, "--set", "run.durationS=0.1");
+    assertEquals(0, same.status(), same.err());
+  }
+
+  private static Object[] plus(Object[] arguments, Object... more) {
+    return Stream.concat(Stream.of(arguments), Stream.of(more)).toArray();
   }
 
   private static void assertWrong(String word, Object... arguments) {
