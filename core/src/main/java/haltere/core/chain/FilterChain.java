@@ -18,6 +18,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * A sequence of filters: each packet passes the enabled ones in order, and each notification goes
@@ -70,6 +71,21 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
    */
   public List<ChainStage> stages() {
     return Collections.unmodifiableList(stages);
+  }
+
+  /**
+   * The stages in order, with those of a nested chain in place of the chain.
+   *
+   * @return a snapshot that any thread may take
+   */
+  public List<ChainStage> innermostStages() {
+    return stages.stream()
+        .flatMap(
+            stage ->
+                stage.filter() instanceof FilterChain nested
+                    ? nested.innermostStages().stream()
+                    : Stream.of(stage))
+        .toList();
   }
 
   /**

@@ -103,7 +103,7 @@ public final class LiveResults implements StreamHandler, Closeable {
    */
   public static List<String> outlets(FilterChain chain) {
     List<String> names = new ArrayList<>();
-    for (ChainStage stage : stages(chain, new ArrayList<>())) {
+    for (ChainStage stage : chain.innermostStages()) {
       for (Outlet<?> outlet : stage.filter().outlets()) {
         if (CsvSink.isFlat(outlet.type())) {
           names.add(stage.name() + "/" + outlet.name());
@@ -113,19 +113,8 @@ public final class LiveResults implements StreamHandler, Closeable {
     return names;
   }
 
-  private static List<ChainStage> stages(FilterChain chain, List<ChainStage> found) {
-    for (ChainStage stage : chain.stages()) {
-      if (stage.filter() instanceof FilterChain nested) {
-        stages(nested, found);
-      } else {
-        found.add(stage);
-      }
-    }
-    return found;
-  }
-
   private void follow() {
-    List<ChainStage> now = stages(chain, new ArrayList<>());
+    List<ChainStage> now = chain.innermostStages();
     if (!now.equals(followed)) {
       subscribe(now);
     }

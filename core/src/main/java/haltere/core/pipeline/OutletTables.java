@@ -53,7 +53,7 @@ public final class OutletTables {
    */
   public static List<Path> files(FilterChain chain, Naming naming) {
     List<Path> files = new ArrayList<>();
-    for (ChainStage stage : stages(chain)) {
+    for (ChainStage stage : chain.innermostStages()) {
       for (Outlet<?> outlet : stage.filter().outlets()) {
         if (CsvSink.isFlat(outlet.type()) && naming.isWritten(stage, outlet)) {
           files.add(naming.file(stage, outlet));
@@ -80,7 +80,7 @@ public final class OutletTables {
         factory,
         metadata,
         files -> {
-          for (ChainStage stage : stages(chain)) {
+          for (ChainStage stage : chain.innermostStages()) {
             for (Outlet<?> outlet : stage.filter().outlets()) {
               if (CsvSink.isFlat(outlet.type()) && naming.isWritten(stage, outlet)) {
                 write(outlet, naming.file(stage, outlet), files);
@@ -88,18 +88,6 @@ public final class OutletTables {
             }
           }
         });
-  }
-
-  private static List<ChainStage> stages(FilterChain chain) {
-    List<ChainStage> stages = new ArrayList<>();
-    for (ChainStage stage : chain.stages()) {
-      if (stage.filter() instanceof FilterChain nested) {
-        stages.addAll(stages(nested));
-      } else {
-        stages.add(stage);
-      }
-    }
-    return stages;
   }
 
   @SuppressWarnings("unchecked")

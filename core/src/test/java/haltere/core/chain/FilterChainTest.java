@@ -13,6 +13,7 @@ import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -205,6 +206,16 @@ class FilterChainTest {
         List.of(
             "packet of 12", new Reset(Reset.Cause.RE_ENABLED, 11, 24).toString(), "packet of 12"),
         first.log);
+  }
+
+  @Test
+  void innermostStagesAreThoseOfNestedChainsInTheirPlace() {
+    FilterChain outer = new FilterChain(SENSOR);
+    outer.add("noise", chain);
+    ChainStage last = outer.add("last", new EveryNthFilter(EveryNthFilter.Settings.of(2)));
+    List<ChainStage> expected = new ArrayList<>(chain.stages());
+    expected.add(last);
+    assertEquals(expected, outer.innermostStages());
   }
 
   @Test

@@ -52,7 +52,7 @@ public record PlotField(String stage, String outlet, String column) {
    */
   public static List<PlotField> of(FilterChain chain) {
     List<PlotField> fields = new ArrayList<>();
-    for (ChainStage stage : chain.stages()) {
+    for (ChainStage stage : chain.innermostStages()) {
       for (Outlet<?> outlet : stage.filter().outlets()) {
         PlotRow.of(outlet.type())
             .ifPresent(
@@ -70,7 +70,7 @@ public record PlotField(String stage, String outlet, String column) {
    * The outlet of a chain that publishes the number, read as by {@link #of}; empty if none does.
    */
   public Optional<Outlet<?>> find(FilterChain chain) {
-    for (ChainStage candidate : chain.stages()) {
+    for (ChainStage candidate : chain.innermostStages()) {
       if (candidate.name().equals(stage)) {
         for (Outlet<?> published : candidate.filter().outlets()) {
           if (published.name().equals(outlet)) {

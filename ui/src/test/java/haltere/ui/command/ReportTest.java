@@ -216,14 +216,16 @@ class ReportTest {
   @Test
   void twoTrackersOfOneChainAreToldApart() throws Exception {
     Path dots = scene("dots.aedat", "dots", "0.5");
-    Path chain = folder.resolve("chain.json");
-    Files.writeString(
-        chain,
-        "{\"filters\": [{\"filter\": \"object-tracker\"}, {\"filter\": \"object-tracker\"}]}");
-    String page = page("run", dots, "--chain", chain);
-    assertTrue(page.contains("<h2>Objects of object-tracker</h2>"));
-    assertTrue(page.contains("<h2>Objects of object-tracker-2</h2>"));
-    assertPlots(page, "objects: x (object-tracker)", "objects: x (object-tracker-2)");
+    String two =
+        "{\"filters\": [{\"filter\": \"object-tracker\"}, {\"filter\": \"object-tracker\"}]";
+    String nested = "{\"filters\": [" + two + ", \"name\": \"inner\"}]";
+    for (String filters : List.of(two, nested)) {
+      Path chain = Files.writeString(folder.resolve("chain.json"), filters + "}");
+      String page = page("run", dots, "--chain", chain, "--overwrite");
+      assertTrue(page.contains("<h2>Objects of object-tracker</h2>"));
+      assertTrue(page.contains("<h2>Objects of object-tracker-2</h2>"));
+      assertPlots(page, "objects: x (object-tracker)", "objects: x (object-tracker-2)");
+    }
   }
 
   @Test

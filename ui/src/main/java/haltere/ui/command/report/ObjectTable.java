@@ -51,7 +51,7 @@ final class ObjectTable {
   /** A table for each outlet of objects of a chain, which it subscribes to. */
   static List<ObjectTable> of(FilterChain chain) {
     List<ObjectTable> tables = new ArrayList<>();
-    for (ChainStage stage : chain.stages()) {
+    for (ChainStage stage : chain.innermostStages()) {
       for (Outlet<?> outlet : stage.filter().outlets()) {
         if (TrailPoint.class.isAssignableFrom(outlet.type())) {
           tables.add(new ObjectTable(stage.name(), outlet));

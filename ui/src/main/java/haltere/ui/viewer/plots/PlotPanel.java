@@ -209,7 +209,7 @@ public final class PlotPanel extends BorderPane {
   public boolean dropFirst(FilterChain chain) {
     boolean isAsInitially =
         !first.isEmpty() && fields().stream().flatMap(List::stream).toList().equals(first);
-    List<String> stages = chain.stages().stream().map(ChainStage::name).toList();
+    List<String> stages = chain.innermostStages().stream().map(ChainStage::name).toList();
     boolean published = first.stream().map(PlotField::stage).anyMatch(stages::contains);
     if (!isAsInitially || published) {
       return false;
