@@ -103,7 +103,7 @@ public final class Cameras {
   private static String words(List<FoundCamera> seen) {
     return seen.stream()
         .map(FoundCamera::info)
-        .map(info -> info.id() + (info.note().isEmpty() ? "" : " (" + info.note() + ")"))
+        .map(info -> info.id() + (info.canOpen() ? "" : " (" + info.note() + ")"))
         .collect(Collectors.joining(", "));
   }
 

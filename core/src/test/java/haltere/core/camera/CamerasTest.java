@@ -16,7 +16,7 @@ class CamerasTest {
   private final Cameras cameras =
       new Cameras(
           List.of(
-              new Shelf(false, info("simulated:fly", true, "")),
+              new Shelf(false, info("simulated:fly", true, "a scene")),
               new Shelf(
                   true, info("dvs128:1", false, "another program has it"), info("b:2", true, ""))));
 
