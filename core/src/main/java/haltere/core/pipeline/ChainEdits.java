@@ -12,18 +12,18 @@ import java.util.function.Consumer;
  * <p>Thread rule: any thread adds; the processing thread applies.
  */
 final class ChainEdits {
-  private record Edit(Consumer<FilterChain> change, CompletableFuture<Void> done) {}
+  private record QueuedEdit(Consumer<FilterChain> change, CompletableFuture<Void> done) {}
 
-  private final Queue<Edit> waiting = new ConcurrentLinkedQueue<>();
+  private final Queue<QueuedEdit> waiting = new ConcurrentLinkedQueue<>();
 
   CompletableFuture<Void> add(Consumer<FilterChain> change) {
-    Edit edit = new Edit(change, new CompletableFuture<>());
+    QueuedEdit edit = new QueuedEdit(change, new CompletableFuture<>());
     waiting.add(edit);
     return edit.done;
   }
 
   void applyTo(FilterChain chain, Consumer<String> failures) {
-    for (Edit edit = waiting.poll(); edit != null; edit = waiting.poll()) {
+    for (QueuedEdit edit = waiting.poll(); edit != null; edit = waiting.poll()) {
       try {
         edit.change.accept(chain);
         edit.done.complete(null);
