@@ -151,11 +151,7 @@ final class BirthDetector {
   }
 
   private double mean(double[] values) {
-    double sum = 0;
-    for (int i = 0; i < events; i++) {
-      sum += values[i];
-    }
-    return sum / events;
+    return Arrays.stream(values, 0, events).reduce(0, Double::sum) / events;
   }
 
   private double covariance(double[] a, double[] b) {

@@ -70,6 +70,8 @@ final class ClutterMap {
   private double level;
   private double perTick;
   private double ticks;
+  private double recentTicks;
+  private double maxSteady;
   private double pixelFactor;
   private double cellFactor;
 
@@ -93,6 +95,7 @@ final class ClutterMap {
     gain = 1;
     recentGain = 1;
     ticks = 0;
+    recentTicks = 0;
     level = 1;
     perTick = PRIOR_HZ * ObjectTracker.TICK_S;
   }
@@ -118,17 +121,19 @@ final class ClutterMap {
   void begin(int passed) {
     double keep = keep(passed, MEMORY_S);
     ticks = ticks * keep + (1 - keep) / (1 - keep(1, MEMORY_S));
+    double keepRecent = keep(passed, RECENT_S);
+    recentTicks = recentTicks * keepRecent + (1 - keepRecent) / (1 - keep(1, RECENT_S));
     float keepBackground = (float) keep;
     float keepExcess = (float) keep(passed, BIRTH_S);
-    float keepRecent = (float) keep(passed, RECENT_S);
     for (int i = 0; i < excess.length; i++) {
       excess[i] *= keepExcess;
       background[i] *= keepBackground;
-      cellRecent[i] *= keepRecent;
+      cellRecent[i] *= (float) keepRecent;
     }
     allBackground *= keepBackground;
     allExcess *= keepExcess;
     grow(keep, keepRecent);
+    maxSteady = 0.5 * (recentTicks + ShapeTemplate.MEMORY_S / ObjectTracker.TICK_S) * recentGain;
     pixelFactor = level / (ticks + 1 / perTick);
   }
 
@@ -153,9 +158,13 @@ final class ClutterMap {
     perRecentGain = 1 / recentGain;
   }
 
-  /** Expected clutter of a pixel in this tick. */
+  /**
+   * Expected clutter of a pixel in this tick. One that fires in most ticks flickers (the posterior
+   * mean after as many ticks without events as a template remembers is above ½).
+   */
   double rate(int tile, int pixel) {
-    return pixelFactor * (clutter(pixels[tile * ActivityGrid.TILE_PIXELS + pixel]) * perGain + 1);
+    int known = pixels[tile * ActivityGrid.TILE_PIXELS + pixel];
+    return recent(known) > maxSteady ? 1 : pixelFactor * (clutter(known) * perGain + 1);
   }
 
   /**
@@ -210,8 +219,7 @@ final class ClutterMap {
     usual /= excess.length;
     present /= excess.length;
     double expected = usual / ticks * BIRTH_S / ObjectTracker.TICK_S;
-    boolean isNew = ticks < BirthDetector.WINDOW;
-    level = isNew ? 1 : Math.max(1, present / Math.max(expected, 1e-9));
+    level = ticks < BirthDetector.WINDOW ? 1 : Math.max(1, present / Math.max(expected, 1e-9));
     double priorTicks = PRIOR_S / ObjectTracker.TICK_S;
     double prior = PRIOR_HZ * PRIOR_S * CELL_PIXELS;
     perTick = (usual + prior) / (CELL_PIXELS * (ticks + priorTicks));

@@ -129,12 +129,8 @@ final class EventAssociation {
       ShapeTemplate shape = component.shape;
       if (!component.object.isDecided()) {
         // no event decides alone
-        double ratio = intensity[k] / repeat;
-        double maxNat = ObjectRelations.DECISIVE_NAT;
-        double minRatio = ObjectRelations.ERROR;
-        component.novelty +=
-            share
-                * (ratio <= minRatio ? -maxNat : ratio >= 1 / minRatio ? maxNat : Math.log(ratio));
+        double ratio = Math.min(1 / ObjectRelations.ERROR, intensity[k] / repeat);
+        component.novelty += share * Math.log(Math.max(ObjectRelations.ERROR, ratio));
       }
       component.weight += share;
       component.gradientX -= share * shape.gradientX[at];

@@ -42,6 +42,25 @@ class ClutterMapTest {
   }
 
   @Test
+  void pixelThatFiresInMostTicksIsClutterAlthoughAComponentExplainsIt() {
+    int lamp = 0;
+    int edge = 9;
+    for (int i = 0; i < 100; i++) {
+      clutter.begin(1);
+      if (i == 20) {
+        assertTrue(clutter.rate(lamp, 0) < 0.1, "an edge may stay for as long");
+      }
+      clutter.add(lamp, 0, clutter.cellAt(grid.x(lamp), grid.y(lamp)), 0);
+      if (i % 3 == 0) {
+        clutter.add(edge, 0, clutter.cellAt(grid.x(edge), grid.y(edge)), 0);
+      }
+      clutter.end();
+    }
+    assertEquals(1, clutter.rate(lamp, 0));
+    assertTrue(clutter.rate(edge, 0) < 0.1, "edges that pass repeatedly");
+  }
+
+  @Test
   void burstInOneCellIsExcessAndUsualNoiseIsNot() {
     for (int i = 0; i < 500; i++) {
       tick(0.01, -1, 0);

@@ -14,6 +14,7 @@ import haltere.core.stream.Reset;
 import haltere.filters.object.MovingShapes.Place;
 import haltere.filters.trail.internal.TrailSnapshot;
 import haltere.testing.EventFilterContract;
+import haltere.testing.EventList;
 import haltere.testing.EventPackets;
 import java.util.ArrayList;
 import java.util.List;
@@ -271,6 +272,27 @@ class ObjectTrackerFilterTest extends EventFilterContract {
       rows.clear();
       filter.reset();
     }
+  }
+
+  @Test
+  void lampOfTheMainsIsForgottenAndTheObjectBesideItIsTracked() {
+    EventPacket object = shapes(12).box(6, 6, 20_000, along(10, 100, 12, 0)).events(8);
+    SplittableRandom random = new SplittableRandom(3);
+    EventList events = new EventList();
+    for (int i = 0; i < object.size(); i++) {
+      events.add(object.timeUs(i), object.x(i), object.y(i), object.isOn(i));
+    }
+    for (long halfWaveUs = 0; halfWaveUs < 8_000_000; halfWaveUs += 5_000) {
+      for (int pixel = 0; pixel < 144; pixel++) {
+        long timeUs = halfWaveUs + random.nextInt(1_500);
+        events.add(timeUs, 90 + pixel % 12, 30 + pixel / 12, halfWaveUs % 10_000 == 0);
+      }
+    }
+    filter.process(events.sorted(0, 8_000_000));
+    filter.notified(new EndOfStream(0));
+    List<ObjectTrack> last = rows.stream().filter(row -> row.timeUs() > 7_900_000).toList();
+    assertEquals(1, last.stream().map(ObjectTrack::id).distinct().count());
+    last.forEach(row -> assertEquals(100, row.yPx(), 5));
   }
 
   @Test
