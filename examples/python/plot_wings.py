@@ -30,6 +30,8 @@ if options.wings.endswith(".parquet"):
 else:
     with open(options.wings, newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
+if not rows or not {"t_us", "edge", "angle_rad", "amplitude_rad", "frequency_hz"} <= rows[0].keys():
+    parser.error(f"{options.wings} is no table of `haltere wings`, or has no rows")
 first_us = min(int(row["t_us"]) for row in rows)
 
 # %% Rows of each wing in the selected time range

@@ -137,6 +137,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
    * @param enabled whether it is enabled
    * @param position 0 for the first position
    * @return the new stage
+   * @throws ChainProblem if the filter is in this chain already, or is a chain for another sensor
    */
   public ChainStage add(String kind, EventFilter filter, boolean enabled, int position) {
     if (filter instanceof FilterChain nested && !nested.sameSize(geometry)) {
@@ -144,6 +145,10 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
           "a chain for " + nested.geometry + " pixels does not fit into one for " + geometry);
     }
     requireUsable();
+    if (contains(filter) || filter instanceof FilterChain nested && nested.contains(this)) {
+      throw new ChainProblem(
+          "the filter of " + kind + " is in this chain already; create another one");
+    }
     ChainStage stage = new ChainStage(freeName(kind), kind, filter, enabled);
     filter.share(work);
     stages.add(position, stage);
@@ -278,6 +283,15 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
    */
   public boolean isRunUp() {
     return runUp;
+  }
+
+  private boolean contains(EventFilter filter) {
+    return filter == this
+        || stages.stream()
+            .map(ChainStage::filter)
+            .anyMatch(
+                own ->
+                    own == filter || own instanceof FilterChain nested && nested.contains(filter));
   }
 
   private boolean holds(ChainStage stage) {

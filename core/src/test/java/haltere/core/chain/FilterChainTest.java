@@ -228,6 +228,18 @@ class FilterChainTest {
   }
 
   @Test
+  void filterIsInAChainOnceAndAChainNotInItself() {
+    FilterChain outer = new FilterChain(SENSOR);
+    outer.add("noise", chain);
+    assertThrows(ChainProblem.class, () -> outer.add("again", first));
+    assertThrows(ChainProblem.class, () -> chain.add("outer", outer));
+    ChainProblem problem = assertThrows(ChainProblem.class, () -> outer.add("itself", outer));
+    assertEquals(
+        "the filter of itself is in this chain already; create another one", problem.getMessage());
+    assertEquals(1, outer.stages().size());
+  }
+
+  @Test
   void nestedChainForAnotherSensorIsRejected() {
     FilterChain other = new FilterChain(new SensorGeometry(128, 128));
     ChainProblem problem = assertThrows(ChainProblem.class, () -> other.add("noise", chain));

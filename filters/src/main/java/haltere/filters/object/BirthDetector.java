@@ -53,10 +53,10 @@ final class BirthDetector {
   BirthDetector(ActivityGrid grid, ClutterMap clutter) {
     this.grid = grid;
     this.clutter = clutter;
-    stack = new int[clutter.cells()];
-    seen = new boolean[clutter.cells()];
-    latest = new long[clutter.cells()];
-    changed = new int[clutter.cells()];
+    stack = new int[clutter.cells];
+    seen = new boolean[clutter.cells];
+    latest = new long[clutter.cells];
+    changed = new int[clutter.cells];
   }
 
   void begin(int passed) {
@@ -151,7 +151,11 @@ final class BirthDetector {
   }
 
   private double mean(double[] values) {
-    return Arrays.stream(values, 0, events).reduce(0, Double::sum) / events;
+    double sum = 0;
+    for (int i = 0; i < events; i++) {
+      sum += values[i];
+    }
+    return sum / events;
   }
 
   private double covariance(double[] a, double[] b) {

@@ -51,6 +51,7 @@ final class ClutterMap {
 
   final int columns;
   final int rows;
+  final int cells;
 
   /**
    * For each pixel its clutter times its gain in the upper half, and all its events times theirs in
@@ -79,9 +80,10 @@ final class ClutterMap {
     columns = (geometry.width() - 1 >> CELL_SHIFT) + 1;
     rows = (geometry.height() - 1 >> CELL_SHIFT) + 1;
     pixels = new int[grid.tiles() * ActivityGrid.TILE_PIXELS];
-    excess = new float[columns * rows];
-    background = new float[columns * rows];
-    cellRecent = new float[columns * rows];
+    cells = columns * rows;
+    excess = new float[cells];
+    background = new float[cells];
+    cellRecent = new float[cells];
     reset();
   }
 
@@ -100,16 +102,12 @@ final class ClutterMap {
     perTick = PRIOR_HZ * ObjectTracker.TICK_S;
   }
 
-  int cells() {
-    return excess.length;
-  }
-
   /**
    * Evidence at which noise makes {@link #FALSE_ALARM_HZ} false objects, nat: the logarithm of the
    * number of tests, one for each cell in each {@link #BIRTH_S}, per false alarm.
    */
   double alarmNat() {
-    return Math.log(cells() / (BIRTH_S * FALSE_ALARM_HZ));
+    return Math.log(cells / (BIRTH_S * FALSE_ALARM_HZ));
   }
 
   /** Cell of a pixel. */
@@ -123,14 +121,13 @@ final class ClutterMap {
     ticks = ticks * keep + (1 - keep) / (1 - keep(1, MEMORY_S));
     double keepRecent = keep(passed, RECENT_S);
     recentTicks = recentTicks * keepRecent + (1 - keepRecent) / (1 - keep(1, RECENT_S));
-    float keepBackground = (float) keep;
     float keepExcess = (float) keep(passed, BIRTH_S);
-    for (int i = 0; i < excess.length; i++) {
+    for (int i = 0; i < cells; i++) {
       excess[i] *= keepExcess;
-      background[i] *= keepBackground;
+      background[i] *= (float) keep;
       cellRecent[i] *= (float) keepRecent;
     }
-    allBackground *= keepBackground;
+    allBackground *= (float) keep;
     allExcess *= keepExcess;
     grow(keep, keepRecent);
     maxSteady = 0.5 * (recentTicks + ShapeTemplate.MEMORY_S / ObjectTracker.TICK_S) * recentGain;
@@ -158,19 +155,17 @@ final class ClutterMap {
     perRecentGain = 1 / recentGain;
   }
 
-  /**
-   * Expected clutter of a pixel in this tick. One that fires in most ticks flickers (the posterior
-   * mean after as many ticks without events as a template remembers is above ½).
-   */
+  /** Expected clutter of a pixel in this tick. */
   double rate(int tile, int pixel) {
-    int known = pixels[tile * ActivityGrid.TILE_PIXELS + pixel];
-    return recent(known) > maxSteady ? 1 : pixelFactor * (clutter(known) * perGain + 1);
+    return pixelFactor * (clutter(pixels[tile * ActivityGrid.TILE_PIXELS + pixel]) * perGain + 1);
   }
 
-  /**
-   * Expected events of a pixel in this tick if its own and its neighbours' last events repeat, as
-   * those of flicker and noise do, and those of a moving object do not.
-   */
+  /** Whether a pixel fired in most ticks (posterior mean above ½). */
+  boolean isFlickering(int tile, int pixel) {
+    return recent(pixels[tile * ActivityGrid.TILE_PIXELS + pixel]) > maxSteady;
+  }
+
+  /** Expected events of a pixel if its last ones and its neighbours' repeat, as flicker does. */
   double repeatRate(int tile, int pixel, int cell) {
     double own = recent(pixels[tile * ActivityGrid.TILE_PIXELS + pixel]) * perRecentGain;
     double around = cellRecent[cell] / CELL_PIXELS;
@@ -208,21 +203,20 @@ final class ClutterMap {
 
   /** Estimates the usual rate of the picture and its present factor. */
   void end() {
-    float maxUsual = (float) (MAX_OF_MEAN * allBackground / excess.length);
-    float maxPresent = (float) (MAX_OF_MEAN * allExcess / excess.length);
+    float maxUsual = (float) (MAX_OF_MEAN * allBackground / cells);
+    float maxPresent = (float) (MAX_OF_MEAN * allExcess / cells);
     double usual = 0;
     double present = 0;
-    for (int i = 0; i < excess.length; i++) {
+    for (int i = 0; i < cells; i++) {
       usual += background[i] < maxUsual ? background[i] : maxUsual;
       present += excess[i] < maxPresent ? excess[i] : maxPresent;
     }
-    usual /= excess.length;
-    present /= excess.length;
+    usual /= cells;
+    present /= cells;
     double expected = usual / ticks * BIRTH_S / ObjectTracker.TICK_S;
     level = ticks < BirthDetector.WINDOW ? 1 : Math.max(1, present / Math.max(expected, 1e-9));
-    double priorTicks = PRIOR_S / ObjectTracker.TICK_S;
     double prior = PRIOR_HZ * PRIOR_S * CELL_PIXELS;
-    perTick = (usual + prior) / (CELL_PIXELS * (ticks + priorTicks));
+    perTick = (usual + prior) / (CELL_PIXELS * (ticks + PRIOR_S / ObjectTracker.TICK_S));
     cellFactor = level / (ticks + 1 / (CELL_PIXELS * perTick)) * BIRTH_S / ObjectTracker.TICK_S;
   }
 

@@ -93,7 +93,8 @@ final class EventAssociation {
     int unexplained = 0;
     for (int left = grid.pixels(tile); left != 0; left &= left - 1) {
       int pixel = Integer.numberOfTrailingZeros(left);
-      double share = count == 0 ? 1 : associate(tile, pixel, cell, count);
+      boolean isFlicker = clutter.isFlickering(tile, pixel);
+      double share = isFlicker ? 0 : count == 0 ? 1 : associate(tile, pixel, cell, count);
       clutter.add(tile, pixel, cell, share);
       unexplained |= share > 0.5 ? 1 << pixel : 0;
     }
