@@ -17,6 +17,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -234,7 +235,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
    */
   public void setEnabled(ChainStage stage, boolean enabled) {
     requireUsable();
-    if (!holds(stage)) {
+    if (!hasStage(own -> own == stage)) {
       require(stage);
     }
     stage.setEnabled(enabled);
@@ -286,21 +287,16 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   }
 
   private boolean contains(EventFilter filter) {
-    return filter == this
-        || stages.stream()
-            .map(ChainStage::filter)
-            .anyMatch(
-                own ->
-                    own == filter || own instanceof FilterChain nested && nested.contains(filter));
+    return filter == this || hasStage(stage -> stage.filter() == filter);
   }
 
-  private boolean holds(ChainStage stage) {
-    for (ChainStage own : stages) {
-      if (own == stage || own.filter() instanceof FilterChain nested && nested.holds(stage)) {
-        return true;
-      }
-    }
-    return false;
+  /** Whether a stage of this chain or of a chain nested in it fulfils a condition. */
+  private boolean hasStage(Predicate<ChainStage> condition) {
+    return stages.stream()
+        .anyMatch(
+            own ->
+                condition.test(own)
+                    || own.filter() instanceof FilterChain nested && nested.hasStage(condition));
   }
 
   /** Fails if the chain is closed or another thread uses it. */

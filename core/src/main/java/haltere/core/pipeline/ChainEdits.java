@@ -29,7 +29,7 @@ final class ChainEdits {
         edit.done.complete(null);
       } catch (RuntimeException thrown) {
         String why = thrown.getMessage() == null ? thrown.toString() : thrown.getMessage();
-        failures.accept("a change of the chain failed: " + why);
+        failures.accept("a change of the chain failed: " + why.lines().findFirst().orElse(""));
         edit.done.completeExceptionally(thrown);
       }
     }

@@ -121,13 +121,14 @@ final class ClutterMap {
     ticks = ticks * keep + (1 - keep) / (1 - keep(1, MEMORY_S));
     double keepRecent = keep(passed, RECENT_S);
     recentTicks = recentTicks * keepRecent + (1 - keepRecent) / (1 - keep(1, RECENT_S));
+    float keepBackground = (float) keep;
     float keepExcess = (float) keep(passed, BIRTH_S);
     for (int i = 0; i < cells; i++) {
       excess[i] *= keepExcess;
-      background[i] *= (float) keep;
+      background[i] *= keepBackground;
       cellRecent[i] *= (float) keepRecent;
     }
-    allBackground *= (float) keep;
+    allBackground *= keepBackground;
     allExcess *= keepExcess;
     grow(keep, keepRecent);
     maxSteady = 0.5 * (recentTicks + ShapeTemplate.MEMORY_S / ObjectTracker.TICK_S) * recentGain;
@@ -160,7 +161,7 @@ final class ClutterMap {
     return pixelFactor * (clutter(pixels[tile * ActivityGrid.TILE_PIXELS + pixel]) * perGain + 1);
   }
 
-  /** Whether a pixel fired in most ticks (posterior mean above ½). */
+  /** Whether a pixel fired in most ticks: a mean above ½ after a template's memory of silence. */
   boolean isFlickering(int tile, int pixel) {
     return recent(pixels[tile * ActivityGrid.TILE_PIXELS + pixel]) > maxSteady;
   }
