@@ -30,7 +30,7 @@ final class BrightnessSensor {
   private final double[] before;
   private final double[] now;
   private final boolean[] hidden;
-  private final double lossShare;
+  private double lossShare;
   private final double jitterUs;
 
   BrightnessSensor(SensorGeometry geometry, SplittableRandom random) {
@@ -48,6 +48,11 @@ final class BrightnessSensor {
     }
     lossShare = random.nextDouble(0, 0.2);
     jitterUs = random.nextDouble(50, 500);
+  }
+
+  /** Sets the share of events that are lost at random, as by pixels that are too slow. */
+  void lose(double share) {
+    lossShare = share;
   }
 
   /** Puts an occluder before all sprites. */

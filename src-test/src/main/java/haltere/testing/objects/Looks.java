@@ -29,7 +29,7 @@ final class Looks {
     EDGES,
     /** Ellipses and rectangles with a random texture. */
     TEXTURED,
-    /** Contrast of about a threshold: a pixel of an edge fires once in two passings. */
+    /** A pixel of an edge fires once in two passings: one event or none, at random. */
     SPARSE,
     /** Persons who walk, with limbs that swing. */
     WALKER,
@@ -65,6 +65,9 @@ final class Looks {
   private static final double MAX_NOISE_SHARE = 0.3;
   private static final double MAX_NOISE_EVENTS_PER_S = 3e5;
 
+  /** Of the four events of a passing, at least one is left in half of the passings: 1 - 0.84⁴. */
+  private static final double LOST_OF_SPARSE = 0.84;
+
   private final Look look;
   private final SplittableRandom random;
   private final SensorGeometry geometry;
@@ -79,6 +82,9 @@ final class Looks {
     geometry = new SensorGeometry(size[0], size[1]);
     side = Math.min(size[0], size[1]);
     sensor = new BrightnessSensor(geometry, random.split());
+    if (look == Look.SPARSE) {
+      sensor.lose(LOST_OF_SPARSE);
+    }
     int wanted = random.nextInt(2, MAX_OBJECTS + 1);
     // A first object may leave no room for a second one; another draw has.
     for (int tries = 0;
@@ -203,7 +209,7 @@ final class Looks {
         };
     double contrast =
         look == Look.SPARSE
-            ? BrightnessSensor.THRESHOLD * random.nextDouble(0.85, 1.15)
+            ? BrightnessSensor.THRESHOLD * random.nextDouble(4, 4.4)
             : random.nextDouble(0.35, 1.5);
     boolean edges = shape.kind() == Shape.ShapeKind.EDGES;
     boolean walker = look == Look.WALKER;

@@ -3,6 +3,9 @@ package haltere.testing.objects;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.event.EventPacket;
+import haltere.core.stream.EventSource;
+import haltere.testing.SceneEvents;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,10 +13,13 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class LooksTest {
   /** Sensors of 128x128 and 240x180: larger ones take seconds. */
   private static final int SMALL = 2;
+
+  private static final long NEAR_US = 20_000;
 
   @ParameterizedTest
   @EnumSource
@@ -25,6 +31,35 @@ class LooksTest {
     assertEquals(1, score.idf1());
     assertEquals(1, score.mota());
     assertEquals(0, score.accuracy().relativeVelocityRmse());
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+  void sparseObjectsHaveAsManyEventsInFrontAsBehind(long seed) throws IOException {
+    ObjectScene scene = Looks.scene(Looks.Look.SPARSE, seed, SMALL);
+    int front = 0;
+    int behind = 0;
+    EventPacket events;
+    try (EventSource source = scene.events().open()) {
+      events = SceneEvents.of(source);
+    }
+    for (TruthMoment moment : scene.truth()) {
+      for (int i = events.indexAtOrAfter(moment.timeUs() - NEAR_US);
+          i < events.size() && events.timeUs(i) < moment.timeUs() + NEAR_US;
+          i++) {
+        for (TrueObject o : moment.objects()) {
+          if (o.box().contains(events.x(i), events.y(i), 0.5)) {
+            double s = (events.timeUs(i) - moment.timeUs()) * 1e-6;
+            double dx = events.x(i) - o.box().centreX() - o.vxPxS() * s;
+            double dy = events.y(i) - o.box().centreY() - o.vyPxS() * s;
+            double along = dx * o.vxPxS() + dy * o.vyPxS();
+            front += along > 0 ? 1 : 0;
+            behind += along < 0 ? 1 : 0;
+          }
+        }
+      }
+    }
+    assertEquals(1, front / (double) behind, 0.2);
   }
 
   static List<TrackRow> rows(ObjectScene scene, int delayMoments) {
