@@ -2,6 +2,7 @@ package haltere.filters.object;
 
 import haltere.filters.estimation.GaussianState;
 import haltere.filters.trail.Ellipse;
+import java.util.Arrays;
 
 /**
  * A part of an object that moves as one: shape, position and velocity, event rate and presence. An
@@ -39,16 +40,18 @@ final class Component {
   final RegionFinder regions = new RegionFinder();
   final int slot;
   private MotionModel motion;
-  private final double[] pathX = new double[PATH];
-  private final double[] pathY = new double[PATH];
-  private final double[] pathGrowth = new double[PATH];
+
+  /** Its way since its birth along x and y, pixels, and the logarithm of its growth. */
+  private final double[] way = new double[3];
+
+  private final double[][] path = new double[way.length][PATH];
+
   private final double[] row = new double[4];
-  private double walkedX;
-  private double walkedY;
-  private double logGrowth;
-  private int age;
   TrackedObject object;
   long activeUs;
+
+  /** Ticks since its birth. */
+  int age;
 
   /** Ticks over which displacements are compared. */
   int window;
@@ -76,11 +79,7 @@ final class Component {
   /** Probability of moving in the tick. */
   double active;
 
-  /**
-   * A component that is reused.
-   *
-   * @param slot its index
-   */
+  /** A component that is reused, with its index. */
   Component(int slot) {
     this.slot = slot;
   }
@@ -90,11 +89,9 @@ final class Component {
     motion = model;
     turn.setMean(0, 0);
     turn.setVariances(model.turnRadS() * model.turnRadS());
-    logGrowth = 0;
     presence.begin();
     regions.clear();
-    walkedX = 0;
-    walkedY = 0;
+    Arrays.fill(way, 0);
     age = 0;
     object = null;
     activeUs = nowUs;
@@ -134,10 +131,6 @@ final class Component {
     double dy =
         ObjectRelations.outside(middleY() - other.middleY(), shape.halfY + other.shape.halfY);
     return Math.sqrt(dx * dx + dy * dy);
-  }
-
-  int age() {
-    return age;
   }
 
   boolean isMoving() {
@@ -197,11 +190,11 @@ final class Component {
       }
     }
     rate = Math.max(MIN_RATE, rate + (1 - keep) * (weight - rate));
-    walkedX += x() - beforeX;
-    walkedY += y() - beforeY;
-    pathX[age % PATH] = walkedX;
-    pathY[age % PATH] = walkedY;
-    pathGrowth[age % PATH] = logGrowth;
+    way[0] += x() - beforeX;
+    way[1] += y() - beforeY;
+    for (int i = 0; i < way.length; i++) {
+      path[i][age % PATH] = way[i];
+    }
     age++;
     if (age < REFRESH_TICKS * REFRESH_TICKS || (age + slot) % REFRESH_TICKS == 0) {
       refresh();
@@ -230,7 +223,7 @@ final class Component {
     if (growth != 1) {
       shape.grow(growth);
       rate *= growth * growth;
-      logGrowth += Math.log(growth);
+      way[2] += Math.log(growth);
     }
     if (!isMoving() && !motion.coasts()) {
       // mean and variance of a mixture of its velocity and of rest
@@ -291,27 +284,19 @@ final class Component {
   void shift(double dx, double dy) {
     state.setMean(0, x() + dx);
     state.setMean(2, y() + dy);
-    walkedX += dx;
-    walkedY += dy;
+    way[0] += dx;
+    way[1] += dy;
   }
 
-  /** Displacement along x over the last ticks, pixels; at most {@link #knownTicks} of them. */
-  double displacementX(int ticks) {
-    return displacement(pathX, ticks);
-  }
-
-  double displacementY(int ticks) {
-    return displacement(pathY, ticks);
+  /** Displacement along x (0) or y (1) over the last ticks, at most {@link #knownTicks}, pixels. */
+  double displacement(int axis, int ticks) {
+    int last = age - 1;
+    return last < 1 ? 0 : path[axis][last % PATH] - path[axis][(last - ticks) % PATH];
   }
 
   /** Growth over the last ticks by its approach, a factor. */
   double growth(int ticks) {
-    return Math.exp(displacement(pathGrowth, ticks));
-  }
-
-  private double displacement(double[] path, int ticks) {
-    int last = age - 1;
-    return last < 1 ? 0 : path[last % PATH] - path[(last - ticks) % PATH];
+    return Math.exp(displacement(2, ticks));
   }
 
   /** Ticks over which the displacement is known. */
@@ -324,8 +309,8 @@ final class Component {
     int known = Math.min(knownTicks(), (int) Math.round(maxS / ObjectTracker.TICK_S));
     window = (int) Math.round(minS / ObjectTracker.TICK_S);
     for (; window < known; window++) {
-      double dx = displacementX(window);
-      double dy = displacementY(window);
+      double dx = displacement(0, window);
+      double dy = displacement(1, window);
       if (dx * dx + dy * dy >= shape.size() * shape.size()) {
         return;
       }

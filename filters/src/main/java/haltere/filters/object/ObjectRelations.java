@@ -159,10 +159,10 @@ final class ObjectRelations {
 
   /** Log ratio of the difference of two displacements under one object and under two. */
   private double motionLog(Component a, Component b, int ticks) {
-    double ax = a.displacementX(ticks);
-    double ay = a.displacementY(ticks);
-    double bx = b.displacementX(ticks);
-    double by = b.displacementY(ticks);
+    double ax = a.displacement(0, ticks);
+    double ay = a.displacement(1, ticks);
+    double bx = b.displacement(0, ticks);
+    double by = b.displacement(1, ticks);
     // approaching components move apart
     double growth = Math.sqrt(a.growth(ticks) * b.growth(ticks)) - 1;
     double dx = ax - bx + growth * (b.middleX() - bx - a.middleX() + ax);

@@ -169,11 +169,7 @@ final class ObjectTracker {
   void finish() {
     if (isStarted) {
       update(tickStartUs + TICK_US);
-      for (TrackedObject object : objects) {
-        if (!object.isDecided() && isEvident(object) && isApart(object)) {
-          decide(object);
-        }
-      }
+      decideIdentities(tickStartUs + TICK_US, true);
     }
   }
 
@@ -200,6 +196,7 @@ final class ObjectTracker {
       fuseComponents();
     }
     updateLifetimes(nowUs);
+    decideIdentities(nowUs, false);
     grid.next();
   }
 
@@ -264,11 +261,11 @@ final class ObjectTracker {
     double area = geometry.width() * (double) geometry.height();
     double bornHz = (decided + 1) / ((nowUs - startUs) * 1e-6 + PRIOR_S);
     for (TrackedObject object : objects) {
-      if (!object.isDecided()) {
+      boolean isMoving = object.isMoving();
+      if (isMoving && !object.isDecided()) {
         continue;
       }
       object.measure();
-      boolean isMoving = object.isMoving();
       double quietS =
           isMoving ? 0 : Math.min(1 / Presence.STOP_HZ, (nowUs - object.activeUs) * 1e-6);
       double size = Math.max(object.size(), component.shape.size());
@@ -405,7 +402,7 @@ final class ObjectTracker {
           Component a = parts.get(i);
           Component b = parts.get(j);
           if (relations.areFused(a, b)) {
-            boolean isFirst = a.rate * a.age() >= b.rate * b.age();
+            boolean isFirst = a.rate * a.age >= b.rate * b.age;
             Component survivor = isFirst ? a : b;
             Component from = isFirst ? b : a;
             survivor.absorb(from);
@@ -432,7 +429,7 @@ final class ObjectTracker {
       if (object.isMoving() && !object.isLost) {
         object.activeUs = nowUs;
         coastComponents(object, nowUs);
-      } else if (!object.isDecided()
+      } else if (!mayRest(object)
           || object.isLost && silentS > settings.coastTimeS()
           || motion.coasts() && object.components.stream().allMatch(c -> inside(c) == 0)) {
         object.components.forEach(this::end);
@@ -444,18 +441,23 @@ final class ObjectTracker {
         components.removeAll(object.components);
       }
     }
+  }
+
+  private void decideIdentities(long nowUs, boolean isLast) {
     for (int i = 0; i < objects.size(); i++) {
       TrackedObject object = objects.get(i);
       if (object.isDecided()) {
         continue;
       }
-      if (!isApart(object)) {
+      boolean isApart = isApart(object, Double.POSITIVE_INFINITY);
+      if (!isApart) {
         object.apartUs = nowUs;
       }
       // a single error is in all displacements over a window and must not be decisive
       int window = object.apartUs > object.bornUs ? object.components.get(0).window : 0;
       double watchS = Math.max(settings.confirmS(), window * TICK_S);
-      if ((nowUs - object.apartUs) * 1e-6 >= watchS && isEvident(object)) {
+      boolean isObserved = isLast ? isApart : (nowUs - object.apartUs) * 1e-6 >= watchS;
+      if (isObserved && isEvident(object)) {
         decide(object);
       }
     }
@@ -480,15 +482,25 @@ final class ObjectTracker {
     }
   }
 
+  /** Whether a silent object is kept: it is decided, or evident and never part of another. */
+  private boolean mayRest(TrackedObject object) {
+    return object.isDecided()
+        || object.novelty() >= clutter.alarmNat()
+            && object.existence() >= 0.5
+            && object.apartUs == object.bornUs
+            && isApart(object, clutter.alarmNat());
+  }
+
   private boolean isEvident(TrackedObject object) {
     return object.isMoving() && object.novelty() >= clutter.alarmNat();
   }
 
-  private boolean isApart(TrackedObject object) {
+  /** Whether it is separate from all decided objects, and from others of at least a novelty. */
+  private boolean isApart(TrackedObject object, double leastNovelty) {
     for (int i = 0; i < objects.size(); i++) {
       TrackedObject other = objects.get(i);
-      boolean isNeighbour = other != object && other.isDecided() && !other.isLost;
-      if (isNeighbour && !relations.areApart(object, other)) {
+      boolean counts = other.isDecided() || other.novelty() >= leastNovelty;
+      if (other != object && counts && !other.isLost && !relations.areApart(object, other)) {
         return false;
       }
     }

@@ -82,7 +82,7 @@ final class TrackedObject {
 
   /** Age of its first component, ticks. */
   int age() {
-    return components.get(0).age();
+    return components.get(0).age;
   }
 
   /** Probability that one of its components is there. */

@@ -159,6 +159,28 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
+  void objectThatMovesInJerksIsOneTrackSinceItsFirstOne() {
+    double motionS = 0.15;
+    double pauseS = 0.1;
+    run(
+        shapes(11)
+            .box(
+                6,
+                6,
+                20_000,
+                s -> {
+                  double whole = Math.floor(s / (motionS + pauseS));
+                  double inMotion = s - whole * (motionS + pauseS);
+                  return inMotion < motionS
+                      ? new Place(15 + 60 * (whole * motionS + inMotion), 60)
+                      : null;
+                }),
+        2);
+    assertEquals(1, byIdentity().size());
+    assertTrue(rows.get(0).timeUs() < 150_000, rows.get(0).timeUs() + " us");
+  }
+
+  @Test
   void objectsMovingApartAreTwoTracks() {
     run(
         shapes(5).box(5, 5, 15_000, along(60, 30, -40, 0)).box(5, 5, 15_000, along(68, 90, 40, 0)),
