@@ -100,6 +100,9 @@ final class Dvs128Driver
       line.send(MASTER, master ? 1 : 0, 0);
     }
     line.send(HOLD_ARRAY, holding ? 1 : 0, 0);
+    if (firmware >= FIRMWARE_OF_LED) {
+      line.send(LED, led.ordinal(), 0); // the start drops the false trigger
+    }
   }
 
   @Override

@@ -12,6 +12,7 @@ import haltere.core.camera.CameraInfo;
 import haltere.core.camera.CameraOptions.WhenFull;
 import haltere.core.camera.CameraProblem;
 import haltere.core.camera.CameraProblem.Kind;
+import haltere.core.camera.Led;
 import haltere.core.camera.TimestampReset;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
@@ -151,6 +152,22 @@ abstract class LossScenarios extends CameraBench {
 
       assertEquals(3, log.all.timeUs(10));
       assertEquals(0, log.lost);
+    }
+  }
+
+  @Test
+  void reconnectedCameraHasTheLedStateThatWasSet() throws IOException {
+    try (Camera camera = open(SMALL.withReconnect(true))) {
+      StreamLog log = started(camera);
+      camera.facet(Led.class).orElseThrow().setLed(Led.LedState.OFF);
+      device.unplug();
+      log.untilA(EndOfStream.class);
+
+      Dvs128Firmware again = new Dvs128Firmware("0042");
+      device = on.bus().plug(on.numbers().getAsInt(), again);
+      log.until(() -> camera.statistics().streams() == 2);
+
+      assertTrue(again.log().contains("40:cd v=0000 i=0000 n=0"), again.log().toString());
     }
   }
 
