@@ -154,6 +154,9 @@ final class StreamAssembly {
     lostBytes += dropped.bytes();
     lostEvents += dropped.events();
     losing |= dropped.transfers() > 0;
+    if (dropped.isUnknown()) {
+      decoder.breakOffUnknown(); // the bytes may be missing before any of the summarised words
+    }
     decoder.breakOff();
     dropped.replay(
         words -> {
@@ -163,9 +166,14 @@ final class StreamAssembly {
           }
         });
     if (dropped.isUnknown()) {
-      losingUnknown = true;
-      recover.run();
+      loseUnknown();
     }
+  }
+
+  private void loseUnknown() {
+    losingUnknown = true;
+    decoder.breakOffUnknown();
+    recover.run();
   }
 
   /** Adds notifications of counted and uncounted losses before the next data. */
@@ -203,11 +211,7 @@ final class StreamAssembly {
     }
     switch (current.end()) {
       case COMPLETED, GONE -> {}
-      default -> {
-        losingUnknown = true;
-        decoder.breakOff();
-        recover.run();
-      }
+      default -> loseUnknown();
     }
     finished = true;
     if (ready.isEmpty()) {

@@ -14,7 +14,7 @@ import java.nio.ByteOrder;
  * from the top in the words and from the bottom in the packets.
  *
  * <p>A time that decreases without a wrap is an error: the previous time is kept, and the error is
- * counted.
+ * counted. After missing bytes it indicates missing wraps, which are compensated.
  */
 public final class DavisDecoder implements WireDecoder {
   /** Wrap period of the time in microseconds. */
@@ -36,6 +36,9 @@ public final class DavisDecoder implements WireDecoder {
   private static final int MAX_AWAIT_WRAPS = 500_000 / WRAP_US;
   private static final int NO_ROW = -1;
 
+  /** The row after missing bytes of unknown content. */
+  private static final int MISSING_ROW = -2;
+
   private final DavisLayout layout;
   private final boolean samples;
   private final int top;
@@ -46,6 +49,10 @@ public final class DavisDecoder implements WireDecoder {
   private long timeUs;
   private int row = NO_ROW;
   private boolean timeMayFall = true;
+
+  /** Whether words of unknown content are missing since {@link #timeUs}. */
+  private boolean unknownGap;
+
   private int wrapsToAwaitReset;
   private SensorSample sample;
   private volatile long unknownWords;
@@ -108,7 +115,7 @@ public final class DavisDecoder implements WireDecoder {
     switch (word >> 12) {
       case ROW -> {
         if (data < layout.rows()) {
-          row = data;
+          row = unknownGap ? MISSING_ROW : data;
         } else {
           unknownWords++;
         }
@@ -129,18 +136,23 @@ public final class DavisDecoder implements WireDecoder {
   }
 
   private void setTime(long newUs) {
-    if (newUs < timeUs && !timeMayFall) {
+    long missingUs = 0;
+    if (newUs < timeUs && unknownGap) {
+      missingUs = (timeUs - newUs + WRAP_US - 1) / WRAP_US * WRAP_US;
+      offsetUs += missingUs;
+    } else if (newUs < timeUs && !timeMayFall) {
       unknownWords++;
       return;
     }
-    timeUs = newUs;
+    timeUs = newUs + missingUs;
     timeMayFall = false;
+    unknownGap = false;
   }
 
   private void event(int column, int on, EventPacket out) {
     if (column >= layout.columns() || row == NO_ROW) {
       unknownWords++;
-    } else if (wrapsToAwaitReset == 0) {
+    } else if (wrapsToAwaitReset == 0 && row != MISSING_ROW) {
       int x = layout.swapped() ? row : column;
       int y = top - (layout.swapped() ? column : row);
       out.append(timeUs, EventAddress.pack(x, y, on));
@@ -194,6 +206,7 @@ public final class DavisDecoder implements WireDecoder {
   private Stop reset() {
     offsetUs = 0;
     timeUs = 0;
+    unknownGap = false;
     frames.breakOff();
     inertial.breakOff();
     boolean awaited = wrapsToAwaitReset > 0;
@@ -235,6 +248,14 @@ public final class DavisDecoder implements WireDecoder {
     frames.breakOff();
     inertial.breakOff();
     timeMayFall = true;
+  }
+
+  @Override
+  public void breakOffUnknown() {
+    frames.breakOff();
+    inertial.breakOff();
+    row = MISSING_ROW;
+    unknownGap = true;
   }
 
   @Override

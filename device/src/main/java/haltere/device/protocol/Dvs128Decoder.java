@@ -16,7 +16,7 @@ import java.nio.ByteOrder;
  *
  * <p>A time that decreases by more than half of the 14 bits indicates a missing wrap word, which is
  * compensated. After a smaller decrease, an error of the camera, the event gets the previous time.
- * Both are counted.
+ * Both are counted. Any decrease after missing bytes indicates missing wrap words.
  */
 public final class Dvs128Decoder implements WireDecoder {
   /** Microseconds from one wrap word to the next. */
@@ -38,6 +38,9 @@ public final class Dvs128Decoder implements WireDecoder {
 
   /** Remaining wraps for which a clock reset is awaited; 0 if it is not. */
   private int wrapsToAwaitReset;
+
+  /** Whether words of unknown content are missing since {@link #lastUs}. */
+  private boolean unknownGap;
 
   private Trigger trigger;
   private volatile long unknownWords;
@@ -109,6 +112,7 @@ public final class Dvs128Decoder implements WireDecoder {
       addresses[size++] = address(word);
     }
     lastUs = last;
+    unknownGap &= size == out.size();
     out.setSize(size);
     return i;
   }
@@ -146,6 +150,7 @@ public final class Dvs128Decoder implements WireDecoder {
   private Stop reset() {
     offsetUs = 0;
     lastUs = StreamNotification.NO_TIME_US;
+    unknownGap = false;
     boolean awaited = wrapsToAwaitReset > 0;
     wrapsToAwaitReset = 0;
     return awaited ? null : Stop.CLOCK_RESET;
@@ -154,8 +159,8 @@ public final class Dvs128Decoder implements WireDecoder {
   private long timeOf(int low) {
     long timeUs = offsetUs + low;
     if (timeUs < lastUs) {
-      unknownWords++;
-      if (lastUs - timeUs > WRAP_US / 2) {
+      unknownWords += unknownGap ? 0 : 1;
+      if (unknownGap || lastUs - timeUs > WRAP_US / 2) {
         long missing = (lastUs - timeUs + WRAP_US - 1) / WRAP_US;
         offsetUs += missing * WRAP_US;
         timeUs += missing * WRAP_US;
@@ -164,6 +169,7 @@ public final class Dvs128Decoder implements WireDecoder {
       }
     }
     lastUs = timeUs;
+    unknownGap = false;
     return timeUs;
   }
 
@@ -174,7 +180,12 @@ public final class Dvs128Decoder implements WireDecoder {
 
   @Override
   public void breakOff() {
-    lastUs = StreamNotification.NO_TIME_US;
+    // each word is complete, and the summary has all wraps
+  }
+
+  @Override
+  public void breakOffUnknown() {
+    unknownGap = true;
   }
 
   @Override

@@ -16,7 +16,7 @@ final class Evt3DroppedWords extends DroppedWords {
   private static final int MASK_12 = 4;
   private static final int MASK_8 = 5;
   private static final int TIME_LOW = 6;
-  private static final int TIME_HIGH = 8;
+  static final int TIME_HIGH = 8;
   private static final int LAST_HIGH = TIME_HIGH << 12 | 0xfff;
   private static final int FIRST_HIGH = TIME_HIGH << 12;
 

@@ -21,12 +21,18 @@ public final class Evt3WireDecoder implements WireDecoder {
 
   private static final int LAST_TIME = 0;
   private static final int WORD_TIME = 3;
+  private static final int ROW_AND_RUN = 4;
+  private static final long NO_ROW = Long.MIN_VALUE;
 
   private final boolean samples;
   private final ViolationCounts violations = new ViolationCounts();
   private final Evt3Decoder decoder;
   private final long[] state;
   private long offset;
+
+  /** Whether the high part of the time may be among missing bytes. */
+  private boolean awaitsTime;
+
   private Trigger trigger;
   private volatile long unknownWords;
 
@@ -45,7 +51,13 @@ public final class Evt3WireDecoder implements WireDecoder {
   @Override
   public Stop decode(ByteBuffer in, EventPacket out, int maxEvents) {
     int limit = in.limit();
-    int stop = samples ? nextTrigger(in) : limit;
+    if (awaitsTime) {
+      int time = next(Evt3DroppedWords.TIME_HIGH, in);
+      awaitsTime = time == limit;
+      offset += time - in.position();
+      in.position(time);
+    }
+    int stop = samples ? next(TRIGGER, in) : limit;
     in.limit(stop);
     int before = in.position();
     boolean restarted = decoder.decode(in.order(ByteOrder.LITTLE_ENDIAN), offset, out, maxEvents);
@@ -72,9 +84,10 @@ public final class Evt3WireDecoder implements WireDecoder {
     return Stop.INPUT_USED;
   }
 
-  private static int nextTrigger(ByteBuffer in) {
+  /** Position of the next word of a type, or the limit. */
+  private static int next(int type, ByteBuffer in) {
     int at = in.position();
-    while (at + WORD_BYTES <= in.limit() && (in.get(at + 1) & 0xf0) >> 4 != TRIGGER) {
+    while (at + WORD_BYTES <= in.limit() && (in.get(at + 1) & 0xf0) >> 4 != type) {
       at += WORD_BYTES;
     }
     return at + WORD_BYTES <= in.limit() ? at : in.limit();
@@ -107,6 +120,14 @@ public final class Evt3WireDecoder implements WireDecoder {
     decoder.save(state, 0);
     state[LAST_TIME] = StreamNotification.NO_TIME_US;
     decoder.restore(state, 0);
+  }
+
+  @Override
+  public void breakOffUnknown() {
+    decoder.save(state, 0);
+    state[ROW_AND_RUN] = NO_ROW;
+    decoder.restore(state, 0);
+    awaitsTime = true;
   }
 
   @Override

@@ -40,8 +40,17 @@ public interface WireDecoder {
    */
   SensorSample sample();
 
-  /** Handles missing bytes: incomplete data are dropped, and the next time is arbitrary. */
+  /**
+   * Handles missing bytes that {@link DroppedWords} summarise: incomplete data are dropped, and the
+   * next time is arbitrary.
+   */
   void breakOff();
+
+  /**
+   * Handles missing bytes of unknown content: incomplete data are dropped, and events whose row or
+   * time may be among the missing bytes. The camera's clock does not go back.
+   */
+  void breakOffUnknown();
 
   /**
    * Number of invalid words, incomplete words and impossible times.

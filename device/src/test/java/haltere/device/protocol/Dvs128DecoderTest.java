@@ -134,6 +134,27 @@ class Dvs128DecoderTest {
     }
   }
 
+  @Test
+  void timeDoesNotGoBackAfterMissingBytesWithAWrap() {
+    decoder.decode(words(event(10_000, 0)), packet, 16);
+    decoder.breakOffUnknown();
+    decoder.decode(words(event(9_000, 0), 0x8000_0000, event(5, 0)), packet, 16);
+
+    assertEquals(16_384 + 9_000, packet.timeUs(1));
+    assertEquals(2 * 16_384 + 5, packet.timeUs(2));
+    assertEquals(0, decoder.unknownWords());
+  }
+
+  @Test
+  void smallDecreaseAfterTheFirstEventOfAGapIsAnErrorOfTheCamera() {
+    decoder.decode(words(event(10_000, 0)), packet, 16);
+    decoder.breakOffUnknown();
+    decoder.decode(words(event(10_100, 0), event(10_050, 0)), packet, 16);
+
+    assertEquals(10_100, packet.timeUs(2));
+    assertEquals(1, decoder.unknownWords());
+  }
+
   private static void decodeAll(WireDecoder decoder, ByteBuffer in, EventPacket out) {
     while (in.hasRemaining()) {
       decoder.decode(in, out, out.size() + 5000);

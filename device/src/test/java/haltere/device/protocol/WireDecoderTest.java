@@ -9,6 +9,8 @@ import haltere.core.event.SensorGeometry;
 import haltere.device.protocol.WireDecoder.Stop;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Random;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
@@ -57,6 +59,111 @@ class WireDecoderTest {
         last = stop == Stop.CLOCK_RESET ? Long.MIN_VALUE : last;
       }
     }
+  }
+
+  @Test
+  void davisEventsAfterMissingBytesNeedATimeAndARowAndTheirTimeDoesNotGoBack() {
+    WireDecoder decoder = new DavisDecoder(DAVIS, false);
+    decodeWords(decoder, 0x7001, 0x8000 | 20_000, 0x1005, 0x3007);
+    decoder.breakOffUnknown();
+
+    EventPacket after = decodeWords(decoder, 0x1004, 0x3008, 0x8000 | 10_000, 0x1006, 0x3009);
+
+    assertEquals(1, after.size());
+    assertEquals(9, after.x(0));
+    assertEquals(253, after.y(0));
+    assertEquals(2 * DavisDecoder.WRAP_US + 10_000, after.timeUs(0));
+  }
+
+  @Test
+  void evkEventsAfterMissingBytesNeedARow() {
+    WireDecoder decoder = new Evt3WireDecoder(EVK, false);
+    decodeWords(decoder, 0x8000, 0x6001, 0x0005, 0x2007);
+    decoder.breakOffUnknown();
+
+    EventPacket after = decodeWords(decoder, 0x8000, 0x2008, 0x4001, 0x0006, 0x2009);
+
+    assertEquals(1, after.size());
+    assertEquals(9, after.x(0));
+    assertEquals(713, after.y(0));
+  }
+
+  @Test
+  void evkEventsAfterMissingBytesNeedATime() {
+    WireDecoder decoder = new Evt3WireDecoder(EVK, true);
+    decodeWords(decoder, 0x8001, 0x6fff, 0x0005, 0x2007);
+    decoder.breakOffUnknown();
+
+    EventPacket after = decodeWords(decoder, 0x6001, 0x0006, 0x2008, 0x8002, 0x0007, 0x2009);
+
+    assertEquals(1, after.size());
+    assertEquals(9, after.x(0));
+    assertEquals(2 << 12, after.timeUs(0));
+  }
+
+  @Test
+  void davisEventsAfterAnyGapHaveTheirRowAndAscend() {
+    gaps(() -> new DavisDecoder(DAVIS, false), WireDecoderTest::davisGroup, 259);
+  }
+
+  @Test
+  void evkEventsAfterAnyGapHaveTheirRowAndAscend() {
+    gaps(() -> new Evt3WireDecoder(EVK, false), WireDecoderTest::evkGroup, 719);
+  }
+
+  /** Words of an event in a row as far from the top as its column is from the left. */
+  private interface Group {
+    void add(List<Integer> words, long beforeUs, long timeUs, int place);
+  }
+
+  private static void davisGroup(List<Integer> words, long beforeUs, long timeUs, int place) {
+    for (long wrap = beforeUs >> 15; wrap < timeUs >> 15; wrap++) {
+      words.add(0x7001);
+    }
+    words.add(0x8000 | (int) timeUs & 0x7fff);
+    words.add(0x1000 | place);
+    words.add(0x3000 | place);
+  }
+
+  private static void evkGroup(List<Integer> words, long beforeUs, long timeUs, int place) {
+    if (beforeUs >> 12 != timeUs >> 12) {
+      words.add(0x8000 | (int) (timeUs >> 12) & 0xfff);
+    }
+    words.add(0x6000 | (int) timeUs & 0xfff);
+    words.add(place);
+    words.add(0x2000 | place);
+  }
+
+  private static void gaps(Supplier<WireDecoder> decoders, Group group, int top) {
+    Random random = new Random(21);
+    for (int round = 0; round < 500; round++) {
+      List<Integer> sent = new ArrayList<>();
+      long timeUs = 1L << 24;
+      group.add(sent, 0, timeUs, 0);
+      for (int i = 0; i < 40; i++) {
+        long beforeUs = timeUs;
+        timeUs += random.nextInt(random.nextBoolean() ? 100 : 50_000);
+        group.add(sent, beforeUs, timeUs, random.nextInt(250));
+      }
+      int[] words = sent.stream().mapToInt(Integer::intValue).toArray();
+      int from = random.nextInt(words.length);
+      int to = from + random.nextInt(words.length - from);
+      WireDecoder decoder = decoders.get();
+      EventPacket events = decodeAll(decoder, bytes(words, 0, from));
+      decoder.breakOffUnknown();
+      EventPacket after = decodeAll(decoder, bytes(words, to, words.length));
+      events.append(after, 0, after.size());
+
+      for (int i = 0; i < events.size(); i++) {
+        assertEquals(top - events.x(i), events.y(i), "row");
+        assertTrue(i == 0 || events.timeUs(i) >= events.timeUs(i - 1), "time went back");
+      }
+      assertEquals(0, decoder.unknownWords());
+    }
+  }
+
+  private static EventPacket decodeWords(WireDecoder decoder, int... words) {
+    return decodeAll(decoder, bytes(words, 0, words.length));
   }
 
   @Test
