@@ -1,6 +1,7 @@
 package haltere.device.model;
 
 import haltere.core.camera.ClockRelation;
+import haltere.core.stream.StreamNotification;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 
@@ -16,9 +17,20 @@ final class ClockWatch {
   private volatile ClockRelation relation;
   private ClockRelation recentShortest;
   private long windowEndNanos;
+  private long lastUs = StreamNotification.NO_TIME_US;
 
-  /** Registers the arrival of the last event of a buffer. */
+  /**
+   * Registers the arrival of a buffer.
+   *
+   * @param cameraUs time of the last event; a buffer without events, which repeats the time of an
+   *     earlier one, says nothing of the delay
+   * @param arrivedNanos by {@link System#nanoTime}
+   */
   void note(long cameraUs, long arrivedNanos) {
+    if (cameraUs == lastUs) {
+      return;
+    }
+    lastUs = cameraUs;
     ClockRelation best = relation;
     boolean turn = best == null || arrivedNanos - windowEndNanos > 0;
     if (turn || recentShortest == null || shorter(cameraUs, arrivedNanos, recentShortest)) {
@@ -45,6 +57,7 @@ final class ClockWatch {
   void restart() {
     relation = null;
     recentShortest = null;
+    lastUs = StreamNotification.NO_TIME_US;
   }
 
   Optional<ClockRelation> relation() {
