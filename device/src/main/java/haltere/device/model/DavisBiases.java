@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.ToDoubleFunction;
 
 /**
  * The biases of a DAVIS240 or DAVIS346 in physical units; with the manufacturer's defaults. The
@@ -143,10 +144,8 @@ final class DavisBiases implements Biases, BiasSliders {
       throw new IllegalArgumentException(
           "there is no set of biases " + name + "; there is " + DEFAULT);
     }
-    for (DavisBias bias : byName.values()) {
-      send(bias, bias.defaultValue());
-      middle.put(bias.name(), bias.defaultValue());
-    }
+    change(DavisBias::defaultValue);
+    middle.replaceAll((bias, value) -> bias(bias).defaultValue());
     sliders = sliders.centred();
   }
 
@@ -158,12 +157,18 @@ final class DavisBiases implements Biases, BiasSliders {
   @Override
   public synchronized void set(Slider slider, double value) throws CameraProblem {
     SliderPositions moved = sliders.with(slider, value);
+    change(bias -> effective(bias, moved));
+    sliders = moved;
+  }
+
+  /** Sends changed values; if the camera refuses one, the previous values are sent again. */
+  private void change(ToDoubleFunction<DavisBias> next) throws CameraProblem {
     List<DavisBias> sent = new ArrayList<>();
     try {
       for (DavisBias bias : byName.values()) {
-        double next = effective(bias, moved);
-        if (next != effective(bias, sliders)) {
-          send(bias, next);
+        double value = next.applyAsDouble(bias);
+        if (value != effective(bias, sliders)) {
+          send(bias, value);
           sent.add(bias);
         }
       }
@@ -171,7 +176,6 @@ final class DavisBiases implements Biases, BiasSliders {
       restore(sent);
       throw problem;
     }
-    sliders = moved;
   }
 
   private void restore(List<DavisBias> sent) {

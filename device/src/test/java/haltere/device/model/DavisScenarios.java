@@ -220,6 +220,28 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   }
 
   @Test
+  void biasesStayAsTheyWereWhenTheCameraRefusesASet() throws IOException {
+    try (Camera camera = open()) {
+      Biases biases = camera.facet(Biases.class).orElseThrow();
+      BiasSliders sliders = camera.facet(BiasSliders.class).orElseThrow();
+      sliders.set(Slider.THRESHOLD, 0.5);
+      biases.set("DiffBn", 1000);
+      sliders.set(Slider.THRESHOLD, 0.25);
+      int register = firmware.register(5, 10);
+      double diff = biases.get("DiffBn");
+      double on = biases.get("OnBn");
+      firmware.refuse(5, 12);
+
+      assertThrows(CameraProblem.class, () -> biases.apply("default"));
+
+      assertEquals(register, firmware.register(5, 10), "what was sent is taken back");
+      assertEquals(diff, biases.get("DiffBn"));
+      assertEquals(on, biases.get("OnBn"));
+      assertEquals(0.25, sliders.get(Slider.THRESHOLD));
+    }
+  }
+
+  @Test
   void sliderAndBiasesAreRestoredWhenTheCameraRefusesAChange() throws IOException {
     try (Camera camera = open()) {
       Biases biases = camera.facet(Biases.class).orElseThrow();
