@@ -1,5 +1,6 @@
 package haltere.core.format;
 
+import haltere.core.stream.internal.Reason;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.nio.channels.ClosedChannelException;
@@ -8,7 +9,6 @@ import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.Objects;
 
 /**
  * A recording that cannot be read or written. The message is one line for users: file, byte offset
@@ -65,7 +65,7 @@ public final class RecordingProblem extends IOException {
     }
     return cause instanceof FileSystemException named && named.getReason() != null
         ? named.getReason()
-        : Objects.requireNonNullElse(cause.getMessage(), cause.toString());
+        : Reason.of(cause);
   }
 
   private static String advice(String reason) {

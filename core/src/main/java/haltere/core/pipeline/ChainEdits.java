@@ -1,6 +1,7 @@
 package haltere.core.pipeline;
 
 import haltere.core.chain.FilterChain;
+import haltere.core.stream.internal.Reason;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -28,8 +29,8 @@ final class ChainEdits {
         edit.change.accept(chain);
         edit.done.complete(null);
       } catch (RuntimeException thrown) {
-        String why = thrown.getMessage() == null ? thrown.toString() : thrown.getMessage();
-        failures.accept("a change of the chain failed: " + why.lines().findFirst().orElse(""));
+        String why = Reason.of(thrown).lines().findFirst().orElse("");
+        failures.accept("a change of the chain failed: " + why);
         edit.done.completeExceptionally(thrown);
       }
     }

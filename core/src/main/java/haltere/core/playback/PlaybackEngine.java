@@ -6,6 +6,7 @@ import haltere.core.pipeline.OnFailure;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.core.stream.Reset;
+import haltere.core.stream.internal.Reason;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -145,7 +146,7 @@ final class PlaybackEngine {
         done.complete(null);
       }
     } catch (IOException | RuntimeException thrown) {
-      board.setMessage(thrown.getMessage() == null ? thrown.toString() : thrown.getMessage());
+      board.setMessage(Reason.of(thrown));
       board.publish();
       done.completeExceptionally(thrown);
     }

@@ -5,6 +5,7 @@ import haltere.core.chain.FilterFailure;
 import haltere.core.format.RecordingProblem;
 import haltere.core.json.JsonProblem;
 import haltere.core.settings.SettingsProblem;
+import haltere.core.stream.internal.Reason;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
@@ -57,7 +58,7 @@ final class Failures {
           + "); give the program more with JAVA_OPTS=-Xmx2g";
     }
     if (failure instanceof IOException) {
-      return failure.getMessage() == null ? failure.toString() : failure.getMessage();
+      return Reason.of(failure);
     }
     return "unexpected failure: "
         + failure
