@@ -83,7 +83,7 @@ public final class ChainFile {
     try {
       return nested(value, geometry, "", note -> notes.accept(name + ": " + note));
     } catch (SettingsProblem | ChainProblem problem) {
-      throw new JsonProblem(name + ": " + problem.getMessage());
+      throw (JsonProblem) new JsonProblem(name + ": " + problem.getMessage()).initCause(problem);
     }
   }
 
@@ -140,7 +140,7 @@ public final class ChainFile {
               settings == null ? Map.of() : object(settings, "its settings"),
               note -> notes.accept(stage + note));
     } catch (SettingsProblem | ChainProblem problem) {
-      throw new ChainProblem(stage + problem.getMessage());
+      throw (ChainProblem) new ChainProblem(stage + problem.getMessage()).initCause(problem);
     }
     chain.add(kind, filter, enabled, chain.stages().size());
   }
@@ -158,7 +158,8 @@ public final class ChainFile {
       SensorGeometry geometry,
       Map<?, ?> settings,
       Consumer<String> notes) {
-    return provider.create(geometry, SettingsJson.fromMap(settings, provider.schema(), notes));
+    S valid = SettingsJson.fromMap(settings, provider.schema(), notes);
+    return Filters.create(provider, () -> provider.create(geometry, valid));
   }
 
   private static Map<?, ?> object(Object value, String what) {

@@ -15,9 +15,9 @@ import java.util.Objects;
  * @since 0.1
  */
 public final class ChainStage {
-  private final String name;
   private final String kind;
   private final EventFilter filter;
+  private volatile String name;
   private volatile boolean enabled;
   private volatile FilterTiming timing = FilterTiming.NONE;
   private long packets;
@@ -35,9 +35,10 @@ public final class ChainStage {
   }
 
   /**
-   * Name of the stage, unique in its chain.
+   * Name of the stage, unique in its chain, in the chains nested in it and in those around it. If
+   * its chain becomes nested in a chain with a stage of this name, it gets another name.
    *
-   * @return the filter's name, with a number if the chain has several of them
+   * @return the filter's name, with a number if there are several of them
    */
   public String name() {
     return name;
@@ -77,6 +78,10 @@ public final class ChainStage {
    */
   public FilterTiming timing() {
     return timing;
+  }
+
+  void rename(String other) {
+    name = other;
   }
 
   void setEnabled(boolean on) {

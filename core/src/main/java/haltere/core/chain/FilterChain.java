@@ -44,6 +44,10 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   private volatile Thread busy;
   private volatile boolean closed;
   private SharedWork work = SharedWork.ALONE;
+
+  /** The chain that this one is nested in, or null. */
+  private FilterChain outer;
+
   private long changes;
   private boolean runUp;
 
@@ -116,7 +120,8 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
    * @return the new stage
    */
   public ChainStage add(FilterProvider<?> provider) {
-    return add(provider.name(), provider.create(geometry), true, stages.size());
+    EventFilter filter = Filters.create(provider, () -> provider.create(geometry));
+    return add(provider.name(), filter, true, stages.size());
   }
 
   /**
@@ -150,7 +155,11 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
       throw new ChainProblem(
           "the filter of " + kind + " is in this chain already; create another one");
     }
-    ChainStage stage = new ChainStage(freeName(kind), kind, filter, enabled);
+    ChainStage stage = new ChainStage(freeName(kind, this), kind, filter, enabled);
+    if (filter instanceof FilterChain nested) {
+      rename(nested);
+      nested.outer = this;
+    }
     filter.share(work);
     stages.add(position, stage);
     changes++;
@@ -161,12 +170,30 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
     return other.width() == geometry.width() && other.height() == geometry.height();
   }
 
-  private String freeName(String kind) {
+  /** Gives other names to stages of a chain that have the names of stages of this chain. */
+  private void rename(FilterChain nested) {
+    for (ChainStage stage : nested.innermostStages()) {
+      if (outermost().has(stage.name())) {
+        stage.rename(freeName(stage.kind(), nested));
+      }
+    }
+  }
+
+  private FilterChain outermost() {
+    return outer == null ? this : outer.outermost();
+  }
+
+  /** A name that no stage of the outermost chain and of another one has. */
+  private String freeName(String kind, FilterChain other) {
     String name = kind;
-    for (int number = 2; find(name) != null; number++) {
+    for (int number = 2; outermost().has(name) || other.has(name); number++) {
       name = kind + "-" + number;
     }
     return name;
+  }
+
+  private boolean has(String name) {
+    return hasStage(stage -> stage.name().equals(name));
   }
 
   private ChainStage find(String name) {
@@ -202,6 +229,9 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
     require(stage);
     changes = changes() + 1;
     stages.remove(stage);
+    if (stage.filter() instanceof FilterChain nested) {
+      nested.outer = null;
+    }
     stage.filter().close();
   }
 

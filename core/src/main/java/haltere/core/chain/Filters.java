@@ -1,11 +1,13 @@
 package haltere.core.chain;
 
 import haltere.core.extension.Extensions;
+import haltere.core.settings.SettingsProblem;
 import java.util.Collections;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
@@ -74,5 +76,23 @@ public final class Filters {
               + all().keySet().stream().collect(Collectors.joining(", ")));
     }
     return provider;
+  }
+
+  /**
+   * Creates a filter; an exception of its constructor becomes a problem that names the filter.
+   *
+   * @param provider of the filter
+   * @param constructor creates it
+   */
+  static EventFilter create(
+      FilterProvider<?> provider, Supplier<? extends EventFilter> constructor) {
+    try {
+      return constructor.get();
+    } catch (ChainProblem | SettingsProblem problem) {
+      throw problem;
+    } catch (RuntimeException thrown) {
+      String line = "the filter " + provider.name() + " cannot be created: " + thrown;
+      throw (ChainProblem) new ChainProblem(line).initCause(thrown);
+    }
   }
 }

@@ -97,7 +97,7 @@ final class EveryNthFilter implements ConfigurableFilter<EveryNthFilter.Settings
   }
 
   /** Found as a service in these tests. */
-  public static final class Provider implements FilterProvider<Settings> {
+  public static class Provider implements FilterProvider<Settings> {
     @Override
     public String name() {
       return "every-nth";

@@ -48,6 +48,39 @@ class FilterChainTest {
   }
 
   @Test
+  void stagesOfNestedChainsHaveDifferentNames() {
+    FilterChain outer = new FilterChain(SENSOR);
+    FilterChain other = new FilterChain(SENSOR);
+    outer.add("a", chain);
+    ChainStage inOther = other.add("every-nth", new EveryNthFilter(EveryNthFilter.Settings.of(4)));
+    outer.add("b", other);
+    outer.add("every-nth", new EveryNthFilter(EveryNthFilter.Settings.of(5)));
+    assertEquals(
+        List.of("every-nth", "every-nth-2", "every-nth-3", "every-nth-4"),
+        outer.innermostStages().stream().map(ChainStage::name).toList());
+    assertSame(inOther, other.stage("every-nth-3"));
+    ChainStage later = chain.add("every-nth", new EveryNthFilter(EveryNthFilter.Settings.of(6)));
+    assertEquals("every-nth-5", later.name());
+  }
+
+  @Test
+  void filterThatCannotBeCreatedIsNamed() {
+    FilterProvider<EveryNthFilter.Settings> broken =
+        new EveryNthFilter.Provider() {
+          @Override
+          public EveryNthFilter create(SensorGeometry geometry, EveryNthFilter.Settings settings) {
+            throw new IllegalStateException("no model");
+          }
+        };
+    ChainProblem problem = assertThrows(ChainProblem.class, () -> chain.add(broken));
+    assertEquals(
+        "the filter every-nth cannot be created: java.lang.IllegalStateException: no model",
+        problem.getMessage());
+    assertEquals("no model", problem.getCause().getMessage());
+    assertEquals(2, chain.stages().size());
+  }
+
+  @Test
   void disabledFilterReceivesOnlyNotifications() {
     chain.setEnabled(firstStage, false);
     chain.process(events(0, 12));

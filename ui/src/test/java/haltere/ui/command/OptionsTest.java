@@ -103,19 +103,6 @@ class OptionsTest {
   }
 
   @Test
-  void stagesOfTheSameNameMayNotWriteOneTable() throws IOException {
-    Files.writeString(
-        folder.resolve("chain.json"),
-        """
-        {"filters": [{"filter": "background-activity"},
-          {"name": "b", "filters": [{"filter": "background-activity"}]}]}
-        """);
-    assertRefused(
-        "run @in.aedat --chain @chain.json --out @o.csv",
-        "@o.background-activity.shares.csv would be written by two outputs");
-  }
-
-  @Test
   void pictureHasTheNameOfItsFormat() throws IOException {
     assertRefused(
         "info @in.aedat --picture @sheet.jpg", "@sheet.jpg: a picture's name ends in .png");

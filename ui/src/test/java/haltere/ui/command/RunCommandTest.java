@@ -84,6 +84,23 @@ class RunCommandTest {
   }
 
   @Test
+  void filtersOfOneNameInTwoNestedChainsHaveTablesOfTheirOwn() throws IOException {
+    Files.writeString(
+        chain,
+        """
+        {"filters": [
+          {"name": "a", "filters": [{"filter": "cluster-tracker"}]},
+          {"name": "b", "filters": [{"filter": "cluster-tracker"}]}
+        ]}
+        """);
+    CommandRun run =
+        CommandRun.of("run", in, "--chain", chain, "--out", folder.resolve("left.csv"));
+    assertEquals(0, run.status(), run.err());
+    assertTrue(names().contains("left.cluster-tracker.clusters.csv"), names().toString());
+    assertTrue(names().contains("left.cluster-tracker-2.clusters.csv"), names().toString());
+  }
+
+  @Test
   void runsAreReproducible() throws IOException {
     Path first = Files.createDirectory(folder.resolve("first"));
     Path second = Files.createDirectory(folder.resolve("second"));

@@ -52,9 +52,10 @@ final class StageMoves {
     FilterChain to = chain(outermost, prefix);
     ChainStage moved = from.stage(name(stagePath));
     ChainStage again = copy(moved, to);
-    int place = before.isEmpty() ? to.stages().size() : to.stages().indexOf(to.stage(before));
+    ChainStage next = before.isEmpty() ? null : to.stage(before);
+    from.remove(moved); // before it is added again, so that its name is free
+    int place = next == null ? to.stages().size() : to.stages().indexOf(next);
     to.add(again.kind(), again.filter(), again.isEnabled(), place);
-    from.remove(moved);
   }
 
   private static ChainStage copy(ChainStage stage, FilterChain target) {
