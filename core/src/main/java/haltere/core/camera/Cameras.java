@@ -3,6 +3,7 @@ package haltere.core.camera;
 import haltere.core.extension.Extensions;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 
 /**
@@ -88,16 +89,31 @@ public final class Cameras {
     }
     throw new CameraProblem(
         CameraProblem.Kind.NOT_FOUND,
-        (id.isEmpty() ? "no camera can be opened" : "there is no camera " + id)
-            + "; "
-            + (seen.isEmpty() ? none() : "seen are " + words(seen))
+        (id.isEmpty() ? unavailable(seen) : "there is no camera " + id + "; " + found(seen))
             + obstacles().stream().map(why -> "; " + why).collect(Collectors.joining()));
+  }
+
+  /** Why none of the physical cameras can be opened, and the other cameras. */
+  private String unavailable(List<FoundCamera> seen) {
+    Map<Boolean, List<FoundCamera>> byKind =
+        seen.stream().collect(Collectors.partitioningBy(camera -> camera.provider.isPhysical()));
+    List<FoundCamera> physical = byKind.get(true);
+    List<FoundCamera> others = byKind.get(false);
+    String why =
+        physical.isEmpty()
+            ? "no camera is connected" + (providers.isEmpty() ? "; " + found(seen) : "")
+            : "no connected camera can be opened: " + words(physical);
+    return others.isEmpty() ? why : why + "; others are opened by name: " + words(others);
+  }
+
+  private String found(List<FoundCamera> seen) {
+    return seen.isEmpty() ? none() : "there are " + words(seen);
   }
 
   private String none() {
     return providers.isEmpty()
         ? "no driver is found; those of USB cameras are in haltere-device"
-        : "none is seen";
+        : "there is none";
   }
 
   private static String words(List<FoundCamera> seen) {

@@ -48,7 +48,7 @@ class CamerasTest {
 
     assertEquals(CameraProblem.Kind.NOT_FOUND, problem.kind());
     assertEquals(
-        "there is no camera b:3; seen are dvs128:1 (another program has it), b:2, simulated:fly",
+        "there is no camera b:3; there are dvs128:1 (another program has it), b:2, simulated:fly",
         problem.getMessage());
   }
 
@@ -59,8 +59,35 @@ class CamerasTest {
             CameraProblem.class, () -> new Cameras(List.of()).open("", CameraOptions.DEFAULT));
 
     assertEquals(
-        "no camera can be opened; no driver is found; those of USB cameras are in haltere-device",
+        "no camera is connected; no driver is found; those of USB cameras are in haltere-device",
         problem.getMessage());
+  }
+
+  @Test
+  void camerasThatAreOnlyOpenedByNameAreReported() {
+    Cameras simulated = new Cameras(List.of(new Shelf(false, info("simulated:fly", true, ""))));
+
+    assertEquals(
+        "no camera is connected; others are opened by name: simulated:fly", refusal(simulated));
+  }
+
+  @Test
+  void connectedCamerasThatCannotBeOpenedAreReportedWithTheReason() {
+    Cameras busy =
+        new Cameras(
+            List.of(
+                new Shelf(true, info("dvs128:1", false, "another program has it")),
+                new Shelf(false, info("simulated:fly", true, ""))));
+
+    assertEquals(
+        "no connected camera can be opened: dvs128:1 (another program has it); others are opened"
+            + " by name: simulated:fly",
+        refusal(busy));
+  }
+
+  private static String refusal(Cameras cameras) {
+    return assertThrows(CameraProblem.class, () -> cameras.open("", CameraOptions.DEFAULT))
+        .getMessage();
   }
 
   @Test

@@ -167,7 +167,7 @@ class LiveFlightTest {
     CameraModel small = CameraModel.of(first.id(), first.matrix(), new double[0], 128, 128);
     assertRefused(List.of(cameras.get(1), small), "calibrated for 128");
     CameraModel unknown = CameraModel.of("left", first.matrix(), new double[0], 0, 0);
-    assertRefused(List.of(first, unknown), "no camera left; seen are camera-0");
+    assertRefused(List.of(first, unknown), "no camera left; there are camera-0");
   }
 
   private static void assertRefused(List<CameraModel> calibrated, String text) {
