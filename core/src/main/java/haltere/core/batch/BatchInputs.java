@@ -4,8 +4,10 @@ import haltere.core.format.RecordingProblem;
 import haltere.core.format.Recordings;
 import haltere.core.pipeline.internal.Checksums;
 import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
@@ -56,6 +58,35 @@ public final class BatchInputs {
       walk(input);
     } else {
       add(input, input.toAbsolutePath().getParent());
+    }
+  }
+
+  /**
+   * Adds the inputs that a text file names, one in each line.
+   *
+   * @param list a file in UTF-8
+   * @throws RecordingProblem as {@link #add}, with the line, or if the file is not UTF-8
+   * @throws IOException if the list or a folder cannot be read
+   */
+  public void addList(Path list) throws IOException {
+    int number = 0;
+    for (String line : lines(list)) {
+      number++;
+      try {
+        if (!line.isBlank()) {
+          add(Path.of(line.strip()));
+        }
+      } catch (RecordingProblem | InvalidPathException problem) {
+        throw new RecordingProblem(list, "line " + number + ": " + problem.getMessage());
+      }
+    }
+  }
+
+  private static List<String> lines(Path list) throws IOException {
+    try {
+      return Files.readAllLines(list);
+    } catch (CharacterCodingException notText) {
+      throw new RecordingProblem(list, "this is not UTF-8 text");
     }
   }
 

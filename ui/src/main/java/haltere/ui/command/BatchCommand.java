@@ -28,7 +28,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -249,13 +248,7 @@ final class BatchCommand extends Subcommand {
       found.add(input);
     }
     for (Path list : lists) {
-      try (Stream<String> lines = Files.lines(list)) {
-        for (String line : (Iterable<String>) lines.filter(text -> !text.isBlank())::iterator) {
-          found.add(Path.of(line.strip()));
-        }
-      } catch (java.io.UncheckedIOException notText) {
-        throw new CommandProblem(list + ": this is not UTF-8 text", notText);
-      }
+      found.addList(list);
     }
     return found;
   }

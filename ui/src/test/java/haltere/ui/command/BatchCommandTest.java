@@ -206,6 +206,19 @@ class BatchCommandTest {
   }
 
   @Test
+  void badLineOfAListIsNamedByItsNumber() throws IOException {
+    Path list = folder.resolve("list.txt");
+    Files.writeString(list, in.resolve("a.aedat") + "\n\n" + folder.resolve("gone.raw") + "\n");
+    CommandRun run =
+        CommandRun.of("batch", "--list", list, "--track", "--out", folder.resolve("out"));
+    assertEquals(1, run.status());
+    assertEquals(
+        "haltere: %s: line 3: %s: there is no such file or folder"
+            .formatted(list, folder.resolve("gone.raw")),
+        run.err().strip());
+  }
+
+  @Test
   void recordingsWithEqualNamesNeedARoot() throws IOException {
     Files.copy(in.resolve("a.aedat"), in.resolve("deep/a.aedat"));
     Object[] both = {
