@@ -78,17 +78,21 @@ final class ReadingOptions extends SourceOptions {
         isStandard(file)
             ? Recordings.openStream(file, subcommand().surroundings().in(), options)
             : Recordings.open(file, options);
-    noteUnused(file, reader.geometry());
+    noteUnused(file, reader);
     return indexed(reader);
   }
 
   /** Names the options without effect, because the recording or its format states the property. */
-  private void noteUnused(Path file, SensorGeometry stated) {
+  private void noteUnused(Path file, RecordingReader reader) {
+    SensorGeometry stated = reader.geometry();
     if (sensor != null && !sensor.toString().equals(stated.toString())) {
       subcommand().warning(file + ": it states " + stated + " pixels; --sensor has no effect");
     }
     if (rows != null && rows != stated.origin()) {
       subcommand().warning(file + ": it states where rows count from; --rows has no effect");
+    }
+    if (topic != null && !reader.formatName().matches("rosbag.*|mcap.*")) {
+      subcommand().warning(file + ": it has no topics; --topic has no effect");
     }
   }
 

@@ -90,14 +90,16 @@ class InfoCommandTest {
 
   @Test
   void optionsForPropertiesThatTheRecordingStatesAreNamed() throws IOException {
-    CommandRun run = CommandRun.of("info", recording, "--sensor", "64x64", "--rows", "top");
+    CommandRun run =
+        CommandRun.of("info", recording, "--sensor", "64x64", "--rows", "top", "--topic", "/dvs");
     assertEquals(0, run.status(), run.err());
     assertEquals(
         List.of(
             "haltere: warning: " + recording + ": it states 128x128 pixels; --sensor has no effect",
             "haltere: warning: "
                 + recording
-                + ": it states where rows count from; --rows has no effect"),
+                + ": it states where rows count from; --rows has no effect",
+            "haltere: warning: " + recording + ": it has no topics; --topic has no effect"),
         run.errorLines());
     Path table = Files.writeString(folder.resolve("t.csv"), "t_us,x,y,on\n1,2,3,1\n2,3,4,0\n");
     for (String rows : List.of("top", "bottom")) {
