@@ -2,10 +2,11 @@
 """Turns the results of `haltere batch` into NWB files.
 
 Usage:
-    batch_to_nwb.py BATCH OUT [--recordings FOLDER] [--haltere PROGRAM] [--session-start ISO-TIME]
+    batch_to_nwb.py BATCH OUT [--recordings FOLDER] [--haltere PROGRAM] [--session-start ISO-TIME] [--overwrite]
 
 BATCH is the results folder of `haltere batch --out`, with tables in CSV or Parquet. One NWB file for each recording is
-written to OUT. Requires pynwb 4, and pyarrow for tables in Parquet.
+written to OUT; existing ones are refused unless --overwrite is given. Requires pynwb 4, and pyarrow for tables in
+Parquet.
 
 Content of a file:
 - Each table is a processing module named after its stage and outlet. Each numeric column is a TimeSeries with its
@@ -166,14 +167,18 @@ def main():
     parser.add_argument("--recordings", type=pathlib.Path, help="input folder of the batch, for the events")
     parser.add_argument("--haltere", default="haltere", help="the program, for the events")
     parser.add_argument("--session-start", type=datetime.datetime.fromisoformat, help="such as 2026-11-23T12:00:00+00:00")
+    parser.add_argument("--overwrite", action="store_true", help="replace existing NWB files")
     options = parser.parse_args()
     results = sorted(done.parent for done in options.batch.rglob("done.json"))
     if not results:
         sys.exit(f"{options.batch}: there is no result of haltere batch (no done.json)")
+    names = [folder.relative_to(options.batch) for folder in results]
+    files = [options.out / name.with_name(name.name + ".nwb") for name in names]
+    for out in files:
+        if out.exists() and not options.overwrite:
+            sys.exit(f"{out}: exists already; give --overwrite to replace it")
     status = 0
-    for folder in results:
-        name = folder.relative_to(options.batch)
-        out = options.out / name.with_name(name.name + ".nwb")
+    for folder, out in zip(results, files):
         convert(folder, out, options.recordings, options.haltere, options.session_start)
         errors = pynwb.validate(path=str(out))
         for error in errors:

@@ -108,18 +108,20 @@ class PythonExamplesTest {
       out = folder.resolve(tables);
       batch(tables);
       Path nwb = folder.resolve("nwb-" + tables);
-      Optional<List<String>> said =
-          script.run(
-              out.toString(),
-              nwb.toString(),
-              "--recordings",
-              in.toString(),
-              "--haltere",
-              PROGRAM.toString());
+      String[] arguments = {
+        out.toString(),
+        nwb.toString(),
+        "--recordings",
+        in.toString(),
+        "--haltere",
+        PROGRAM.toString()
+      };
       assertEquals(
           Optional.of(List.of("wrote " + nwb.resolve("fly.aedat.nwb") + " (valid)")),
-          said,
+          script.run(arguments),
           script::errors);
+      assertEquals(Optional.empty(), script.run(arguments), "it exists already");
+      assertTrue(script.errors().contains("--overwrite"), script::errors);
     }
   }
 
