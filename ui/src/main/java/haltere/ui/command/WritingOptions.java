@@ -23,6 +23,9 @@ class WritingOptions extends OptionGroup {
    * no folder to be in, or is a table of a format that is not installed.
    */
   void check(Path output) {
+    if (ReadingOptions.isStandard(output)) {
+      throw wrong("-: standard output is only for haltere convert; name a file");
+    }
     Path folder = output.toAbsolutePath().getParent();
     if (Files.isDirectory(output)) {
       throw new CommandProblem(output + ": this is a folder already; choose another name");

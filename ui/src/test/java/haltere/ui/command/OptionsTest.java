@@ -52,6 +52,8 @@ class OptionsTest {
     "track @in.aedat --out @o.csv --crossings @c.csv, --crossings needs --road",
     "track @in.aedat --out @o.csv --duration 1, --duration needs --device",
     "track @in.aedat --out @o.csv --receivers 1, --receivers needs --publish",
+    "track @in.aedat --out -, standard output is only for haltere convert; name a file",
+    "wings - --out -, standard output is only for haltere convert; name a file",
     "bench --sensor 3x3, --sensor needs a FILE",
     "view --rows top, --rows needs a FILE",
     "simulate fly @o.aedat --rate 10, --rate needs --truth",
