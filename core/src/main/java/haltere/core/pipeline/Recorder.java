@@ -3,6 +3,7 @@ package haltere.core.pipeline;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorSample;
+import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.SampleCounts;
 import haltere.core.format.WriteOptions;
@@ -14,6 +15,7 @@ import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.core.stream.internal.Daemon;
+import haltere.core.stream.internal.Reason;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.InterruptedIOException;
@@ -327,10 +329,8 @@ public final class Recorder implements StreamHandler, Closeable {
   private IOException problem() {
     Throwable cause =
         failure instanceof UncheckedIOException wrapped ? wrapped.getCause() : failure;
-    return new IOException(
-        "the recording could not be written: "
-            + Objects.requireNonNullElse(cause.getMessage(), cause.toString()),
-        cause);
+    String what = cause instanceof RecordingProblem ? "" : "the recording could not be written: ";
+    return new IOException(what + Reason.of(cause), cause);
   }
 
   /**

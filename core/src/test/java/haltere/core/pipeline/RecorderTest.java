@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
@@ -44,6 +45,7 @@ class RecorderTest {
     final List<String> calls = new ArrayList<>();
     CountDownLatch gate = new CountDownLatch(0);
     int room = Integer.MAX_VALUE;
+    IOException full = new IOException("No space left on device");
 
     @Override
     public void write(EventPacket packet) throws IOException {
@@ -54,7 +56,7 @@ class RecorderTest {
         throw new IOException("interrupted", e);
       }
       if (events.size() + packet.size() > room) {
-        throw new IOException("No space left on device");
+        throw full;
       }
       events.append(packet, 0, packet.size());
     }
@@ -200,6 +202,18 @@ class RecorderTest {
     assertEquals(report.received(), report.written() + report.lost());
     assertTrue(report.failure().orElseThrow().contains("No space left on device"));
     assertEquals(List.of("close"), disk.calls);
+  }
+
+  @Test
+  void problemThatNamesTheFileIsReportedAsItIs() throws Exception {
+    disk.room = 0;
+    disk.full = new RecordingProblem(Path.of("out.raw"), "cannot be written");
+    try (Recorder recorder = recorder(OverflowPolicy.BLOCK, 2, LONG)) {
+      recorder.packet(packet(5, 0));
+      assertEquals(
+          "out.raw: cannot be written",
+          assertThrows(IOException.class, recorder::finish).getMessage());
+    }
   }
 
   @Test
