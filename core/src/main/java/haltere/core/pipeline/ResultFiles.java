@@ -15,6 +15,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 
 /**
  * Tables and other files, finished in the order in which they were added. All appear at the end, or
@@ -60,7 +61,7 @@ public final class ResultFiles implements JobResults {
 
   private final FileFactory factory;
   private final TableMetadata metadata;
-  private final Map<Path, TableSink<?>> tables = new LinkedHashMap<>();
+  private final Map<Path, LongSupplier> rowCounts = new LinkedHashMap<>();
   private final List<ResultOrder.Sorter<?>> sorters = new ArrayList<>();
   private final List<Finish> steps = new ArrayList<>();
   private final List<Closeable> open = new ArrayList<>();
@@ -105,8 +106,7 @@ public final class ResultFiles implements JobResults {
    */
   public <R extends Record> TableSink<R> table(Path file, Class<R> type) throws IOException {
     TableSink<R> table = Tables.of(factory.create(file), type, metadata);
-    add(table, table::finish);
-    tables.put(file, table);
+    add(file, table::rows, table, table::finish);
     return table;
   }
 
@@ -141,7 +141,7 @@ public final class ResultFiles implements JobResults {
   }
 
   /**
-   * Adds a file that is no table.
+   * Adds a file that is no table, and is not one of {@link #files()}.
    *
    * @param part closed in any case
    * @param finish puts it in its place
@@ -149,6 +149,19 @@ public final class ResultFiles implements JobResults {
   public void add(Closeable part, Finish finish) {
     open.add(part);
     steps.add(finish);
+  }
+
+  /**
+   * Adds a file that is written elsewhere.
+   *
+   * @param file where it will be
+   * @param written its rows so far
+   * @param part closed in any case
+   * @param finish puts it in its place
+   */
+  public void add(Path file, LongSupplier written, Closeable part, Finish finish) {
+    add(part, finish);
+    rowCounts.put(file, written);
   }
 
   /**
@@ -170,7 +183,7 @@ public final class ResultFiles implements JobResults {
   @Override
   public List<ResultFile> files() {
     List<ResultFile> files = new ArrayList<>();
-    tables.forEach((file, table) -> files.add(new ResultFile(file, table.rows())));
+    rowCounts.forEach((file, written) -> files.add(new ResultFile(file, written.getAsLong())));
     return files;
   }
 

@@ -173,7 +173,7 @@ final class WingsCommand extends Subcommand {
           if (log != null) {
             String source = file == null ? cameras.devices.get(0) : file.getFileName().toString();
             WingLog wingLog = WingLog.open(log, source, filter, logFormat(), writing.overwrite);
-            files.add(wingLog, wingLog::finish);
+            files.add(log, wingLog::rows, wingLog, wingLog::finish);
           }
           summary.listenTo(chain);
           files.add((StreamHandler) summary, this::writeGeometry);
