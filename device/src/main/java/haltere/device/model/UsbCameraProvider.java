@@ -13,7 +13,9 @@ import haltere.device.usb.UsbTransport;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
@@ -25,6 +27,9 @@ public final class UsbCameraProvider implements CameraProvider {
   private final Supplier<UsbBus> bus;
   private final List<CameraModel> models;
   private final SearchSchedule.Pace pace;
+
+  /** Serial numbers that only a claimed device tells, for the time while it is in use. */
+  private final Map<UsbDevice, String> serials = new ConcurrentHashMap<>();
 
   /** The cameras on this computer's USB, through libusb. */
   public UsbCameraProvider() {
@@ -169,9 +174,11 @@ public final class UsbCameraProvider implements CameraProvider {
       transport.claim();
       if (serial.isEmpty()) {
         serial = model.serial(transport);
+        serials.put(device, serial);
       }
     } catch (CameraProblem problem) {
       obstacle = problem.getMessage();
+      serial = serial.isEmpty() ? serials.getOrDefault(device, "") : serial;
     }
     return seen(device, model, before, serial, obstacle);
   }

@@ -67,6 +67,18 @@ abstract class EvkScenarios extends DeviceBench<EvkFirmware> {
   }
 
   @Test
+  void evk4InUseIsListedByTheIdThatItWasOpenedWith() throws IOException {
+    try (Camera camera = open(CameraOptions.DEFAULT)) {
+      firmware.setBusy(true);
+      CameraInfo listed = provider.list().get(0);
+
+      assertEquals(camera.info().id(), listed.id());
+      assertEquals("00004321", listed.serial());
+      assertFalse(listed.canOpen());
+    }
+  }
+
+  @Test
   void unsupportedSensorIsRejectedWithItsName() {
     firmware.setSensor("psee,ccam5_gen41");
 

@@ -20,6 +20,7 @@ public final class EvkFirmware implements Firmware {
   private volatile EmulatedDevice device;
   private volatile boolean streaming;
   private volatile boolean refusingStream;
+  private volatile boolean busy;
   private volatile String sensor = "psee,ccam5_imx636";
 
   @Override
@@ -43,6 +44,11 @@ public final class EvkFirmware implements Firmware {
   }
 
   @Override
+  public int systemCall(int call) {
+    return busy && call == UsbEmulator.CLAIM ? EmulatedDevice.EBUSY : 0;
+  }
+
+  @Override
   public byte[] control(ControlRequest request) {
     return null;
   }
@@ -59,6 +65,15 @@ public final class EvkFirmware implements Firmware {
    */
   public boolean isStreaming() {
     return streaming;
+  }
+
+  /**
+   * Denies claims, as while a program has the device.
+   *
+   * @param nowBusy whether it does
+   */
+  public void setBusy(boolean nowBusy) {
+    busy = nowBusy;
   }
 
   /**
