@@ -1,7 +1,6 @@
 package haltere.ui.viewer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.format.ReadOptions;
 import haltere.ui.plot.PlotField;
@@ -26,6 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 class AccessibleNamesTest {
   @TempDir Path folder;
   private ViewerHarness viewer;
+  private final List<String> nameless = new ArrayList<>();
   private int controls;
 
   @AfterEach
@@ -109,18 +109,20 @@ class AccessibleNamesTest {
                 .forEach(Window::hide));
   }
 
+  /** Waits for a number of controls, since the content of a tab comes with a later pulse. */
   private void assertAllAreNamed(int least) {
-    List<String> nameless = new ArrayList<>();
-    controls = 0;
-    viewer.run(
-        () ->
-            List.copyOf(Window.getWindows())
-                .forEach(window -> collect(window.getScene().getRoot(), nameless)));
+    viewer.waitFor(least + " controls", () -> collect() >= least);
     assertEquals(List.of(), nameless);
-    assertTrue(controls >= least, "only " + controls + " controls were looked at");
   }
 
-  private void collect(Node node, List<String> nameless) {
+  private int collect() {
+    nameless.clear();
+    controls = 0;
+    List.copyOf(Window.getWindows()).forEach(window -> collect(window.getScene().getRoot()));
+    return controls;
+  }
+
+  private void collect(Node node) {
     boolean isControl = node.isFocusTraversable() || node instanceof ButtonBase;
     if (isControl && !(node instanceof ScrollBar)) {
       controls++;
@@ -129,7 +131,7 @@ class AccessibleNamesTest {
       }
     }
     if (node instanceof Parent parent) {
-      parent.getChildrenUnmodifiable().forEach(child -> collect(child, nameless));
+      parent.getChildrenUnmodifiable().forEach(this::collect);
     }
   }
 
