@@ -456,7 +456,8 @@ final class ObjectTracker {
       // a single error is in all displacements over a window and must not be decisive
       int window = object.apartUs > object.bornUs ? object.components.get(0).window : 0;
       double watchS = Math.max(settings.confirmS(), window * TICK_S);
-      boolean isObserved = isLast ? isApart : (nowUs - object.apartUs) * 1e-6 >= watchS;
+      boolean isObserved =
+          isLast ? isApart : object.isMoving() && (nowUs - object.apartUs) * 1e-6 >= watchS;
       if (isObserved && isEvident(object)) {
         decide(object);
       }
@@ -485,14 +486,14 @@ final class ObjectTracker {
   /** Whether a silent object is kept: it is decided, or evident and never part of another. */
   private boolean mayRest(TrackedObject object) {
     return object.isDecided()
-        || object.novelty() >= clutter.alarmNat()
+        || isEvident(object)
             && object.existence() >= 0.5
             && object.apartUs == object.bornUs
             && isApart(object, clutter.alarmNat());
   }
 
   private boolean isEvident(TrackedObject object) {
-    return object.isMoving() && object.novelty() >= clutter.alarmNat();
+    return object.novelty() >= clutter.alarmNat();
   }
 
   /** Whether it is separate from all decided objects, and from others of at least a novelty. */

@@ -181,6 +181,14 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
+  void objectOfABriefStreamThatStopsBeforeItsEndIsReported() {
+    run(
+        shapes(12).box(6, 6, 20_000, s -> s < 0.25 ? new Place(20 + 60 * s, 60) : null).noise(2),
+        0.3);
+    assertEquals(1, byIdentity().size());
+  }
+
+  @Test
   void objectsMovingApartAreTwoTracks() {
     run(
         shapes(5).box(5, 5, 15_000, along(60, 30, -40, 0)).box(5, 5, 15_000, along(68, 90, 40, 0)),
