@@ -54,7 +54,9 @@ public final class EventPicture implements StreamHandler {
 
   /** The next event is the first of a new exposure; only sharp styles are cleared. */
   public void beginExposure() {
-    if (gathered != null && style.sharp() && !style.isAccumulated()) {
+    if (gathered != null
+        && style.sharp()
+        && style.timeConstantUs() != PictureStyle.ACCUMULATED_US) {
       gathered.beginExposure();
     }
   }

@@ -15,7 +15,7 @@ import java.util.Objects;
 public record PictureStyle(
     DisplayMode mode, ColourMap colours, Gradient gradient, long timeConstantUs, boolean sharp) {
   /** All that a picture remembers of events, about two minutes. */
-  private static final long ACCUMULATED_US = 1L << 27;
+  static final long ACCUMULATED_US = 1L << 27;
 
   /** Checks the time. */
   public PictureStyle {
@@ -33,11 +33,6 @@ public record PictureStyle(
   /** A style of all events of the last two minutes, which do not fade. */
   public static PictureStyle accumulated(DisplayMode mode, ColourMap colours, Gradient gradient) {
     return new PictureStyle(mode, colours, gradient, ACCUMULATED_US, true);
-  }
-
-  /** Whether events of one exposure after the other add up. */
-  boolean isAccumulated() {
-    return timeConstantUs == ACCUMULATED_US;
   }
 
   /** Polarities that fade to 1/e within a time. */

@@ -99,7 +99,7 @@ public final class ViewerApplication {
             try {
               ViewerWindow window = window(settings, closed);
               begin.accept(window);
-              window.show();
+              window.context().stage().show();
             } catch (RuntimeException | Error broken) {
               problem.set(broken);
               closed.countDown();

@@ -51,11 +51,7 @@ final class ViewerFeatures {
         new PresetFeature(),
         new StartFeature(),
         new HelpFeature(),
-        ViewerFeatures::quit);
-  }
-
-  private static void quit(ViewerContext window) {
-    window.actions().add("quit", window.stage()::close);
+        window -> window.actions().add("quit", window.stage()::close));
   }
 
   /** Undo and redo of changes of the chain and of settings. */
@@ -64,15 +60,11 @@ final class ViewerFeatures {
     EditHistory history = window.editor().history();
     actions.add(
         "undo",
-        () -> say(window, "Undone: ", history.undo()),
+        () -> window.status().setActivity("Undone: " + history.undo()),
         () -> history.canUndo() ? "" : "nothing was changed");
     actions.add(
         "redo",
-        () -> say(window, "Redone: ", history.redo()),
+        () -> window.status().setActivity("Redone: " + history.redo()),
         () -> history.canRedo() ? "" : "nothing was undone");
-  }
-
-  private static void say(ViewerContext window, String what, String text) {
-    window.status().setActivity(text.isEmpty() ? "Nothing to change." : what + text);
   }
 }

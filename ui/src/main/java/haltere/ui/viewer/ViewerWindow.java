@@ -160,11 +160,6 @@ public final class ViewerWindow {
     display.marksProperty().subscribe((was, is) -> panels.view().setMarksVisible(is));
   }
 
-  /** Brings the window to the screen. */
-  void show() {
-    stage.show();
-  }
-
   /** Opens a file, and refuses several with a line; false for an empty list. */
   public boolean dropped(List<File> files) {
     if (files.size() == 1) {

@@ -18,13 +18,11 @@ public final class Quantities {
 
   /** A rate of events a second in a unit that suits it, such as 2.50 Mev/s. */
   public static String rate(double eventsPerSecond) {
-    if (eventsPerSecond >= 1e6) {
-      return text("%.2f Mev/s", eventsPerSecond / 1e6);
-    }
-    if (eventsPerSecond >= 1e3) {
-      return text("%.2f kev/s", eventsPerSecond / 1e3);
-    }
-    return text("%.2f ev/s", eventsPerSecond);
+    return eventsPerSecond >= 1e6
+        ? text("%.2f Mev/s", eventsPerSecond / 1e6)
+        : eventsPerSecond >= 1e3
+            ? text("%.2f kev/s", eventsPerSecond / 1e3)
+            : text("%.2f ev/s", eventsPerSecond);
   }
 
   /** A time in microseconds as seconds, such as 1.500000 s. */

@@ -79,7 +79,8 @@ final class StageCard extends VBox {
         stage.filter() instanceof FilterChain ? Optional.of(insideOf(state)) : Optional.empty();
     expand.setVisible(inForce.isPresent() || inside.isPresent());
     setUpPower(title);
-    setUpCounts();
+    Controls.named(counts, "counts-" + id, Styles.TEXT_SMALL, "stage-counts");
+    Controls.help(counts, "Share of events that the filter passes, and its mean time per event");
     HBox head = Controls.row(2, expand, name(title), more(title), power);
     takePart(head);
     head.getStyleClass().add("stage-head");
@@ -141,11 +142,6 @@ final class StageCard extends VBox {
     follow.run();
     menu.setOnShowing(event -> follow.run());
     return menu;
-  }
-
-  private void setUpCounts() {
-    Controls.named(counts, "counts-" + id, Styles.TEXT_SMALL, "stage-counts");
-    Controls.help(counts, "Share of events that the filter passes, and its mean time per event");
   }
 
   /** The stages of a chain inside the chain, and a menu to add one. */

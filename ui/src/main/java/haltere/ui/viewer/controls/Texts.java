@@ -91,16 +91,11 @@ public final class Texts {
   /** Three digits and a letter for thousands: 1.25 M, 34.2 k, 512. */
   public static String quantity(double value) {
     double abs = Math.abs(value);
-    if (abs >= 999.5e6) {
-      return digits(value / 1e9) + " G";
-    }
-    if (abs >= 999.5e3) {
-      return digits(value / 1e6) + " M";
-    }
-    if (abs >= 999.5) {
-      return digits(value / 1e3) + " k";
-    }
-    return digits(value);
+    return abs >= 999.5e6
+        ? digits(value / 1e9) + " G"
+        : abs >= 999.5e3
+            ? digits(value / 1e6) + " M"
+            : abs >= 999.5 ? digits(value / 1e3) + " k" : digits(value);
   }
 
   /** An event rate as on the command line: 1.25 Mev/s, 34.2 kev/s, 512 ev/s. */
@@ -143,22 +138,15 @@ public final class Texts {
     if (slowdown > MAX_SLOWDOWN) {
       return "0\u00d7"; // practically stopped
     }
-    return "1/" + (slowdown < 9.5 ? trim(digits(slowdown)) : Math.round(slowdown)) + "\u00d7";
-  }
-
-  private static String trim(String number) {
-    return number.contains(".") ? number.replaceAll("0+$", "").replaceAll("\\.$", "") : number;
+    String number = digits(slowdown).replaceAll("\\.?0+$", "");
+    return "1/" + (slowdown < 9.5 ? number : Math.round(slowdown)) + "\u00d7";
   }
 
   /** A time of real life, in the unit that suits it. */
   public static String duration(double us) {
-    if (us >= 1e6) {
-      return digits(us / 1e6) + " s";
-    }
-    if (us >= 1e3) {
-      return digits(us / 1e3) + " ms";
-    }
-    return digits(us) + " \u00b5s";
+    return us >= 1e6
+        ? digits(us / 1e6) + " s"
+        : us >= 1e3 ? digits(us / 1e3) + " ms" : digits(us) + " \u00b5s";
   }
 
   /** Display name of a source: "Simulated road" for the camera {@code simulated:road}. */

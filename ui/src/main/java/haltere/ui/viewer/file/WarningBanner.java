@@ -6,10 +6,11 @@ import haltere.core.format.internal.decoding.SensorGuess;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.controls.Texts;
-import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import javafx.scene.control.Button;
 import javafx.scene.control.ChoiceBox;
@@ -104,12 +105,9 @@ final class WarningBanner extends VBox {
   }
 
   private void offer(SensorGeometry guess) {
-    List<SensorGeometry> sensors = new ArrayList<>(List.of(guess));
+    Set<SensorGeometry> sensors = new LinkedHashSet<>(List.of(guess));
     for (SensorGeometry usual : SensorGuess.COMMON_SIZES) {
-      SensorGeometry sensor = new SensorGeometry(usual.width(), usual.height(), guess.origin());
-      if (!sensor.equals(guess)) {
-        sensors.add(sensor);
-      }
+      sensors.add(new SensorGeometry(usual.width(), usual.height(), guess.origin()));
     }
     sizes.getItems().setAll(sensors);
     sizes.getSelectionModel().select(0);

@@ -322,10 +322,7 @@ public final class PlaybackController {
 
   /** Goes to the next mark, or the one before. */
   public void toMark(boolean next) {
-    if (player.isEmpty()) {
-      return;
-    }
-    long here = player.get().status().elapsedUs();
+    long here = status().map(PlayerStatus::elapsedUs).orElse(0L);
     OptionalLong there =
         next
             ? marks().stream().mapToLong(Mark::elapsedUs).filter(us -> us > here).min()

@@ -34,11 +34,17 @@ import javafx.scene.control.Button;
 public final class WingsFeature implements ViewerFeature {
   private static final String MENU = "Wings";
   private static final long POLL_NANOS = 200_000_000;
+  private static final List<WingLogFormat> FORMATS =
+      List.of(
+          new WingLogFormat(WingLogFormat.Rows.TICK, WingLogFormat.Layout.TABLE),
+          new WingLogFormat(WingLogFormat.Rows.EVENT, WingLogFormat.Layout.TABLE),
+          new WingLogFormat(WingLogFormat.Rows.BEAT, WingLogFormat.Layout.TABLE),
+          new WingLogFormat(WingLogFormat.Rows.TICK, WingLogFormat.Layout.ORIGINAL),
+          new WingLogFormat(WingLogFormat.Rows.EVENT, WingLogFormat.Layout.ORIGINAL));
 
   private final BooleanProperty placing = new SimpleBooleanProperty();
   private final ObjectProperty<WingLogFormat> logFormat =
-      new SimpleObjectProperty<>(
-          new WingLogFormat(WingLogFormat.Rows.TICK, WingLogFormat.Layout.TABLE));
+      new SimpleObjectProperty<>(FORMATS.get(0));
   private ViewerContext window;
   private PlaybackOutput<WingLogOutput> log;
   private BooleanProperty shown;
@@ -68,7 +74,7 @@ public final class WingsFeature implements ViewerFeature {
     actions.add("wings-search", this::search, obstacle);
     actions.add("wings-log", log.runningProperty(), () -> log.toggle(this::askForLog), obstacle);
     actions.addChoices(
-        "wings-log-", MENU + "/Rows of the log", logFormat, formats(), WingsFeature::label);
+        "wings-log-", MENU + "/Rows of the log", logFormat, FORMATS, WingsFeature::label);
   }
 
   /** The reason why wing commands are unavailable; empty if they are available. */
@@ -78,15 +84,6 @@ public final class WingsFeature implements ViewerFeature {
             .flatMap(open -> open.chain().stages().stream())
             .anyMatch(stage -> stage.filter() instanceof WingTrackerFilter);
     return hasTracker ? "" : "no wing tracker in the chain";
-  }
-
-  private static List<WingLogFormat> formats() {
-    return List.of(
-        new WingLogFormat(WingLogFormat.Rows.TICK, WingLogFormat.Layout.TABLE),
-        new WingLogFormat(WingLogFormat.Rows.EVENT, WingLogFormat.Layout.TABLE),
-        new WingLogFormat(WingLogFormat.Rows.BEAT, WingLogFormat.Layout.TABLE),
-        new WingLogFormat(WingLogFormat.Rows.TICK, WingLogFormat.Layout.ORIGINAL),
-        new WingLogFormat(WingLogFormat.Rows.EVENT, WingLogFormat.Layout.ORIGINAL));
   }
 
   private static String label(WingLogFormat format) {
@@ -132,18 +129,17 @@ public final class WingsFeature implements ViewerFeature {
   }
 
   private void settle(Function<WingTracker, WingTrackerSettings> change) {
-    window.editor().change(settling(change), window.status()::showError);
+    change(settling(change));
   }
 
   /** Sets the manual position of the fly in the tracker's settings. */
   private void place(Function<WingTracker, WingTrackerSettings> change) {
-    window.editor().adjust(settling(change), window.status()::showError);
+    window.editor().adjust(work(settling(change)), window.status()::showError);
   }
 
-  private Consumer<FilterChain> settling(Function<WingTracker, WingTrackerSettings> change) {
-    return work(
-        (chain, view) ->
-            window.editor().applyNow(chain, view.stage(), change.apply(view.filter().tracker())));
+  private WingsChange settling(Function<WingTracker, WingTrackerSettings> change) {
+    return (chain, view) ->
+        window.editor().applyNow(chain, view.stage(), change.apply(view.filter().tracker()));
   }
 
   /** Switches the events of an edge on or off. */
