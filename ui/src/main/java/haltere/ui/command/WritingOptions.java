@@ -1,6 +1,7 @@
 package haltere.ui.command;
 
 import haltere.core.format.AtomicFile;
+import haltere.core.format.internal.SameFile;
 import haltere.core.sink.Tables;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -77,11 +78,7 @@ class WritingOptions extends OptionGroup {
 
   /** Refuses, by a {@link CommandProblem}, an output that would replace an input. */
   static void checkDifferent(Path input, Path output) throws IOException {
-    boolean same =
-        Files.exists(input) && Files.exists(output)
-            ? Files.isSameFile(input, output)
-            : input.toAbsolutePath().normalize().equals(output.toAbsolutePath().normalize());
-    if (same) {
+    if (SameFile.is(input, output)) {
       throw new CommandProblem(
           output + ": input and output are the same file; choose another output");
     }

@@ -100,10 +100,16 @@ public final class ExportFeature implements ViewerFeature {
   }
 
   private void export(Path file, Exporter exporter) {
-    window.ifOpen(open -> export(open, file.getFileName().toString(), exporter));
+    window.ifOpen(open -> export(open, file, exporter));
   }
 
-  private void export(ViewerSession open, String name, Exporter exporter) {
+  private void export(ViewerSession open, Path file, Exporter exporter) {
+    String name = file.getFileName().toString();
+    Exporter checked =
+        part -> {
+          open.request().checkOther(file);
+          return exporter.begin(part);
+        };
     StatusLine status = window.status();
     // an earlier problem would hide the progress
     status.clearError();
@@ -113,7 +119,7 @@ public final class ExportFeature implements ViewerFeature {
         .editor()
         .read(
             chain -> wanted(open, loop, chain),
-            wanted -> begin(name, wanted, exporter),
+            wanted -> begin(name, wanted, checked),
             problem -> status.showError(name + " was not exported: " + problem));
   }
 

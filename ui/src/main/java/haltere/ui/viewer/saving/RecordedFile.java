@@ -37,6 +37,7 @@ record RecordedFile(Path file, StreamHandler sink, BooleanSupplier isOver, Calla
   private static final String UNTIL_JUMP = ", until playback jumped";
 
   static RecordedFile of(Path file, ViewerSession session) throws IOException {
+    session.request().checkOther(file);
     return session.camera().isPresent()
         ? ofCamera(file, session.camera().get().camera(), session.chain())
         : ofRecording(file, session.player().playable().geometry());

@@ -6,6 +6,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
+import haltere.core.format.internal.SameFile;
 import haltere.core.playback.BufferedPlayable;
 import haltere.core.playback.Playable;
 import haltere.core.playback.PlayerOptions;
@@ -84,6 +85,13 @@ public record SessionRequest(
     } catch (IOException | RuntimeException problem) {
       reader.close();
       throw problem;
+    }
+  }
+
+  /** Refuses to write a file that is read. */
+  public void checkOther(Path written) throws IOException {
+    if (file.isPresent() && SameFile.is(file.get(), written)) {
+      throw new IOException(written.getFileName() + " is open; choose another name");
     }
   }
 

@@ -141,6 +141,15 @@ class ExportTest {
   }
 
   @Test
+  void openRecordingIsNotReplacedByItsPart() throws IOException {
+    Path file = folder.resolve("blob.aedat");
+    long bytes = Files.size(file);
+    viewer.run(() -> export().exportData(file));
+    viewer.waitFor("the refusal", () -> said().contains("blob.aedat is open; choose another name"));
+    assertEquals(bytes, Files.size(file));
+  }
+
+  @Test
   void exportedPartHasTheEventsThatPassThereInTheWholeRecording() throws IOException {
     viewer.addNoiseFilters();
     viewer.run(() -> export().exportData(folder.resolve("part.aedat4")));

@@ -93,6 +93,18 @@ class RecordedFileTest {
   }
 
   @Test
+  void openRecordingIsNotReplaced() throws IOException {
+    Path file = ViewerHarness.recording(folder, "blob.aedat4");
+    long bytes = Files.size(file);
+    viewer = new ViewerHarness();
+    viewer.openRecording(file);
+    viewer.run(() -> viewer.window.feature(SavingFeature.class).record(file));
+    viewer.waitFor("the refusal", () -> said().contains("blob.aedat4 is open; choose another"));
+    viewer.waitFor("nothing is recorded", () -> !recording());
+    assertEquals(bytes, Files.size(file));
+  }
+
+  @Test
   void unwritableFileIsReportedInOneLine() {
     viewer = ViewerHarness.withBlob();
     viewer.run(
