@@ -83,8 +83,8 @@ public final class BackgroundWork implements AutoCloseable {
   }
 
   /**
-   * Finishes queued tasks and ends the threads; results are discarded. Waits until an interrupted
-   * export has removed its files.
+   * Ends the threads; results are discarded. Waits until an interrupted export has removed its
+   * files and queued file tasks are finished, such as the end of a recording.
    */
   @Override
   public void close() {
@@ -94,6 +94,7 @@ public final class BackgroundWork implements AutoCloseable {
     files.shutdown();
     try {
       exports.awaitTermination(EXIT_TIMEOUT_S, TimeUnit.SECONDS);
+      files.awaitTermination(EXIT_TIMEOUT_S, TimeUnit.SECONDS);
     } catch (InterruptedException again) {
       Thread.currentThread().interrupt();
     }
