@@ -34,7 +34,7 @@ final class SettingsFeature implements ViewerFeature {
           if (stage.isShowing()
               && !stage.isMaximized()
               && !stage.isFullScreen()
-              && stage.getWidth() >= ViewerWindow.MIN_WIDTH
+              && stage.getWidth() > ViewerWindow.MIN_WIDTH
               && stage.getHeight() >= ViewerWindow.MIN_HEIGHT) {
             settings.put(
                 "window",
@@ -45,7 +45,7 @@ final class SettingsFeature implements ViewerFeature {
                     "height", Math.round(stage.getHeight())));
           }
         };
-    // not during showing, when the size changes in steps
+    // not during showing, when the size changes in steps, nor the least that a new window may get
     for (ReadOnlyDoubleProperty size :
         List.of(
             stage.xProperty(), stage.yProperty(), stage.widthProperty(), stage.heightProperty())) {

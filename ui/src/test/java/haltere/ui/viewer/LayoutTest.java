@@ -236,6 +236,24 @@ class LayoutTest {
         "the plots of before", () -> Math.abs(below.getDividerPositions()[0] - share) < 0.01);
   }
 
+  @Test
+  void leastSizeThatAWindowManagerGivesToANewWindowIsNotStored() {
+    UserSettings settings = UserSettings.inMemory();
+    viewer = new ViewerHarness(settings);
+    viewer.run(() -> setSize(900, 600));
+    viewer.waitFor("the size", () -> keptWidth(settings) == 900);
+    viewer.run(() -> setSize(ViewerWindow.MIN_WIDTH, ViewerWindow.MIN_HEIGHT));
+    viewer.waitFor("the least size", () -> viewer.stage.getHeight() == ViewerWindow.MIN_HEIGHT);
+    // after what the window does later
+    viewer.run(() -> {});
+    assertEquals(900, keptWidth(settings));
+  }
+
+  private double keptWidth(UserSettings settings) {
+    return viewer.onFx(
+        () -> settings.map("window").get("width") instanceof Number width ? width.intValue() : 0);
+  }
+
   private void setSize(double width, double height) {
     viewer.stage.setWidth(width);
     viewer.stage.setHeight(height);
