@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.FutureTask;
 import javafx.scene.Node;
+import javafx.scene.layout.Region;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -65,6 +66,18 @@ class StartTest {
     assertEquals("blob.aedat", viewer.text("start-recent-1"));
     viewer.click("start-back");
     viewer.waitFor("the recording again", () -> !viewer.isThere("start-page"));
+  }
+
+  @Test
+  void longNameOfARecentRecordingDoesNotWidenThePage() throws IOException {
+    Path file = ViewerHarness.recording(folder, "long-name-".repeat(20) + ".aedat");
+    viewer.openRecording(file);
+    showStartPage();
+    viewer.waitFor("the name", () -> viewer.isThere("start-recent-1"));
+    double width = viewer.node("start-page", Region.class).getWidth();
+    viewer.waitFor(
+        "a page within the window",
+        () -> viewer.node("start-recent-1", Region.class).getWidth() < width);
   }
 
   @Test

@@ -7,6 +7,7 @@ import haltere.ui.viewer.controls.Icons;
 import java.net.URL;
 import java.util.List;
 import java.util.Optional;
+import javafx.geometry.Insets;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -16,9 +17,9 @@ import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.image.Image;
 import javafx.scene.image.ImageView;
+import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 
@@ -98,11 +99,12 @@ final class StartPage extends ScrollPane {
   }
 
   private static Node recentLine(ViewerAction action) {
-    Hyperlink link = link(action, action.help());
-    link.setMinWidth(Region.USE_PREF_SIZE);
     Label folder = Controls.label(action.help(), Styles.TEXT_MUTED);
-    folder.setMinWidth(0);
-    return Controls.row(8, link, folder);
+    BorderPane.setAlignment(folder, Pos.CENTER_LEFT);
+    BorderPane.setMargin(folder, new Insets(0, 0, 0, 8));
+    BorderPane line = new BorderPane(folder, null, null, null, link(action, action.help()));
+    line.setMinWidth(0);
+    return line;
   }
 
   private static Hyperlink link(ViewerAction action, String accessible) {
