@@ -51,7 +51,7 @@ final class LayoutFeature implements ViewerFeature {
     Node focus = window.stage().getScene().getFocusOwner();
     long here = areas.stream().takeWhile(area -> !FocusOrder.isWithin(focus, area)).count();
     int next = here == areas.size() ? 0 : Math.floorMod(here + panels, areas.size());
-    FocusOrder.of(areas.get(next)).stream().findFirst().ifPresent(Node::requestFocus);
+    FocusOrder.of(areas.get(next)).stream().findFirst().ifPresent(FocusOrder::mark);
   }
 
   private void ask() {

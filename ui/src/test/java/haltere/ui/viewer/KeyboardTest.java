@@ -149,6 +149,10 @@ class KeyboardTest {
     viewer.waitFor("the focus goes along", () -> focus().getId().equals("expand-refractory"));
     viewer.press(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.DOWN);
     viewer.waitFor("one down", () -> names().indexOf("refractory") == before.size());
+    viewer.press(KeyCode.TAB);
+    viewer.press(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.UP);
+    viewer.waitFor("up again", () -> names().indexOf("refractory") == before.size() - 1);
+    viewer.waitFor("the mark goes along", () -> FocusOrder.isMarked(focus()));
 
     goTo("power-refractory");
     viewer.press(KeyCode.ENTER);
@@ -262,8 +266,11 @@ class KeyboardTest {
     goTo("event-view");
     viewer.press(KeyCode.F6);
     viewer.waitFor("the plots", () -> "add-plot".equals(focus().getId()));
+    Node plots = focus();
+    assertTrue(viewer.onFx(() -> FocusOrder.isMarked(plots)), "where the focus is");
     viewer.press(KeyCode.F6);
     viewer.waitFor("the chain", () -> "add-filter".equals(focus().getId()));
+    assertFalse(viewer.onFx(() -> FocusOrder.isMarked(plots)), "where the focus was");
     viewer.press(KeyCode.SHIFT, KeyCode.F6);
     viewer.waitFor("the plots again", () -> "add-plot".equals(focus().getId()));
     double before = viewer.onFx(() -> viewer.window.context().panels().plots().getHeight());

@@ -2,6 +2,7 @@ package haltere.ui.viewer.chain;
 
 import haltere.core.chain.ChainStage;
 import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.FocusOrder;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -108,10 +109,14 @@ final class StageList extends VBox {
     List<? extends Node> shown = cards.isEmpty() ? List.of(empty) : List.copyOf(cards.values());
     if (!getChildren().equals(shown)) {
       Node focus = getScene() == null ? null : getScene().getFocusOwner();
+      boolean marked = focus != null && FocusOrder.isMarked(focus);
       getChildren().setAll(shown);
       // a moved card keeps the focus
       if (focus != null && focus.getScene() != null) {
         focus.requestFocus();
+      }
+      if (marked) {
+        FocusOrder.mark(focus);
       }
     }
   }
