@@ -171,6 +171,18 @@ class MannersTest {
   }
 
   @Test
+  void lineThatIsCutOffIsReadInFull() {
+    viewer = ViewerHarness.withBlob();
+    String line = "no room; ".repeat(60);
+    viewer.run(() -> viewer.window.context().status().showError(line));
+    viewer.click("details");
+    viewer.waitFor("the details", () -> viewer.isThere("problem-details"));
+    TextInputControl details = viewer.node("problem-details", TextInputControl.class);
+    assertEquals(line, viewer.onFx(details::getText));
+    viewer.run(() -> details.getScene().getWindow().hide());
+  }
+
+  @Test
   void unreadableRecordingIsReportedInItsWindow() throws IOException {
     Path empty = Files.createFile(folder.resolve("empty.aedat"));
     FutureTask<ViewerSession> first =

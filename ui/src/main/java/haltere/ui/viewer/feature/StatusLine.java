@@ -89,7 +89,8 @@ public final class StatusLine extends HBox {
   /** Shows a problem until it is dismissed or another source is opened. */
   public void showError(String line) {
     error = line;
-    details = "";
+    // the line may be cut off
+    details = line;
     showMessage();
   }
 
