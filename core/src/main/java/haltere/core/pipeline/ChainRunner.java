@@ -11,6 +11,8 @@ import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
+import haltere.core.stream.internal.Reason;
+import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
@@ -317,7 +319,10 @@ public final class ChainRunner implements StreamHandler {
 
   private void sinkFailed(List<StreamHandler> list, StreamHandler sink, RuntimeException thrown) {
     counters.add(Counter.SINK_FAILURES, 1);
-    report("sink " + name(sink) + " failed: " + thrown, "it is removed");
+    // a disk that is full is no fault of the program, whose type would help
+    Object reason =
+        thrown instanceof UncheckedIOException unchecked ? Reason.of(unchecked.getCause()) : thrown;
+    report("sink " + name(sink) + " failed: " + reason, "it is removed");
     if (onFailure == OnFailure.STOP) {
       throw thrown;
     }

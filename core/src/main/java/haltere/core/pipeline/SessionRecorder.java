@@ -11,6 +11,7 @@ import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.core.stream.internal.Daemon;
+import haltere.core.stream.internal.Reason;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -152,8 +153,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
               + free / 1_000_000
               + " MB left, and "
               + limits.keepFreeBytes() / 1_000_000
-              + " MB must stay free; make room, record to another disk, or give a smaller "
-              + "--keep-free");
+              + " MB must stay free (--keep-free); make room, or record to another disk");
     }
   }
 
@@ -261,6 +261,7 @@ public final class SessionRecorder implements StreamHandler, Closeable {
         startPart();
       }
     } catch (IOException problem) {
+      endedEarly = Reason.of(problem);
       throw new UncheckedIOException(problem);
     }
     current.recorder().packet(packet);

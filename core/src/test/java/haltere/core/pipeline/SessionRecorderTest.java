@@ -212,6 +212,7 @@ class SessionRecorderTest {
     try (SessionRecorder session = session()) {
       EventPacket packet = events(0, 10);
       assertThrows(java.io.UncheckedIOException.class, () -> session.packet(packet));
+      assertTrue(session.endedEarly().orElseThrow().contains("out.aedat4: it exists already"));
     }
     assertEquals("mine", Files.readString(folder.resolve("out.aedat4")));
   }

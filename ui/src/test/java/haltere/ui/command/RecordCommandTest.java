@@ -188,7 +188,8 @@ class RecordCommandTest {
             "--keep-free",
             "999999999");
     assertEquals(1, run.status());
-    assertTrue(run.err().contains("make room, record to another disk"), run.err());
+    assertTrue(
+        run.err().contains("(--keep-free); make room, or record to another disk"), run.err());
     assertFalse(run.err().contains("recording simulated:fly"), run.err());
     assertEquals("mine", Files.readString(folder.resolve("fly.aedat4")));
   }

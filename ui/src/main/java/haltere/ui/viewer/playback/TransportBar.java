@@ -101,16 +101,16 @@ public final class TransportBar extends HBox {
                 Icons.STEP_FORWARD,
                 "One slice forward (.)",
                 () -> playback.step(1)),
-            separator(),
+            new Separator(Orientation.VERTICAL),
             Controls.place(speedRow),
-            separator(),
+            new Separator(Orientation.VERTICAL),
             new SlicingField(playback),
-            separator(),
+            new Separator(Orientation.VERTICAL),
             Controls.place(loop),
             Controls.place(markIn),
             Controls.place(markOut),
             Controls.button("mark", Icons.MARK, "Set a mark here (M)", playback::mark),
-            separator(),
+            new Separator(Orientation.VERTICAL),
             Controls.button("reset-filters", Icons.RESET, "Reset all filters (Z)", playback::reset),
             tools,
             space,
@@ -150,9 +150,5 @@ public final class TransportBar extends HBox {
     remaining.setText(newest ? "" : "/ " + Texts.time(-behindUs, fine));
     setObstacle(reach.isEmpty() ? NOT_SEEKABLE : "");
     Controls.unless(playback.isLive() ? "A camera plays in real time." : "", speedRow);
-  }
-
-  private static Separator separator() {
-    return new Separator(Orientation.VERTICAL);
   }
 }

@@ -3,7 +3,6 @@ package haltere.ui.viewer.saving;
 import haltere.core.camera.Camera;
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
-import haltere.core.event.SensorGeometry;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.aedat4.Aedat4Compression;
 import haltere.core.format.internal.aedat4.Aedat4Writer;
@@ -40,7 +39,12 @@ record RecordedFile(Path file, StreamHandler sink, BooleanSupplier isOver, Calla
     session.request().checkOther(file);
     return session.camera().isPresent()
         ? ofCamera(file, session.camera().get().camera(), session.chain())
-        : ofRecording(file, session.player().playable().geometry());
+        : of(
+            file,
+            Recorder.inPlace(
+                file,
+                WriteOptions.of(session.player().playable().geometry()).withOverwrite(true),
+                OverflowPolicy.BLOCK));
   }
 
   @Override
@@ -53,13 +57,11 @@ record RecordedFile(Path file, StreamHandler sink, BooleanSupplier isOver, Calla
     return ending.call();
   }
 
-  private static RecordedFile ofRecording(Path file, SensorGeometry geometry) throws IOException {
-    Recorder recorder =
-        Recorder.inPlace(file, WriteOptions.of(geometry).withOverwrite(true), OverflowPolicy.BLOCK);
+  static RecordedFile of(Path file, Recorder recorder) {
     return new RecordedFile(
         file,
         recorder,
-        () -> recorder.report().stoppedBy().isPresent(),
+        () -> recorder.report().stoppedBy().isPresent() || hasFailed(recorder.report()),
         () -> {
           RecorderReport report = recorder.finish();
           boolean jumped = report.stoppedBy().filter(Reset.class::isInstance).isPresent();
@@ -87,7 +89,9 @@ record RecordedFile(Path file, StreamHandler sink, BooleanSupplier isOver, Calla
     return new RecordedFile(
         file,
         session,
-        () -> session.endedEarly().isPresent(),
+        () ->
+            session.endedEarly().isPresent()
+                || session.parts().stream().anyMatch(part -> hasFailed(part.report())),
         () -> {
           List<SessionRecorder.Part> parts = session.finish();
           long events = parts.stream().mapToLong(part -> part.report().written()).sum();
@@ -98,6 +102,10 @@ record RecordedFile(Path file, StreamHandler sink, BooleanSupplier isOver, Calla
               + (lost > 0 ? "; the disk was too slow for " + Texts.count(lost) : "")
               + session.endedEarly().map(line -> "; " + line).orElse("");
         });
+  }
+
+  private static boolean hasFailed(RecorderReport report) {
+    return report.failure().isPresent();
   }
 
   private static String label(Path file, long events) {

@@ -81,6 +81,10 @@ public final class SavingFeature implements ViewerFeature {
 
   /** Records the events that the chain passes. */
   public void record(Path file) {
-    recording.start(open -> RecordedFile.of(file, open));
+    record(open -> RecordedFile.of(file, open));
+  }
+
+  void record(PlaybackOutput.Factory<RecordedFile> factory) {
+    recording.start(factory);
   }
 }

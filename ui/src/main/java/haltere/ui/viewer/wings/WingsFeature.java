@@ -70,8 +70,8 @@ public final class WingsFeature implements ViewerFeature {
     ViewerActions actions = window.actions();
     Supplier<String> obstacle = this::obstacle;
     actions.add("wings-place", placing, obstacle);
-    actions.add("wings-flip", this::flip, obstacle);
-    actions.add("wings-search", this::search, obstacle);
+    actions.add("wings-flip", () -> settle(WingTracker::withHeadingFlipped), obstacle);
+    actions.add("wings-search", () -> change((chain, view) -> view.filter().reset()), obstacle);
     actions.add("wings-log", log.runningProperty(), () -> log.toggle(this::askForLog), obstacle);
     actions.addChoices(
         "wings-log-", MENU + "/Rows of the log", logFormat, FORMATS, WingsFeature::label);
@@ -87,10 +87,8 @@ public final class WingsFeature implements ViewerFeature {
   }
 
   private static String label(WingLogFormat format) {
-    String rows = "Each " + Parameter.text(format.rows());
-    return format.layout() == WingLogFormat.Layout.ORIGINAL
-        ? rows + ", layout of the original"
-        : rows;
+    boolean original = format.layout() == WingLogFormat.Layout.ORIGINAL;
+    return "Each " + Parameter.text(format.rows()) + (original ? ", layout of the original" : "");
   }
 
   private WingsPanel panel() {
@@ -161,14 +159,6 @@ public final class WingsFeature implements ViewerFeature {
 
   void restart(WingPart part) {
     change((chain, view) -> view.filter().tracker().restart(part));
-  }
-
-  private void flip() {
-    settle(WingTracker::withHeadingFlipped);
-  }
-
-  private void search() {
-    change((chain, view) -> view.filter().reset());
   }
 
   /** A change of a chain that has a wing tracker. */

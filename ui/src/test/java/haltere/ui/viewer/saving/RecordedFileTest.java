@@ -4,16 +4,21 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.event.EventPacket;
 import haltere.core.format.ProgressListener;
 import haltere.core.format.RecordingReader;
+import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
 import haltere.core.format.summary.RecordingSummary;
+import haltere.core.pipeline.OverflowPolicy;
+import haltere.core.pipeline.Recorder;
 import haltere.core.playback.ScenePlayable;
 import haltere.ui.viewer.BlobSource;
 import haltere.ui.viewer.ViewerHarness;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import javafx.scene.control.Label;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -102,6 +107,39 @@ class RecordedFileTest {
     viewer.waitFor("the refusal", () -> said().contains("blob.aedat4 is open; choose another"));
     viewer.waitFor("nothing is recorded", () -> !recording());
     assertEquals(bytes, Files.size(file));
+  }
+
+  /** A disk that is full from the first packet on. */
+  private static final class FullDisk implements RecordingWriter {
+    @Override
+    public void write(EventPacket packet) throws IOException {
+      throw new IOException("No space left on device");
+    }
+
+    @Override
+    public List<String> losses() {
+      return List.of();
+    }
+
+    @Override
+    public void finish() {}
+
+    @Override
+    public void close() {}
+  }
+
+  @Test
+  void fullDiskEndsTheRecordingAndIsReported() {
+    viewer = ViewerHarness.withBlob();
+    Recorder recorder =
+        new Recorder(new FullDisk(), BlobSource.GEOMETRY, OverflowPolicy.DROP_NEWEST);
+    RecordedFile full = RecordedFile.of(folder.resolve("out.aedat4"), recorder);
+    viewer.run(() -> viewer.window.feature(SavingFeature.class).record(open -> full));
+    viewer.waitFor("it ends", () -> full.isOver().getAsBoolean() && !recording());
+    viewer.waitFor(
+        "it says why",
+        () -> said().contains("the recording could not be written: No space left on device"));
+    assertFalse(said().contains("Exception"), said());
   }
 
   @Test
