@@ -96,22 +96,22 @@ public final class CommandPalette {
 
   /**
    * The actions whose text contains all typed words, in any order; those that start with the typed
-   * text come first.
+   * text come first, and those that are only described by it last.
    */
   static List<ViewerAction> matches(List<ViewerAction> all, String typed) {
     String wanted = typed.strip().toLowerCase(Locale.ROOT);
     List<String> parts = List.of(wanted.split("\\s+"));
     return all.stream()
         .filter(action -> !action.id().equals("palette"))
-        .filter(action -> parts.stream().allMatch(searched(action)::contains))
+        .filter(action -> parts.stream().allMatch(words(action, action.help())::contains))
         .sorted(
-            Comparator.comparing(
-                action -> !action.label().toLowerCase(Locale.ROOT).startsWith(wanted)))
+            Comparator.comparing(action -> !parts.stream().allMatch(words(action, "")::contains)))
+        .sorted(Comparator.comparing(action -> !words(action, "").startsWith(wanted)))
         .toList();
   }
 
-  private static String searched(ViewerAction action) {
-    return (action.menu() + " " + action.label() + " " + action.help()).toLowerCase(Locale.ROOT);
+  private static String words(ViewerAction action, String more) {
+    return (action.label() + " " + action.menu() + " " + more).toLowerCase(Locale.ROOT);
   }
 
   private void choose() {

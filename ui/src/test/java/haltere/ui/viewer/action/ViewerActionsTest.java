@@ -84,6 +84,15 @@ class ViewerActionsTest {
   }
 
   @Test
+  void actionOfTheTypedNameComesBeforeThoseThatAreDescribedByIt() {
+    ViewerActions actions = new ViewerActions();
+    actions.add(
+        action("scene", "Fly scene").withHelp("Wings, and a logarithm of light."),
+        action("log", "Log of wings"));
+    assertEquals(List.of("log", "scene"), found(actions, "log wings"));
+  }
+
+  @Test
   void keysOfEntriesAreNotPlainOnes() {
     assertTrue(keyed("a", "Space").hasPlainKey());
     assertTrue(keyed("a", "Shift+Comma").hasPlainKey());
