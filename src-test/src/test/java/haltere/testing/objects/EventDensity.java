@@ -5,6 +5,7 @@ import haltere.core.stream.EventSource;
 import haltere.testing.SceneEvents;
 import java.io.IOException;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * How dense events are around moments of truth.
@@ -27,9 +28,7 @@ record EventDensity(double inBoxes, double elsewhere) {
     double area = 0;
     for (TruthMoment moment : scene.truth()) {
       List<Box> objects = moment.objects().stream().map(TrueObject::box).toList();
-      for (int i = events.indexAtOrAfter(moment.timeUs() - NEAR_US);
-          i < events.size() && events.timeUs(i) < moment.timeUs() + NEAR_US;
-          i++) {
+      for (int i : near(events, moment)) {
         int x = events.x(i);
         int y = events.y(i);
         if (isInOne(objects, x, y)) {
@@ -43,6 +42,14 @@ record EventDensity(double inBoxes, double elsewhere) {
     // Overlaps and ignored regions make both areas too large, so densities are too small.
     return new EventDensity(
         inside / area, outside / Math.max(1, (double) pixels * scene.truth().size() - area));
+  }
+
+  /** Indexes of the events around a moment. */
+  static int[] near(EventPacket events, TruthMoment moment) {
+    return IntStream.range(
+            events.indexAtOrAfter(moment.timeUs() - NEAR_US),
+            events.indexAtOrAfter(moment.timeUs() + NEAR_US))
+        .toArray();
   }
 
   private static boolean isInOne(List<Box> boxes, int x, int y) {

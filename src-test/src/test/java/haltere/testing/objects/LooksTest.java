@@ -4,8 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
-import haltere.core.stream.EventSource;
-import haltere.testing.SceneEvents;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,8 +16,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 class LooksTest {
   /** Sensors of 128x128 and 240x180: larger ones take seconds. */
   private static final int SMALL = 2;
-
-  private static final long NEAR_US = 20_000;
 
   @ParameterizedTest
   @EnumSource
@@ -39,14 +35,9 @@ class LooksTest {
     ObjectScene scene = Looks.scene(Looks.Look.SPARSE, seed, SMALL);
     int front = 0;
     int behind = 0;
-    EventPacket events;
-    try (EventSource source = scene.events().open()) {
-      events = SceneEvents.of(source);
-    }
+    EventPacket events = CompositesTest.events(scene);
     for (TruthMoment moment : scene.truth()) {
-      for (int i = events.indexAtOrAfter(moment.timeUs() - NEAR_US);
-          i < events.size() && events.timeUs(i) < moment.timeUs() + NEAR_US;
-          i++) {
+      for (int i : EventDensity.near(events, moment)) {
         for (TrueObject o : moment.objects()) {
           if (o.box().contains(events.x(i), events.y(i), 0.5)) {
             double s = (events.timeUs(i) - moment.timeUs()) * 1e-6;
