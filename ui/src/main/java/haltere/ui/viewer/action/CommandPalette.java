@@ -105,8 +105,8 @@ public final class CommandPalette {
         .filter(action -> !action.id().equals("palette"))
         .filter(action -> parts.stream().allMatch(words(action, action.help())::contains))
         .sorted(
-            Comparator.comparing(action -> !parts.stream().allMatch(words(action, "")::contains)))
-        .sorted(Comparator.comparing(action -> !words(action, "").startsWith(wanted)))
+            Comparator.comparing((ViewerAction action) -> !words(action, "").startsWith(wanted))
+                .thenComparing(action -> !parts.stream().allMatch(words(action, "")::contains)))
         .toList();
   }
 
