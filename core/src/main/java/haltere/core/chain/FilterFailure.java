@@ -1,5 +1,6 @@
 package haltere.core.chain;
 
+import haltere.core.stream.internal.Reason;
 import java.io.UncheckedIOException;
 
 /**
@@ -15,7 +16,7 @@ public final class FilterFailure extends RuntimeException {
   FilterFailure(ChainStage stage, RuntimeException cause) {
     super(
         cause instanceof UncheckedIOException output
-            ? "results of filter " + stage.name() + " were lost: " + output.getCause().getMessage()
+            ? "results of filter " + stage.name() + " were lost: " + Reason.of(output.getCause())
             : "filter " + stage.name() + " failed: " + cause,
         cause);
     this.stage = stage;
