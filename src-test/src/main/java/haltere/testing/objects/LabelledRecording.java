@@ -107,6 +107,19 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
     return withVelocities(variant.scene(file + "-" + seed, file));
   }
 
+  /**
+   * The recording backwards in time: objects begin where and as they end. Objects that a tracker
+   * only finds as they begin are lost.
+   *
+   * @return a scene of the recording's kind
+   * @throws IOException if the file or its labels cannot be read
+   */
+  public ObjectScene backwards() throws IOException {
+    Footage whole = whole();
+    return withVelocities(
+        whole.reversed(whole.events().lastTimeUs()).scene(file + "-backwards", file));
+  }
+
   /** With the velocities of the labels, unless objects jump back to their first positions. */
   private ObjectScene withVelocities(ObjectScene scene) {
     return playback == Playback.LOOP
@@ -119,8 +132,12 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
             scene.matching());
   }
 
+  private Footage whole() throws IOException {
+    return playback == Playback.ONCE ? read() : footage();
+  }
+
   private Footage part(SplittableRandom random) throws IOException {
-    Footage whole = playback == Playback.ONCE ? read() : footage();
+    Footage whole = whole();
     List<TruthMoment> labels = whole.truth();
     long firstUs = labels.get(0).timeUs();
     long lastUs = labels.get(labels.size() - 1).timeUs();

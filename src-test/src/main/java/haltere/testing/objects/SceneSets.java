@@ -12,7 +12,8 @@ public final class SceneSets {
 
   /** Names of all sets. */
   public static final List<String> NAMES =
-      List.of("recordings", "parts", "variants", "composites", "looks", "roads", "discs");
+      List.of(
+          "recordings", "backwards", "parts", "variants", "composites", "looks", "roads", "discs");
 
   /** Makes a scene when it is needed, so that few are in memory. */
   public interface Later {
@@ -41,6 +42,8 @@ public final class SceneSets {
     switch (set) {
       case "recordings" ->
           LabelledRecording.all().forEach(recording -> scenes.add(recording::scene));
+      case "backwards" ->
+          LabelledRecording.all().forEach(recording -> scenes.add(recording::backwards));
       case "parts" -> add(scenes, LabelledRecording.all(), range, LabelledRecording::part);
       case "variants" -> add(scenes, LabelledRecording.all(), range, LabelledRecording::variant);
       case "composites" ->

@@ -30,6 +30,16 @@ class LabelledRecordingTest {
   }
 
   @Test
+  void boxesOfABackwardsRecordingAreWhereItsEventsAre() throws IOException {
+    LabelledRecording recording = LabelledRecording.all().get(0);
+    Recorded.file(recording.file());
+    ObjectScene backwards = recording.backwards();
+    double ratio = EventDensity.of(backwards).ratio();
+    assertEquals(EventDensity.of(recording.scene()).ratio(), ratio, 0.05 * ratio);
+    assertEquals(recording.scene().truth().size(), backwards.truth().size());
+  }
+
+  @Test
   void labelTimesAscend() throws IOException {
     for (LabelledRecording recording : LabelledRecording.all()) {
       List<TruthMoment> labels = LabelledBoxes.of(recording.file());
