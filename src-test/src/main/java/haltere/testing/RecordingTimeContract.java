@@ -181,11 +181,6 @@ abstract class RecordingTimeContract extends TestedFormat {
     }
 
     @Override
-    public List<String> losses() {
-      return List.of();
-    }
-
-    @Override
     public void finish() {}
 
     @Override

@@ -47,9 +47,11 @@ public interface RecordingWriter extends Closeable {
   /**
    * Data that the format could not store so far, such as times beyond its clock.
    *
-   * @return one line each, with counts
+   * @return one line each, with counts; none unless a format overrides this
    */
-  List<String> losses();
+  default List<String> losses() {
+    return List.of();
+  }
 
   /**
    * Completes the file and renames it to its target.

@@ -67,11 +67,6 @@ class RecorderTest {
     }
 
     @Override
-    public List<String> losses() {
-      return List.of();
-    }
-
-    @Override
     public void finish() {
       calls.add("finish");
     }

@@ -11,7 +11,6 @@ import haltere.core.sink.Tables;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 
 /**
@@ -70,11 +69,6 @@ public final class EventTable implements RecordingWriter {
     } catch (UncheckedIOException problem) {
       throw problem.getCause();
     }
-  }
-
-  @Override
-  public List<String> losses() {
-    return List.of();
   }
 
   @Override

@@ -18,7 +18,6 @@ import haltere.ui.viewer.ViewerHarness;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import javafx.scene.control.Label;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -114,11 +113,6 @@ class RecordedFileTest {
     @Override
     public void write(EventPacket packet) throws IOException {
       throw new IOException("No space left on device");
-    }
-
-    @Override
-    public List<String> losses() {
-      return List.of();
     }
 
     @Override
