@@ -38,14 +38,10 @@ public final class PresetFeature implements ViewerFeature {
     window = installed;
     window.actions().add("save-preset", () -> keep(window.editor()), window::nothingOpen);
     window.editor().setPresets(this::items);
-    window
-        .settings()
-        .file()
-        .ifPresent(
-            settings -> {
-              folder = settings.resolveSibling(FOLDER);
-              list();
-            });
+    folder = window.settings().file().map(file -> file.resolveSibling(FOLDER)).orElse(null);
+    if (folder != null) {
+      list();
+    }
   }
 
   /** Saved presets, by name. */

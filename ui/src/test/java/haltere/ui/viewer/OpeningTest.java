@@ -5,15 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.format.ReadOptions;
 import haltere.core.playback.PlayerStatus.State;
-import haltere.ui.viewer.session.ViewerSession;
+import haltere.ui.viewer.feature.Sessions;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import javafx.beans.InvalidationListener;
-import javafx.beans.value.ChangeListener;
-import javafx.beans.value.ObservableValue;
 import javafx.scene.Parent;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -101,23 +99,8 @@ class OpeningTest {
 
   /** Does something, once, when something else has just been opened. */
   private void onNextSession(Runnable action) {
-    viewer.run(
-        () ->
-            viewer
-                .window
-                .context()
-                .sessions()
-                .sessionProperty()
-                .addListener(
-                    new ChangeListener<Optional<ViewerSession>>() {
-                      @Override
-                      public void changed(
-                          ObservableValue<? extends Optional<ViewerSession>> property,
-                          Optional<ViewerSession> was,
-                          Optional<ViewerSession> is) {
-                        property.removeListener(this);
-                        action.run();
-                      }
-                    }));
+    AtomicReference<Runnable> next = new AtomicReference<>(action);
+    Sessions sessions = viewer.window.context().sessions();
+    viewer.run(() -> sessions.onChange((was, is) -> next.getAndSet(() -> {}).run()));
   }
 }

@@ -124,17 +124,10 @@ public final class CommandPalette {
 
   /** A line of the list: menu, name and key of the command. */
   private static final class Cell extends ListCell<ViewerAction> {
-    private final Label menu = new Label();
+    private final Label menu = Controls.label("", Styles.TEXT_SMALL, Styles.TEXT_MUTED);
     private final Label text = new Label();
-    private final Label key = new Label();
-    private final HBox line;
-
-    Cell() {
-      menu.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
-      key.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
-      Region space = Controls.growing(new Region());
-      line = Controls.row(10, text, menu, space, key);
-    }
+    private final Label key = Controls.label("", Styles.TEXT_SMALL, Styles.TEXT_MUTED);
+    private final HBox line = Controls.row(10, text, menu, Controls.growing(new Region()), key);
 
     @Override
     protected void updateItem(ViewerAction action, boolean empty) {

@@ -71,7 +71,7 @@ public final class CameraFeature implements ViewerFeature {
     actions.add("camera-plug", this::togglePlug, obstacle);
     window.bindTool(
         drawing, new RegionTool(() -> open.orElseThrow().geometry(), region -> setRegion(region)));
-    window.sessions().sessionProperty().subscribe((was, is) -> follow(is, shown));
+    window.sessions().onChange((was, is) -> follow(is, shown));
     window.panels().every(NUMBERS_NANOS, () -> open.ifPresent(this::pulse));
     window.stage().addEventHandler(WindowEvent.WINDOW_HIDDEN, event -> end());
   }

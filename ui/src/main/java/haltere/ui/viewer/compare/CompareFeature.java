@@ -109,6 +109,7 @@ public final class CompareFeature implements ViewerFeature {
             .panels()
             .viewBar()
             .tool("tool-compare", Icons.COMPARE, "Compare with a second chain (Ctrl+D)", shown);
+    Controls.unless(window.nothingOpen(), button);
     shown.subscribe(
         (was, is) -> {
           settingsShown.set(is);
@@ -116,9 +117,8 @@ public final class CompareFeature implements ViewerFeature {
         });
     window
         .sessions()
-        .sessionProperty()
-        .subscribe(
-            is -> {
+        .onChange(
+            (was, is) -> {
               Controls.unless(window.nothingOpen(), button);
               follow(is);
             });

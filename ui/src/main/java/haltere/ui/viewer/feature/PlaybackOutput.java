@@ -43,7 +43,7 @@ public final class PlaybackOutput<O extends PlaybackOutput.Output> {
   public PlaybackOutput(ViewerContext window) {
     this.window = window;
     // the session is about to be closed, or closes with the window
-    window.sessions().sessionProperty().subscribe((was, is) -> stop());
+    window.sessions().onChange((was, is) -> stop());
   }
 
   /** Whether an output is running or starting. */
@@ -65,15 +65,13 @@ public final class PlaybackOutput<O extends PlaybackOutput.Output> {
   private void start(ViewerSession open, Factory<O> factory) {
     int start = ++starts;
     running.set(true);
-    window
-        .background()
-        .file(
-            () -> new Active<>(open.player(), factory.create(open)),
-            made -> begin(start, made),
-            problem -> {
-              running.set(false);
-              window.status().showError(Texts.oneLine(problem));
-            });
+    window.file(
+        () -> new Active<>(open.player(), factory.create(open)),
+        made -> begin(start, made),
+        problem -> {
+          running.set(false);
+          window.status().showError(Texts.oneLine(problem));
+        });
   }
 
   private void begin(int start, Active<O> made) {

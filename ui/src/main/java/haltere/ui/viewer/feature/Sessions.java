@@ -17,8 +17,10 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.Future;
 import java.util.function.BiConsumer;
+import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.SimpleObjectProperty;
 
 /**
  * The open session. Others are opened in the background, one after the other; only the last
@@ -27,8 +29,8 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
 public final class Sessions {
   private final SourceSettings sources;
   private final List<BiConsumer<String, Exception>> problems = new ArrayList<>();
-  private final ReadOnlyObjectWrapper<Optional<ViewerSession>> session =
-      new ReadOnlyObjectWrapper<>(Optional.empty());
+  private final ObjectProperty<Optional<ViewerSession>> session =
+      new SimpleObjectProperty<>(Optional.empty());
   private final ReadOnlyObjectWrapper<Optional<RecordingFacts>> facts =
       new ReadOnlyObjectWrapper<>(Optional.empty());
   private ViewerContext window;
@@ -45,12 +47,12 @@ public final class Sessions {
     window.editor().history().onChange(() -> window.ifOpen(open -> saveChain(open, () -> {})));
   }
 
-  /** The session that is shown; empty until the first one has been opened. */
-  public ReadOnlyObjectProperty<Optional<ViewerSession>> sessionProperty() {
-    return session.getReadOnlyProperty();
+  /** Adds a listener to changes of the session, which gets the one before and the new one. */
+  public void onChange(BiConsumer<Optional<ViewerSession>, Optional<ViewerSession>> listener) {
+    session.subscribe(listener);
   }
 
-  /** The session that is shown. */
+  /** The session that is shown; empty until the first one has been opened. */
   public Optional<ViewerSession> session() {
     return session.get();
   }
@@ -133,10 +135,8 @@ public final class Sessions {
   }
 
   private void load(int number, Callable<ViewerSession> making, String name) {
-    window
-        .background()
-        .file(
-            making, made -> handOver(number, made), problem -> showProblem(number, name, problem));
+    window.file(
+        making, made -> handOver(number, made), problem -> showProblem(number, name, problem));
   }
 
   private void handOver(int number, ViewerSession made) {

@@ -74,10 +74,8 @@ public record ViewerContext(
 
   /** Adds a listener to a new session before it plays, as one of the {@link #steps()}. */
   public void onSession(Consumer<ViewerSession> listener) {
-    sessions
-        .sessionProperty()
-        .subscribe(
-            (was, is) -> is.ifPresent(made -> steps.execute(() -> callWhileShown(made, listener))));
+    sessions.onChange(
+        (was, is) -> is.ifPresent(made -> steps.execute(() -> callWhileShown(made, listener))));
   }
 
   private void callWhileShown(ViewerSession made, Consumer<ViewerSession> listener) {
@@ -96,7 +94,12 @@ public record ViewerContext(
 
   /** Runs a file task in the background; the bottom line shows problems. */
   public <T> void file(Callable<T> work, Consumer<T> done) {
-    background.file(work, done, status::showProblem);
+    file(work, done, status::showProblem);
+  }
+
+  /** The same, with problems reported elsewhere. */
+  public <T> void file(Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    background.file(work, done, failed);
   }
 
   /** Writes a file in the background; the bottom line confirms it, or shows problems. */

@@ -3,10 +3,10 @@ package haltere.ui.viewer.file;
 import atlantafx.base.theme.Styles;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.summary.RecordingSummary;
+import haltere.core.settings.Parameter;
 import haltere.ui.command.terminal.Quantities;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.session.RecordingFacts;
-import java.util.Locale;
 import javafx.geometry.VPos;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -49,7 +49,7 @@ final class FileInfoPanel extends ScrollPane {
     facts.compression().ifPresent(method -> line("Compression", method));
     String size = sensor.width() + " \u00d7 " + sensor.height();
     String guessed = facts.assumedSensor().isPresent() ? " (guessed)" : "";
-    String origin = sensor.origin().name().toLowerCase(Locale.ROOT);
+    String origin = Parameter.text(sensor.origin());
     line("Sensor", size + guessed + ", rows from the " + origin);
     line(
         "Events",

@@ -108,18 +108,16 @@ public final class SamplesFeature implements ViewerFeature {
 
   private void read(ViewerSession open, RecordingFacts of, Mark frame) {
     reading = true;
-    window
-        .background()
-        .file(
-            () -> frameAt(of, open, frame.elapsedUs()),
-            found -> {
-              reading = false;
-              found.ifPresent(open.display()::giveFrame);
-            },
-            problem -> {
-              reading = false;
-              window.status().showProblem(problem);
-            });
+    window.file(
+        () -> frameAt(of, open, frame.elapsedUs()),
+        found -> {
+          reading = false;
+          found.ifPresent(open.display()::giveFrame);
+        },
+        problem -> {
+          reading = false;
+          window.status().showProblem(problem);
+        });
   }
 
   private static Optional<Frame> frameAt(RecordingFacts of, ViewerSession open, long elapsedUs)

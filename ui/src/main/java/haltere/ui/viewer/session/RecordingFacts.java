@@ -12,6 +12,7 @@ import haltere.core.format.Recordings;
 import haltere.core.format.summary.RateProfile;
 import haltere.core.format.summary.RecordingSummary;
 import haltere.core.playback.Mark;
+import haltere.core.settings.Parameter;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.viewer.picture.FrameLayer;
@@ -19,7 +20,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -145,16 +145,13 @@ public record RecordingFacts(
   /** Name of a trigger, such as "Exposure begins" or "Trigger 1 rising". */
   public static String label(Trigger trigger) {
     boolean begins = trigger.edge() != Trigger.Edge.FALLING;
+    String edge = " " + Parameter.text(trigger.edge());
     return switch (trigger.source()) {
       case EXPOSURE -> "Exposure " + (begins ? "begins" : "ends");
       case FRAME_READOUT -> "Readout " + (begins ? "begins" : "ends");
       case CLOCK_RESET -> "Clock reset";
-      case EXTERNAL_INPUT -> "Trigger " + trigger.channel() + edge(trigger);
-      case SIGNAL_GENERATOR -> "Generator " + trigger.channel() + edge(trigger);
+      case EXTERNAL_INPUT -> "Trigger " + trigger.channel() + edge;
+      case SIGNAL_GENERATOR -> "Generator " + trigger.channel() + edge;
     };
-  }
-
-  private static String edge(Trigger trigger) {
-    return " " + trigger.edge().name().toLowerCase(Locale.ROOT);
   }
 }

@@ -50,7 +50,7 @@ public final class LiveFlightFeature implements ViewerFeature {
     window.panels().view().addLayer(over -> pane.drawLine(0, over));
     linesShown.subscribe(() -> window.panels().view().redraw());
     window.display().onChange(() -> pane.setOptions(window.display().options()));
-    window.sessions().sessionProperty().subscribe((was, is) -> follow(was, is));
+    window.sessions().onChange(this::follow);
     window.display().themeProperty().subscribe(pane::setTheme);
     window
         .panels()

@@ -30,8 +30,7 @@ public final class SpaceTimeFeature implements ViewerFeature {
     shown.subscribe((was, is) -> follow(window.sessions().session()));
     window
         .sessions()
-        .sessionProperty()
-        .subscribe(
+        .onChange(
             (was, is) -> {
               was.ifPresent(this::leave);
               follow(is);

@@ -23,7 +23,7 @@ public final class StartFeature implements ViewerFeature {
     window = installed;
     window.actions().add("start-page", () -> show(""));
     window.actions().onChange(() -> page.ifPresent(this::offerCameras));
-    window.sessions().sessionProperty().subscribe((was, is) -> hide());
+    window.sessions().onChange((was, is) -> hide());
     window
         .sessions()
         .onProblem(

@@ -60,8 +60,7 @@ public final class WingsFeature implements ViewerFeature {
     window.panels().every(POLL_NANOS, this::pulse);
     window
         .sessions()
-        .sessionProperty()
-        .subscribe(
+        .onChange(
             (was, is) -> {
               placing.set(false);
               seen = Optional.empty();
