@@ -2,8 +2,6 @@ package haltere.ui.command;
 
 import haltere.core.chain.ChainProblem;
 import haltere.core.chain.FilterFailure;
-import haltere.core.format.RecordingProblem;
-import haltere.core.json.JsonProblem;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.stream.internal.Reason;
 import java.io.IOException;
@@ -32,20 +30,10 @@ final class Failures {
     if (isInterruption(failure)) {
       return "interrupted; unfinished output has been removed";
     }
-    if (failure instanceof CommandProblem
-        || failure instanceof RecordingProblem
-        || failure instanceof JsonProblem
-        || failure instanceof ChainProblem
-        || failure instanceof SettingsProblem) {
-      return failure.getMessage();
-    }
     if (failure instanceof UncheckedIOException unchecked) {
       return sentence(unchecked.getCause());
     }
-    if (failure instanceof FilterFailure && failure.getCause() instanceof UncheckedIOException) {
-      return failure.getMessage();
-    }
-    if (failure instanceof FilterFailure) {
+    if (failure instanceof FilterFailure && !(failure.getCause() instanceof UncheckedIOException)) {
       return failure.getMessage()
           + "; this is a fault in the filter: switch it off, or report it with what --debug prints";
     }
@@ -57,7 +45,11 @@ final class Failures {
           + failure.getMessage()
           + "); give the program more with JAVA_OPTS=-Xmx2g";
     }
-    if (failure instanceof IOException) {
+    if (failure instanceof CommandProblem
+        || failure instanceof ChainProblem
+        || failure instanceof SettingsProblem
+        || failure instanceof FilterFailure
+        || failure instanceof IOException) {
       return Reason.of(failure);
     }
     return "unexpected failure: "

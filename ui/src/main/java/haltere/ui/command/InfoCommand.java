@@ -10,6 +10,7 @@ import haltere.core.format.summary.EventRate;
 import haltere.core.format.summary.Gap;
 import haltere.core.format.summary.RecordingSummary;
 import haltere.core.json.internal.Json;
+import haltere.core.settings.Parameter;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
@@ -21,7 +22,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import picocli.CommandLine.Command;
@@ -182,7 +182,7 @@ final class InfoCommand extends Subcommand {
     object.put("format", reader.formatName());
     object.put("width", geometry.width());
     object.put("height", geometry.height());
-    object.put("origin", origin(geometry));
+    object.put("origin", Parameter.text(geometry.origin()));
     object.put("events", facts.outline.events());
     facts.read.ifPresent(
         read -> {
@@ -224,10 +224,6 @@ final class InfoCommand extends Subcommand {
     return object;
   }
 
-  private static String origin(SensorGeometry geometry) {
-    return geometry.origin().name().toLowerCase(Locale.ROOT);
-  }
-
   private static Object time(long timeUs) {
     return timeUs == StreamNotification.NO_TIME_US ? null : (Object) timeUs;
   }
@@ -237,7 +233,7 @@ final class InfoCommand extends Subcommand {
     RecordingOutline outline = facts.outline;
     result(reader.path().toString());
     line("format", reader.formatName());
-    line("sensor", geometry + " pixels, rows count from the " + origin(geometry));
+    line("sensor", geometry + " pixels, rows count from the " + Parameter.text(geometry.origin()));
     String events = Quantities.count(outline.events());
     line(
         "events",

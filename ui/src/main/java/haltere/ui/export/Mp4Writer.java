@@ -5,6 +5,7 @@ import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -30,7 +31,7 @@ public final class Mp4Writer implements FilmWriter {
 
   /** H.264 as most players take it, which has even sides. */
   private static final String ARGUMENTS =
-      "-hide_banner -loglevel error -y -f rawvideo -pixel_format rgb24 -video_size %dx%d"
+      "-hide_banner -loglevel error -y -f rawvideo -pixel_format argb -video_size %dx%d"
           + " -framerate %.3f -i - -vf pad=ceil(iw/2)*2:ceil(ih/2)*2 -pix_fmt yuv420p"
           + " -movflags +faststart -f mp4";
 
@@ -96,16 +97,11 @@ public final class Mp4Writer implements FilmWriter {
     if (process == null) {
       start(image.getWidth(), image.getHeight());
     }
-    int pixels = image.getWidth() * image.getHeight();
-    int[] rgb = image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
-    byte[] bytes = new byte[3 * pixels];
-    for (int i = 0; i < pixels; i++) {
-      bytes[3 * i] = (byte) (rgb[i] >> 16);
-      bytes[3 * i + 1] = (byte) (rgb[i] >> 8);
-      bytes[3 * i + 2] = (byte) rgb[i];
-    }
+    int[] argb = image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+    ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * argb.length);
+    bytes.asIntBuffer().put(argb);
     OutputStream pipe = process.getOutputStream();
-    hand(() -> pipe.write(bytes), "ffmpeg has accepted no picture for " + seconds());
+    hand(() -> pipe.write(bytes.array()), "ffmpeg has accepted no picture for " + seconds());
   }
 
   private void start(int width, int height) throws IOException {

@@ -70,16 +70,11 @@ public record PlotField(String stage, String outlet, String column) {
    * The outlet of a chain that publishes the number, read as by {@link #of}; empty if none does.
    */
   public Optional<Outlet<?>> find(FilterChain chain) {
-    for (ChainStage candidate : chain.innermostStages()) {
-      if (candidate.name().equals(stage)) {
-        for (Outlet<?> published : candidate.filter().outlets()) {
-          if (published.name().equals(outlet)) {
-            return Optional.of(published);
-          }
-        }
-      }
-    }
-    return Optional.empty();
+    return chain.innermostStages().stream()
+        .filter(candidate -> candidate.name().equals(stage))
+        .flatMap(candidate -> candidate.filter().outlets().stream())
+        .filter(published -> published.name().equals(outlet))
+        .findFirst();
   }
 
   /**

@@ -28,6 +28,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -163,20 +164,17 @@ public record FolderReport(Path folder, RecordingJob.ChainFactory chains, ReadOp
 
   /** Mean of a column of a table, NaN without values. */
   private static double mean(Path table, String column) throws IOException {
-    double sum = 0;
-    long rows = 0;
+    DoubleSummaryStatistics values = new DoubleSummaryStatistics();
     if (Files.exists(table)) {
       try (BufferedReader lines = Files.newBufferedReader(table)) {
         CsvTable cells = new CsvTable(lines, List.of(column));
         while (cells.next()) {
-          double value = cells.number(0);
-          if (Double.isFinite(value)) {
-            sum += value;
-            rows++;
+          if (Double.isFinite(cells.number(0))) {
+            values.accept(cells.number(0));
           }
         }
       }
     }
-    return rows == 0 ? Double.NaN : sum / rows;
+    return values.getCount() == 0 ? Double.NaN : values.getAverage();
   }
 }
