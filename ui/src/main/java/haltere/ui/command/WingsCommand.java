@@ -172,7 +172,7 @@ final class WingsCommand extends Subcommand {
           table(chain, files, "pairs", WingPair.class, pairs);
           if (log != null) {
             String source = file == null ? cameras.devices.get(0) : file.getFileName().toString();
-            WingLog wingLog = WingLog.open(log, source, filter, logFormat(), writing.overwrite);
+            WingLog wingLog = WingLog.open(writing.begin(log), source, filter, logFormat());
             files.add(log, wingLog::rows, wingLog, wingLog::finish);
           }
           summary.listenTo(chain);

@@ -21,7 +21,6 @@ import java.io.OutputStream;
 import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -69,6 +68,7 @@ public final class WingLog implements Closeable {
   private WingTrackerSettings settings;
   private LongSupplier rows = () -> 0;
   private Consumer<String> comments = label -> {};
+  private volatile RuntimeException failure;
 
   private WingLog(AtomicFile file, WingTrackerFilter filter) {
     this.file = file;
@@ -78,11 +78,11 @@ public final class WingLog implements Closeable {
     text = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
   }
 
-  /** Starts a log of a filter's results, with the display name of the recording. */
+  /** Starts a log of a filter's results in a new file, with the display name of the recording. */
   public static WingLog open(
-      Path path, String source, WingTrackerFilter filter, WingLogFormat format, boolean overwrite)
+      AtomicFile file, String source, WingTrackerFilter filter, WingLogFormat format)
       throws IOException {
-    WingLog log = new WingLog(AtomicFile.create(path, overwrite), filter);
+    WingLog log = new WingLog(file, filter);
     try {
       log.begin(source, format);
       return log;
@@ -116,6 +116,7 @@ public final class WingLog implements Closeable {
     for (String line : OriginalRows.columns(settings.filter().method())) {
       comment(line);
     }
+    text.flush();
     OriginalRows lines = new OriginalRows(text, settings.filter().method());
     rows = lines::rows;
     comments = lines::comment;
@@ -144,7 +145,7 @@ public final class WingLog implements Closeable {
     subscriptions.add(
         filter
             .manualChanges()
-            .subscribe(change -> comments.accept("manual change: " + label(change))));
+            .subscribe(change -> comments.accept("manual change: " + label(change)), this::fail));
     subscribe(
         outlet,
         type,
@@ -199,9 +200,13 @@ public final class WingLog implements Closeable {
   private <R> void subscribe(String name, Class<R> type, Consumer<? super R> consumer) {
     for (Outlet<?> outlet : filter.outlets()) {
       if (outlet.name().equals(name)) {
-        subscriptions.add(outlet.subscribe(row -> consumer.accept(type.cast(row))));
+        subscriptions.add(outlet.subscribe(row -> consumer.accept(type.cast(row)), this::fail));
       }
     }
+  }
+
+  private void fail(RuntimeException problem) {
+    failure = problem;
   }
 
   private void comment(String line) throws IOException {
@@ -213,13 +218,26 @@ public final class WingLog implements Closeable {
     return rows.getAsLong();
   }
 
+  /** Whether it has ended, because a row could not be written; any thread. */
+  public boolean hasFailed() {
+    return failure != null;
+  }
+
   /** Ends the log and moves the file to its path. */
   public void finish() throws IOException {
     leave();
+    if (hasFailed()) {
+      throw failure;
+    }
     if (table != null) {
       table.finish();
     }
     text.flush();
+    file.commit();
+  }
+
+  /** Moves a log that failed to its path, with what was written. */
+  public void keep() throws IOException {
     file.commit();
   }
 

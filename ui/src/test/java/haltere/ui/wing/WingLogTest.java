@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
+import haltere.core.format.AtomicFile;
 import haltere.core.simulation.internal.fly.FlyScene;
 import haltere.core.simulation.internal.fly.FlySceneSettings;
 import haltere.filters.wing.WingFilterEdit;
@@ -36,7 +37,8 @@ class WingLogTest {
         new WingTrackerFilter(scene.geometry(), WingTrackerSettings.defaults());
     Path file = folder.resolve("log.txt");
     int half = fly.indexAtOrAfter(70_000);
-    try (WingLog log = WingLog.open(file, "fly", filter, new WingLogFormat(rows, layout), false)) {
+    AtomicFile out = AtomicFile.create(file, false);
+    try (WingLog log = WingLog.open(out, "fly", filter, new WingLogFormat(rows, layout))) {
       filter.process(part(fly, 0, half));
       filter.apply(filter.settings().with("noise.amplitude=0.5"));
       filter.process(part(fly, half, fly.size()));
@@ -59,7 +61,8 @@ class WingLogTest {
         new WingTrackerFilter(scene.geometry(), WingTrackerSettings.defaults());
     Path file = folder.resolve("log.txt");
     int half = fly.indexAtOrAfter(80_000);
-    try (WingLog log = WingLog.open(file, "fly", filter, new WingLogFormat(rows, layout), false)) {
+    AtomicFile out = AtomicFile.create(file, false);
+    try (WingLog log = WingLog.open(out, "fly", filter, new WingLogFormat(rows, layout))) {
       filter.process(part(fly, 0, half));
       filter.tracker().edit(new WingFilterEdit(WingPart.LEFT, Table.STATE, 1, 0, 1.25));
       filter.tracker().edit(new WingFilterEdit(WingPart.RIGHT, Table.COVARIANCE, 0, 0, 0.01));

@@ -4,6 +4,7 @@ import haltere.core.playback.PlayerStatus;
 import haltere.core.settings.Parameter;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.io.UncheckedIOException;
 import java.util.Locale;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletionException;
@@ -198,7 +199,9 @@ public final class Texts {
   /** A problem in one line, without the wrapping of futures and options of commands. */
   public static String oneLine(Throwable problem) {
     Throwable cause = problem;
-    while ((cause instanceof CompletionException || cause instanceof ExecutionException)
+    while ((cause instanceof CompletionException
+            || cause instanceof ExecutionException
+            || cause instanceof UncheckedIOException)
         && cause.getCause() != null) {
       cause = cause.getCause();
     }

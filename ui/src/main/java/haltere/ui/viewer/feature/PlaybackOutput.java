@@ -9,8 +9,8 @@ import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 
 /**
- * An output during playback, started and finished in the background. It ends when it is stopped or
- * another source is opened.
+ * An output during playback, started and finished in the background. It ends when it is stopped, by
+ * itself, or when another source is opened.
  *
  * @param <O> the output
  */
@@ -20,6 +20,11 @@ public final class PlaybackOutput<O extends PlaybackOutput.Output> {
     StreamHandler sink();
 
     String startMessage();
+
+    /** Whether it has ended by itself, such as on a full disk; the JavaFX thread. */
+    default boolean isOver() {
+      return false;
+    }
 
     /** Ends it; returns a message on the result. */
     String finish() throws Exception;
@@ -34,6 +39,8 @@ public final class PlaybackOutput<O extends PlaybackOutput.Output> {
 
   private record Active<O>(Player player, O output) {}
 
+  private static final long POLL_NANOS = 250_000_000;
+
   private final ViewerContext window;
   private final ReadOnlyBooleanWrapper running = new ReadOnlyBooleanWrapper();
   private Optional<Active<O>> active = Optional.empty();
@@ -44,6 +51,7 @@ public final class PlaybackOutput<O extends PlaybackOutput.Output> {
     this.window = window;
     // the session is about to be closed, or closes with the window
     window.sessions().onChange((was, is) -> stop());
+    window.panels().every(POLL_NANOS, () -> output().filter(Output::isOver).ifPresent(o -> stop()));
   }
 
   /** Whether an output is running or starting. */

@@ -28,10 +28,10 @@ import java.util.function.BooleanSupplier;
  *
  * @param file where it is
  * @param sink its stream handler
- * @param isOver whether it has ended, because of a jump, the end or a full disk
+ * @param ended whether it has ended, because of a jump, the end or a full disk
  * @param ending ends it, as {@link #finish()}
  */
-record RecordedFile(Path file, StreamHandler sink, BooleanSupplier isOver, Callable<String> ending)
+record RecordedFile(Path file, StreamHandler sink, BooleanSupplier ended, Callable<String> ending)
     implements PlaybackOutput.Output {
   private static final String UNTIL_JUMP = ", until playback jumped";
 
@@ -50,6 +50,11 @@ record RecordedFile(Path file, StreamHandler sink, BooleanSupplier isOver, Calla
   @Override
   public String startMessage() {
     return "Recording to " + file.getFileName();
+  }
+
+  @Override
+  public boolean isOver() {
+    return ended.getAsBoolean();
   }
 
   @Override

@@ -39,14 +39,11 @@ public final class SavingFeature implements ViewerFeature {
     RecordButton button = new RecordButton(this::toggleRecording, window.background());
     recording.runningProperty().subscribe((was, is) -> button.setOn(is));
     window.panels().transport().addTool(button);
-    window.panels().every(RecordButton.NUMBERS_NANOS, () -> follow(button));
-  }
-
-  private void follow(RecordButton button) {
-    if (recording.output().filter(file -> file.isOver().getAsBoolean()).isPresent()) {
-      recording.stop();
-    }
-    button.pulse(recording.output().map(RecordedFile::file));
+    window
+        .panels()
+        .every(
+            RecordButton.NUMBERS_NANOS,
+            () -> button.pulse(recording.output().map(RecordedFile::file)));
   }
 
   /** Replaces the open chain by a saved one. */

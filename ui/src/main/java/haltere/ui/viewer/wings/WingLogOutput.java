@@ -1,6 +1,7 @@
 package haltere.ui.viewer.wings;
 
 import haltere.core.chain.FilterChain;
+import haltere.core.format.AtomicFile;
 import haltere.core.playback.Player;
 import haltere.core.sink.internal.Unchecked;
 import haltere.core.stream.StreamHandler;
@@ -10,9 +11,7 @@ import haltere.ui.viewer.feature.PlaybackOutput;
 import haltere.ui.wing.WingLog;
 import haltere.ui.wing.WingLogFormat;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.Consumer;
 
 /**
  * A log of the wings, written during playback; an existing file is replaced when the log ends.
@@ -20,21 +19,18 @@ import java.util.function.Consumer;
  * <p>Thread rule: as {@link PlaybackOutput.Output}; the log itself belongs to the processing
  * thread.
  */
-record WingLogOutput(WingLog log, Path file, Player player) implements PlaybackOutput.Output {
-  /** Begins a log of the wing tracker in the chain; in the background. */
-  static WingLogOutput begin(Path file, WingLogFormat format, Player player) {
+record WingLogOutput(WingLog log, AtomicFile file, Player player) implements PlaybackOutput.Output {
+  /** Begins a log of the wing tracker in the chain, in a new file; in the background. */
+  static WingLogOutput begin(AtomicFile file, WingLogFormat format, Player player) {
     AtomicReference<WingLog> made = new AtomicReference<>();
-    onChain(player, chain -> made.set(open(chain, file, player.playable().name(), format)));
+    player.read(chain -> made.set(open(chain, file, player.playable().name(), format))).join();
     return new WingLogOutput(made.get(), file, player);
   }
 
-  private static WingLog open(FilterChain chain, Path file, String source, WingLogFormat format) {
+  private static WingLog open(
+      FilterChain chain, AtomicFile file, String source, WingLogFormat format) {
     WingTrackerFilter filter = WingsView.orRefuse(chain).filter();
-    return Unchecked.read(() -> WingLog.open(file, source, filter, format, true));
-  }
-
-  private static void onChain(Player player, Consumer<FilterChain> work) {
-    player.read(work).join();
+    return Unchecked.read(() -> WingLog.open(file, source, filter, format));
   }
 
   @Override
@@ -45,18 +41,28 @@ record WingLogOutput(WingLog log, Path file, Player player) implements PlaybackO
 
   @Override
   public String startMessage() {
-    return "Logging wings to " + file.getFileName();
+    return "Logging wings to " + file.path().getFileName();
+  }
+
+  @Override
+  public boolean isOver() {
+    return log.hasFailed();
   }
 
   @Override
   public String finish() {
-    onChain(player, chain -> Unchecked.write(this::close));
+    player.read(chain -> Unchecked.write(this::close)).join();
     return "Logged " + Texts.count(log.rows()) + " rows of wings";
   }
 
   private void close() throws IOException {
     try (log) {
-      log.finish();
+      try {
+        log.finish();
+      } catch (IOException | RuntimeException problem) {
+        log.keep();
+        throw new IOException(Texts.oneLine(problem) + "; what was logged before is kept", problem);
+      }
     }
   }
 }

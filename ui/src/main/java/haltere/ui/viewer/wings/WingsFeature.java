@@ -2,6 +2,7 @@ package haltere.ui.viewer.wings;
 
 import atlantafx.base.theme.Styles;
 import haltere.core.chain.FilterChain;
+import haltere.core.format.AtomicFile;
 import haltere.core.settings.Parameter;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingPart;
@@ -180,7 +181,11 @@ public final class WingsFeature implements ViewerFeature {
   /** Starts a log; replaces an existing file. */
   void log(Path file) {
     WingLogFormat format = logFormat.get();
-    log.start(open -> WingLogOutput.begin(file, format, open.player()));
+    log(open -> WingLogOutput.begin(AtomicFile.create(file, true), format, open.player()));
+  }
+
+  void log(PlaybackOutput.Factory<WingLogOutput> factory) {
+    log.start(factory);
   }
 
   /** The fly and its filters as they were seen last. */

@@ -129,7 +129,7 @@ class RecordedFileTest {
         new Recorder(new FullDisk(), BlobSource.GEOMETRY, OverflowPolicy.DROP_NEWEST);
     RecordedFile full = RecordedFile.of(folder.resolve("out.aedat4"), recorder);
     viewer.run(() -> viewer.window.feature(SavingFeature.class).record(open -> full));
-    viewer.waitFor("it ends", () -> full.isOver().getAsBoolean() && !recording());
+    viewer.waitFor("it ends", () -> full.isOver() && !recording());
     viewer.waitFor(
         "it says why",
         () -> said().contains("the recording could not be written: No space left on device"));

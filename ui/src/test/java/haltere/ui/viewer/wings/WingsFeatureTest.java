@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.format.AtomicFile;
 import haltere.core.playback.ScenePlayable;
 import haltere.core.simulation.internal.fly.FlyScene;
 import haltere.core.simulation.internal.fly.FlySceneSettings;
@@ -18,6 +19,9 @@ import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.picture.ViewTool;
 import haltere.ui.viewer.session.InitialView;
 import haltere.ui.viewer.session.SessionRequest;
+import haltere.ui.wing.WingLogFormat;
+import haltere.ui.wing.WingLogFormat.Layout;
+import haltere.ui.wing.WingLogFormat.Rows;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -241,6 +245,37 @@ class WingsFeatureTest {
           tool.dragged(toX, toY);
           tool.released(toX, toY);
         });
+  }
+
+  @Test
+  void logOnAFullDiskEndsAndIsKept() throws IOException {
+    Path file = folder.resolve("wings.txt");
+    AtomicFile disk = AtomicFile.create(file, true);
+    viewer.run(
+        () ->
+            wings.log(
+                open ->
+                    WingLogOutput.begin(
+                        disk, new WingLogFormat(Rows.EVENT, Layout.TABLE), open.player())));
+    viewer.waitFor("it logs", () -> viewer.text("status-message").startsWith("Logging"));
+    // from here on nothing can be written
+    disk.channel().close();
+    viewer.waitFor(
+        "it says why", () -> viewer.text("status-message").endsWith("logged before is kept"));
+    assertFalse(
+        viewer.onFx(
+            () ->
+                viewer
+                    .window
+                    .context()
+                    .actions()
+                    .find("wings-log")
+                    .orElseThrow()
+                    .on()
+                    .orElseThrow()
+                    .get()));
+    assertFalse(viewer.text("status-message").contains("haltere."), viewer.text("status-message"));
+    assertTrue(Files.readAllLines(file).get(0).startsWith("# haltere"));
   }
 
   @Test
