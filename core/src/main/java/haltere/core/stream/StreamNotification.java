@@ -36,4 +36,14 @@ public sealed interface StreamNotification
    * @return true if a filter should reset itself by default
    */
   boolean endsContinuity();
+
+  /**
+   * Whether events after this are of another time, so that what was made of those before is
+   * obsolete: as {@link #endsContinuity()}, except that time goes on after lost data.
+   *
+   * @return true if a picture of the events should be cleared
+   */
+  default boolean restartsTime() {
+    return endsContinuity() && !(this instanceof DataLost);
+  }
 }

@@ -2,7 +2,6 @@ package haltere.filters.frequency;
 
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
-import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import java.util.Arrays;
@@ -105,7 +104,7 @@ public final class RegionMeter implements StreamHandler {
 
   @Override
   public void notified(StreamNotification notification) {
-    if (notification.endsContinuity() && !(notification instanceof DataLost)) {
+    if (notification.restartsTime()) {
       Arrays.fill(on, 0);
       Arrays.fill(off, 0);
       firstBin = NONE;

@@ -6,7 +6,6 @@ import haltere.core.event.EventPacket;
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.Overlay;
 import haltere.core.overlay.OverlayCanvas;
-import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.object.ObjectTrack;
@@ -129,7 +128,7 @@ public final class ContactSheet implements StreamHandler {
   @Override
   public void notified(StreamNotification notification) {
     frame.notified(notification);
-    if (notification.endsContinuity() && !(notification instanceof DataLost)) {
+    if (notification.restartsTime()) {
       baseUs = StreamNotification.NO_TIME_US;
       ended = panels.size();
     }

@@ -3,7 +3,6 @@ package haltere.ui.rendering;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import java.util.Arrays;
@@ -98,7 +97,7 @@ public final class EventFrame implements StreamHandler {
 
   @Override
   public void notified(StreamNotification notification) {
-    if (notification.endsContinuity() && !(notification instanceof DataLost)) {
+    if (notification.restartsTime()) {
       clear();
     }
   }

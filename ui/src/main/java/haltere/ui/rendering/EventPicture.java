@@ -2,7 +2,6 @@ package haltere.ui.rendering;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 
@@ -79,7 +78,7 @@ public final class EventPicture implements StreamHandler {
   @Override
   public void notified(StreamNotification notification) {
     frame.notified(notification);
-    if (gathered != null && notification.endsContinuity() && !(notification instanceof DataLost)) {
+    if (gathered != null && notification.restartsTime()) {
       gathered.clear();
     }
   }

@@ -4,7 +4,6 @@ import haltere.core.chain.FilterChain;
 import haltere.core.overlay.Overlay;
 import haltere.core.overlay.OverlayCanvas;
 import haltere.core.overlay.OverlayLayer;
-import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamNotification;
 import java.util.ArrayList;
 import java.util.List;
@@ -65,7 +64,7 @@ public final class OverlaySnapshots {
 
   /** Removes all snapshots if the notification ends continuity; returns whether it does. */
   public boolean notified(StreamNotification notification) {
-    boolean jumps = notification.endsContinuity() && !(notification instanceof DataLost);
+    boolean jumps = notification.restartsTime();
     if (jumps) {
       snapshots.forEach(LayerSnapshot::clear);
     }

@@ -1,7 +1,6 @@
 package haltere.ui.rendering;
 
 import haltere.core.event.EventPacket;
-import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 
@@ -57,7 +56,7 @@ public final class SpaceTimeCloud implements StreamHandler {
 
   @Override
   public void notified(StreamNotification notification) {
-    if (notification.endsContinuity() && !(notification instanceof DataLost)) {
+    if (notification.restartsTime()) {
       taken = 0;
     }
   }

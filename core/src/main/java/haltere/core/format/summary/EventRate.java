@@ -1,7 +1,6 @@
 package haltere.core.format.summary;
 
 import haltere.core.event.EventPacket;
-import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import java.util.stream.IntStream;
@@ -84,7 +83,7 @@ public final class EventRate implements StreamHandler {
 
   @Override
   public void notified(StreamNotification notification) {
-    if (notification.endsContinuity() && !(notification instanceof DataLost)) {
+    if (notification.restartsTime()) {
       baseUs = StreamNotification.NO_TIME_US;
     }
   }
