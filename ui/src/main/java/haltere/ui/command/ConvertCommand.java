@@ -66,13 +66,13 @@ final class ConvertCommand extends Subcommand {
       names = "--from",
       paramLabel = "US",
       description = "First time to copy, in microseconds on the recording's own clock.")
-  Long fromUs;
+  long fromUs = Long.MIN_VALUE;
 
   @Option(
       names = "--to",
       paramLabel = "US",
       description = "End of the part, in microseconds; events at this time are not copied.")
-  Long toUs;
+  long toUs = Long.MAX_VALUE;
 
   @Option(
       names = "--filter",
@@ -139,7 +139,7 @@ final class ConvertCommand extends Subcommand {
   }
 
   private void checkArguments() {
-    if (fromUs != null && toUs != null && fromUs >= toUs) {
+    if (fromUs >= toUs) {
       throw wrongArguments("--from " + fromUs + " must be before --to " + toUs);
     }
     checkEncoding();
@@ -200,13 +200,7 @@ final class ConvertCommand extends Subcommand {
     try (RecordingReader reader = reading.openWithReadings(in);
         ProgressBar bar = progressBar("converting", in)) {
       SampleExport export =
-          new SampleExport(
-              stream,
-              out,
-              writing.overwrite,
-              fromUs == null ? Long.MIN_VALUE : fromUs,
-              toUs == null ? Long.MAX_VALUE : toUs,
-              provenance(in));
+          new SampleExport(stream, out, writing.overwrite, fromUs, toUs, provenance(in));
       rows = export.run(reader, bar, () -> reading.requireComplete(reader));
       warnings.addAll(reader.remarks());
       warnings.addAll(reader.violations().describe(Set.of(Violation.OTHER_DATA)));
@@ -232,10 +226,7 @@ final class ConvertCommand extends Subcommand {
       FilterChain chain = chain(reader.geometry());
       Conversion conversion =
           new Conversion(
-              fromUs == null ? Long.MIN_VALUE : fromUs,
-              toUs == null ? Long.MAX_VALUE : toUs,
-              filters.isEmpty() ? Optional.empty() : Optional.of(chain),
-              bar);
+              fromUs, toUs, filters.isEmpty() ? Optional.empty() : Optional.of(chain), bar);
       done = conversion.run(reader, writer, reading.strict);
       chain.close();
     }
@@ -253,7 +244,7 @@ final class ConvertCommand extends Subcommand {
   }
 
   private boolean isPart() {
-    return fromUs != null || toUs != null;
+    return fromUs > Long.MIN_VALUE || toUs < Long.MAX_VALUE;
   }
 
   private FilterChain chain(SensorGeometry geometry) {

@@ -7,7 +7,6 @@ import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.playback.PlaybackController;
-import java.util.OptionalLong;
 import javafx.beans.binding.BooleanExpression;
 
 /** The actions of playback and their keys. */
@@ -84,11 +83,10 @@ final class PlaybackFeature implements ViewerFeature {
         "Time, as 1:02.345 or 250 ms",
         here,
         text -> {
-          OptionalLong us = Texts.parseTime(text);
-          us.ifPresent(at -> jump(window, text, at));
-          if (us.isEmpty()) {
-            window.status().showError(text + " is not a time such as 1:02.345 or 250 ms");
-          }
+          String refusal = text + " is not a time such as 1:02.345 or 250 ms";
+          Texts.parseTime(text)
+              .ifPresentOrElse(
+                  us -> jump(window, text, us), () -> window.status().showError(refusal));
         });
   }
 

@@ -7,11 +7,11 @@ import haltere.core.format.internal.hdf5.Hdf5TableWriter.NumberType;
 import haltere.core.pipeline.ResultFiles;
 import haltere.core.sink.TableMetadata;
 import haltere.core.sink.TableSink;
+import haltere.core.sink.internal.Unchecked;
 import haltere.filters.orientation.OrientationEstimate;
 import haltere.filters.orientation.camera.ObservationFile;
 import java.io.Closeable;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -90,26 +90,24 @@ public final class OrientationTable implements BiConsumer<String, OrientationEst
   private static void append(
       Hdf5TableWriter table, String object, OrientationEstimate now, long frame) {
     double[] line = now.hzLine();
-    try {
-      table.append(
-          number(object),
-          frame,
-          now.xM(),
-          now.yM(),
-          now.zM(),
-          line[0],
-          line[1],
-          line[2],
-          line[3],
-          line[4],
-          line[5],
-          now.timeUs() * 1e-6,
-          now.sdAxisRad(),
-          now.used(),
-          now.rejected());
-    } catch (IOException thrown) {
-      throw new UncheckedIOException(thrown);
-    }
+    Unchecked.write(
+        () ->
+            table.append(
+                number(object),
+                frame,
+                now.xM(),
+                now.yM(),
+                now.zM(),
+                line[0],
+                line[1],
+                line[2],
+                line[3],
+                line[4],
+                line[5],
+                now.timeUs() * 1e-6,
+                now.sdAxisRad(),
+                now.used(),
+                now.rejected()));
   }
 
   private static double number(String object) throws IOException {

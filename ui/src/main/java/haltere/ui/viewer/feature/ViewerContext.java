@@ -75,11 +75,9 @@ public record ViewerContext(
   /** Adds a listener to a new session before it plays, as one of the {@link #steps()}. */
   public void onSession(Consumer<ViewerSession> listener) {
     sessions.onChange(
-        (was, is) -> is.ifPresent(made -> steps.execute(() -> callWhileShown(made, listener))));
-  }
-
-  private void callWhileShown(ViewerSession made, Consumer<ViewerSession> listener) {
-    sessions.session().filter(shown -> shown == made).ifPresent(listener);
+        (was, is) ->
+            steps.execute(
+                () -> is.filter(made -> sessions.session().equals(is)).ifPresent(listener)));
   }
 
   /** Applies a task to the open session, if any. */

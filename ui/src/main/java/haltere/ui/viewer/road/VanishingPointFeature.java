@@ -25,12 +25,10 @@ public final class VanishingPointFeature implements ViewerFeature {
   /** The tracks of a chain and their settings, read off on the processing thread. */
   private record Tracks(ChainStage stage, KalmanTracksSettings settings) {
     static Optional<Tracks> of(FilterChain chain) {
-      for (ChainStage stage : chain.stages()) {
-        if (stage.filter() instanceof KalmanTracksFilter filter) {
-          return Optional.of(new Tracks(stage, filter.settings()));
-        }
-      }
-      return Optional.empty();
+      return chain.stages().stream()
+          .filter(stage -> stage.filter() instanceof KalmanTracksFilter)
+          .map(stage -> new Tracks(stage, ((KalmanTracksFilter) stage.filter()).settings()))
+          .findFirst();
     }
 
     VanishingPoint point() {

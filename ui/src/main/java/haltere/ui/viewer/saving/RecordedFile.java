@@ -66,7 +66,7 @@ record RecordedFile(Path file, StreamHandler sink, BooleanSupplier ended, Callab
     return new RecordedFile(
         file,
         recorder,
-        () -> recorder.report().stoppedBy().isPresent() || hasFailed(recorder.report()),
+        () -> recorder.report().stoppedBy().isPresent() || recorder.report().failure().isPresent(),
         () -> {
           RecorderReport report = recorder.finish();
           boolean jumped = report.stoppedBy().filter(Reset.class::isInstance).isPresent();
@@ -96,7 +96,7 @@ record RecordedFile(Path file, StreamHandler sink, BooleanSupplier ended, Callab
         session,
         () ->
             session.endedEarly().isPresent()
-                || session.parts().stream().anyMatch(part -> hasFailed(part.report())),
+                || session.parts().stream().anyMatch(part -> part.report().failure().isPresent()),
         () -> {
           List<SessionRecorder.Part> parts = session.finish();
           long events = parts.stream().mapToLong(part -> part.report().written()).sum();
@@ -107,10 +107,6 @@ record RecordedFile(Path file, StreamHandler sink, BooleanSupplier ended, Callab
               + (lost > 0 ? "; the disk was too slow for " + Texts.count(lost) : "")
               + session.endedEarly().map(line -> "; " + line).orElse("");
         });
-  }
-
-  private static boolean hasFailed(RecorderReport report) {
-    return report.failure().isPresent();
   }
 
   private static String label(Path file, long events) {

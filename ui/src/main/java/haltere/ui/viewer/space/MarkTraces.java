@@ -21,13 +21,7 @@ final class MarkTraces {
   record TracePoint(long timeUs, double x, double y) {}
 
   /** Positions of one mark in ascending order of their times. */
-  record Trace(MarkStyle style, List<TracePoint> positions) {}
-
-  /** The n-th mark of a style at a moment. */
-  private record Key(MarkStyle style, int number) {}
-
-  /** A trace that continues, or has ended. */
-  private record MarkTrace(MarkStyle style, Deque<TracePoint> positions) {
+  record Trace(MarkStyle style, Deque<TracePoint> positions) {
     void removeBefore(long timeUs) {
       while (!positions.isEmpty() && positions.getFirst().timeUs() < timeUs) {
         positions.removeFirst();
@@ -35,19 +29,22 @@ final class MarkTraces {
     }
   }
 
-  private final List<MarkTrace> traces = new ArrayList<>();
-  private Map<Key, MarkTrace> open = new HashMap<>();
+  /** The n-th mark of a style at a moment. */
+  private record Key(MarkStyle style, int number) {}
+
+  private final List<Trace> traces = new ArrayList<>();
+  private Map<Key, Trace> open = new HashMap<>();
 
   /** Adds the positions of all marks at a time. */
   void add(long timeUs, List<OverlaySnapshots.Marks<?>> marks) {
     MarkCollector collector = new MarkCollector();
     marks.forEach(each -> each.draw(timeUs, collector));
-    Map<Key, MarkTrace> now = new HashMap<>();
+    Map<Key, Trace> now = new HashMap<>();
     collector.positions.forEach(
         (key, position) -> {
-          MarkTrace trace = open.get(key);
+          Trace trace = open.get(key);
           if (trace == null) {
-            trace = new MarkTrace(key.style(), new ArrayDeque<>());
+            trace = new Trace(key.style(), new ArrayDeque<>());
             traces.add(trace);
           }
           trace.positions().add(new TracePoint(timeUs, position[0], position[1]));
@@ -69,7 +66,7 @@ final class MarkTraces {
 
   List<Trace> copy() {
     return traces.stream()
-        .map(trace -> new Trace(trace.style(), List.copyOf(trace.positions())))
+        .map(trace -> new Trace(trace.style(), new ArrayDeque<>(trace.positions())))
         .toList();
   }
 

@@ -185,14 +185,13 @@ record SpaceTimeMarks(
   /** Draws marks and traces of a moment. */
   void draw(SpaceTimeSink.Frame frame) {
     for (MarkTraces.Trace trace : frame.traces) {
-      List<MarkTraces.TracePoint> positions = trace.positions();
-      double[] x = new double[positions.size()];
-      double[] y = new double[positions.size()];
-      for (int i = 0; i < x.length; i++) {
-        MarkTraces.TracePoint at = positions.get(i);
+      double[] x = new double[trace.positions().size()];
+      double[] y = new double[x.length];
+      int i = 0;
+      for (MarkTraces.TracePoint at : trace.positions()) {
         double[] place = project(new double[] {at.x(), at.y(), frame.nowUs - at.timeUs()});
         x[i] = place[0];
-        y[i] = place[1];
+        y[i++] = place[1];
       }
       canvas.polyline(x, y, x.length, trace.style());
     }

@@ -58,8 +58,7 @@ final class FlyTool implements ViewTool {
 
   @Override
   public void pressed(double x, double y) {
-    atX = x;
-    atY = y;
+    dragged(x, y);
     grip = geometry().map(fly -> gripAt(fly, x, y)).orElse(FlyPart.NONE);
   }
 

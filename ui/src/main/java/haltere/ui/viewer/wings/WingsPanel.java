@@ -5,8 +5,10 @@ import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingOutputSettings;
 import haltere.filters.wing.WingPart;
 import haltere.ui.viewer.controls.Controls;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.ChoiceBox;
@@ -17,12 +19,8 @@ import javafx.scene.layout.VBox;
 
 /** The wing tracker's filters: their edges, and the numbers of each filter, live. */
 final class WingsPanel extends ScrollPane {
-  private static final List<WingPart> EDGES =
-      List.of(
-          WingPart.LEFT_LEADING,
-          WingPart.LEFT_TRAILING,
-          WingPart.RIGHT_LEADING,
-          WingPart.RIGHT_TRAILING);
+  private static final Set<WingPart> EDGES =
+      EnumSet.range(WingPart.LEFT_LEADING, WingPart.RIGHT_TRAILING);
 
   private static final double CHOICE_WIDTH = 130;
 

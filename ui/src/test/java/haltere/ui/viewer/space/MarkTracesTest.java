@@ -38,7 +38,7 @@ class MarkTracesTest {
     assertEquals(MarkStyle.of(Role.ESTIMATE, 7), trace.style());
     assertEquals(
         List.of(new MarkTraces.TracePoint(10, 1, 5), new MarkTraces.TracePoint(20, 4, 5)),
-        trace.positions());
+        List.copyOf(trace.positions()));
   }
 
   @Test
@@ -46,7 +46,7 @@ class MarkTracesTest {
     add(10, WING, 30);
     add(20, WING, 31);
     assertEquals(1, traces.copy().size(), "for both edges");
-    assertEquals(new MarkTraces.TracePoint(20, 31, 1), traces.copy().get(0).positions().get(1));
+    assertEquals(new MarkTraces.TracePoint(20, 31, 1), traces.copy().get(0).positions().getLast());
   }
 
   @Test
@@ -56,7 +56,9 @@ class MarkTracesTest {
     add(30, OBJECT, 2);
     assertEquals(2, traces.copy().size());
     traces.removeBefore(15);
-    assertEquals(List.of(new MarkTraces.TracePoint(30, 2, 5)), traces.copy().get(0).positions());
+    assertEquals(
+        List.of(new MarkTraces.TracePoint(30, 2, 5)),
+        List.copyOf(traces.copy().get(0).positions()));
     traces.clear();
     assertEquals(List.of(), traces.copy());
     add(40, OBJECT, 3);

@@ -11,6 +11,7 @@ import haltere.ui.rendering.Letters;
 import haltere.ui.rendering.OverlaySnapshots;
 import haltere.ui.rendering.SpaceTimeProjection;
 import haltere.ui.rendering.SpaceTimeView;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -122,9 +123,10 @@ class SpaceTimeMarksTest {
         List.of(
             new MarkTraces.Trace(
                 MarkStyle.of(Role.ESTIMATE, 1),
-                List.of(
-                    new MarkTraces.TracePoint(400_000, 50, 50),
-                    new MarkTraces.TracePoint(500_000, 50, 50))));
+                new ArrayDeque<>(
+                    List.of(
+                        new MarkTraces.TracePoint(400_000, 50, 50),
+                        new MarkTraces.TracePoint(500_000, 50, 50)))));
     Notes notes = notes(90, 100_000, frame);
     double[] trace = notes.lines.get(notes.lines.size() - 1);
     assertEquals(notes.texts.get("1")[0], trace[2], 1e-9, "the trace ends at the mark");
