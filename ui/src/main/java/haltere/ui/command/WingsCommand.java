@@ -183,6 +183,7 @@ final class WingsCommand extends Subcommand {
   private void writeGeometry() throws IOException {
     if (geometry != null) {
       AtomicFile.write(geometry, Json.write(summary.geometry()) + "\n", writing.overwrite);
+      message("wrote " + geometry);
     }
   }
 

@@ -58,6 +58,7 @@ class WingsCommandTest {
             "500");
     assertEquals(0, run.status(), run.err());
     assertTrue(run.err().contains("wrote " + log + " ("), run.err());
+    assertTrue(run.err().contains("wrote " + geometry), run.err());
     List<String> rows = Files.readAllLines(wings);
     assertEquals(
         "t_us,edge,angle_rad,centre_rad,amplitude_rad,phase_rad,frequency_hz,sd_angle_rad,"
