@@ -81,7 +81,7 @@ public final class CameraFeature implements ViewerFeature {
     open = session.flatMap(ViewerSession::camera);
     isUnpluggedShown = false;
     panel.setCamera(open.map(CameraPlayable::camera));
-    window.status().setLive("", 0);
+    window.status().setLive("", 0, false);
     drawing.set(drawing.get() && open.isPresent());
     if (hadCamera || open.isPresent()) {
       shown.set(open.isPresent());
@@ -204,14 +204,11 @@ public final class CameraFeature implements ViewerFeature {
   private void pulse(CameraPlayable shown) {
     CameraStatistics now = shown.camera().statistics();
     panel.update(now);
-    window.status().setLive(CameraPanel.line(now), now.lostEvents());
     boolean gone = shown.isUnplugged();
+    window.status().setLive(gone ? "" : CameraPanel.line(now), now.lostEvents(), gone);
     if (gone && !isUnpluggedShown) {
-      window
-          .status()
-          .showError(
-              shown.camera().info().id()
-                  + " was unplugged; it continues when it is plugged in again");
+      String id = shown.camera().info().id();
+      window.status().showError(id + " was unplugged; it continues when it is plugged in again");
     } else if (!gone && isUnpluggedShown) {
       window.status().clearError();
     }

@@ -53,6 +53,7 @@ public final class StatusLine extends HBox {
               + " arrival to the end of its work");
   private long runUpNanos;
   private long lostByCamera;
+  private boolean silent;
   private String error = "";
   private String details = "";
   private String playerMessage = "";
@@ -75,7 +76,7 @@ public final class StatusLine extends HBox {
         Controls.button(
             "details", Icons.MORE, "All that is known of this", this::showDetails, Styles.SMALL);
     getChildren().addAll(message, more, dismiss, live, dropped, frames, speed, time, rate);
-    setLive("", 0);
+    setLive("", 0, false);
     clearError();
   }
 
@@ -94,9 +95,13 @@ public final class StatusLine extends HBox {
     showMessage();
   }
 
-  /** Shows the state of a live camera, which may lose events in a pause; empty text for none. */
-  public void setLive(String words, long lostEvents) {
+  /**
+   * Shows the state of a live camera, which may lose events in a pause; empty text for none. While
+   * it sends nothing, the last rate and speed are not shown.
+   */
+  public void setLive(String words, long lostEvents, boolean isSilent) {
     lostByCamera = lostEvents;
+    silent = isSilent;
     live.setText(words);
     live.setManaged(!words.isEmpty());
   }
@@ -144,9 +149,9 @@ public final class StatusLine extends HBox {
     if (timed || !isReverse) {
       // backwards, numbers of the last shown moment remain until the next is computed
       time.setText(timed ? "t " + status.timeUs() + " \u00b5s" : "");
-      rate.setText(Texts.rate(status.eventRateEps()));
+      rate.setText(silent ? "" : Texts.rate(status.eventRateEps()));
     }
-    boolean playing = status.state() == State.PLAYING;
+    boolean playing = status.state() == State.PLAYING && !silent;
     Controls.show(playing, speed);
     Controls.show(playing && getWidth() > WIDE_PX, frames);
     speed.setText(playing ? Texts.reached(status) : "");

@@ -81,6 +81,23 @@ class CameraFeatureTest {
   }
 
   @Test
+  void unpluggedCameraHasNoRateAndNoSpeed() {
+    try (ViewerHarness harness = new ViewerHarness()) {
+      CameraFeature feature = openFly(harness);
+      harness.waitFor("the speed", () -> harness.isThere("status-speed"));
+      harness.waitFor("the rate", () -> harness.text("status-rate").endsWith("ev/s"));
+      harness.run(feature::togglePlug);
+      harness.waitFor("why", () -> harness.text("status-message").contains("was unplugged"));
+      harness.waitFor(
+          "no old numbers",
+          () -> !harness.isThere("status-speed") && harness.text("status-rate").isEmpty());
+      harness.run(feature::togglePlug);
+      harness.waitFor("the speed again", () -> harness.isThere("status-speed"));
+      harness.waitFor("the rate again", () -> harness.text("status-rate").endsWith("ev/s"));
+    }
+  }
+
+  @Test
   void panelOfACameraIsClosedWithIt() {
     try (ViewerHarness harness = new ViewerHarness()) {
       openFly(harness);
