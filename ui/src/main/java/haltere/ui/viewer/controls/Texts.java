@@ -210,9 +210,14 @@ public final class Texts {
     return withoutOptions(text.lines().findFirst().orElse(text)).strip();
   }
 
-  /** A message without options of the command line, which mean nothing in the window. */
+  /**
+   * A message without hints in parentheses to options of the command line, which mean nothing in
+   * the window. An option that is the only remedy is named with its command.
+   */
   public static String withoutOptions(String message) {
-    return message.replaceAll(" \\(--[^)]*\\)", "");
+    return message
+        .replaceAll(" \\(--[^)]*\\)", "")
+        .replaceFirst("--(?=sensor|topic|format aedat2)", "haltere view --");
   }
 
   /** All details of a problem, for a report. */

@@ -5,7 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.OptionalLong;
+import java.util.concurrent.CompletionException;
 import org.junit.jupiter.api.Test;
 
 class TextsTest {
@@ -55,6 +58,30 @@ class TextsTest {
     assertEquals(OptionalLong.of(3_000_000), Texts.parseTime("3"));
     assertEquals(OptionalLong.empty(), Texts.parseTime("soon"));
     assertEquals(OptionalLong.empty(), Texts.parseTime("-3 s"));
+  }
+
+  @Test
+  void optionsOfTheCommandLineAreLeftOutOrNamedWithTheirCommand() {
+    assertEquals(
+        "its size was taken from the events",
+        Texts.withoutOptions("its size was taken from the events (--sensor WxH states it)"));
+    assertEquals(
+        "state the sensor's size with haltere view --sensor WxH",
+        Texts.withoutOptions("state the sensor's size with --sensor WxH"));
+    assertEquals(
+        "/a and /b are read; haltere view --topic chooses another: /c",
+        Texts.withoutOptions("/a and /b are read; --topic chooses another: /c"));
+    assertEquals(
+        "it is not AEDAT-3; leave out --format",
+        Texts.withoutOptions("it is not AEDAT-3; leave out --format"));
+  }
+
+  @Test
+  void problemsOfFilesAreShownWithoutNamesOfExceptions() {
+    IOException full = new IOException("No space left on device");
+    assertEquals(
+        "No space left on device",
+        Texts.oneLine(new CompletionException(new UncheckedIOException(full))));
   }
 
   @Test
