@@ -10,6 +10,7 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import javafx.scene.Node;
@@ -29,8 +30,10 @@ final class LayoutFeature implements ViewerFeature {
     window = installed;
     layouts.putAll(window.settings().map(NAME));
     addKeys(window.actions(), window.panels().panelLayout());
-    window.actions().add("keep-layout", this::ask);
-    window.actions().add("layout-picture", this::hideOrRestorePanels);
+    Set<String> names = layouts.keySet();
+    ViewerActions actions = window.actions();
+    actions.add("keep-layout", () -> Windows.askName(window.stage(), "layout", names, this::keep));
+    actions.add("layout-picture", this::hideOrRestorePanels);
     offer();
   }
 
@@ -52,10 +55,6 @@ final class LayoutFeature implements ViewerFeature {
     long here = areas.stream().takeWhile(area -> !FocusOrder.isWithin(focus, area)).count();
     int next = here == areas.size() ? 0 : Math.floorMod(here + panels, areas.size());
     FocusOrder.of(areas.get(next)).stream().findFirst().ifPresent(FocusOrder::mark);
-  }
-
-  private void ask() {
-    Windows.ask(window.stage(), "Layout", "Name of the layout", "", this::keep);
   }
 
   /** Saves the present layout under a name, in place of an earlier one. */

@@ -10,13 +10,13 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
+import java.util.TreeMap;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 
@@ -62,7 +62,7 @@ public final class PresetFeature implements ViewerFeature {
   }
 
   private void keep(ChainEditor chain) {
-    Windows.ask(window.stage(), "Preset", "Name of the preset", "", name -> save(name, chain));
+    Windows.askName(window.stage(), "preset", names, name -> save(name, chain));
   }
 
   /** Keeps a chain under a name. */
@@ -88,16 +88,14 @@ public final class PresetFeature implements ViewerFeature {
 
   /** Contents of the files by the names of the chains, in alphabetical order. */
   private static Map<String, String> read(Path folder) throws IOException {
-    Map<String, String> kept = new LinkedHashMap<>();
+    Map<String, String> kept = new TreeMap<>();
     if (Files.isDirectory(folder)) {
-      try (Stream<Path> files = Files.list(folder)) {
-        for (Path file : files.sorted().toList()) {
+      try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, "*" + ENDING)) {
+        for (Path file : files) {
           String name = file.getFileName().toString();
-          if (name.endsWith(ENDING)) {
-            // any bytes: an invalid file must not break the menu
-            String json = Files.readString(file, StandardCharsets.ISO_8859_1);
-            kept.put(name.substring(0, name.length() - ENDING.length()), json);
-          }
+          // any bytes: an invalid file must not break the menu
+          String json = Files.readString(file, StandardCharsets.ISO_8859_1);
+          kept.put(name.substring(0, name.length() - ENDING.length()), json);
         }
       }
     }

@@ -1,6 +1,9 @@
 package haltere.ui.viewer.controls;
 
+import java.util.Collection;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import javafx.animation.PauseTransition;
 import javafx.scene.Node;
 import javafx.scene.Parent;
@@ -83,25 +86,42 @@ public final class Windows {
     window.addEventHandler(WindowEvent.WINDOW_SHOWN, event -> managed.play());
   }
 
+  /** Asks for a name of something to save; one that is used has to be confirmed. */
+  public static void askName(
+      Window owner, String kind, Collection<String> used, Consumer<String> named) {
+    ask(
+        owner,
+        Texts.capital(kind),
+        "Name of the " + kind,
+        "",
+        name -> {
+          if (used.contains(name)) {
+            Alert alert = new Alert(Alert.AlertType.CONFIRMATION, "Replace " + name + "?");
+            ask(owner, alert, ButtonType.OK::equals, ok -> named.accept(name));
+          } else {
+            named.accept(name);
+          }
+        });
+  }
+
   /** Asks for a line of text, and passes it on unless the dialog was cancelled or left empty. */
   public static void ask(
       Window owner, String title, String text, String usual, Consumer<String> answer) {
     TextInputDialog dialog = new TextInputDialog(usual);
-    dialog.initOwner(owner);
     dialog.setTitle(title);
-    dialog.setHeaderText(null);
-    dialog.setGraphic(null);
     dialog.setContentText(text);
     dialog.getEditor().setId("answer");
     dialog.getEditor().setAccessibleText(text);
-    dialog
-        .resultProperty()
-        .subscribe(
-            (was, is) -> {
-              if (is != null && !is.isBlank()) {
-                answer.accept(is.strip());
-              }
-            });
+    ask(owner, dialog, line -> !line.isBlank(), line -> answer.accept(line.strip()));
+  }
+
+  private static <T> void ask(
+      Window owner, Dialog<T> dialog, Predicate<T> isAnswer, Consumer<T> answer) {
+    dialog.initOwner(owner);
+    dialog.setHeaderText(null);
+    dialog.setGraphic(null);
+    dialog.setOnHidden(
+        event -> Optional.ofNullable(dialog.getResult()).filter(isAnswer).ifPresent(answer));
     show(dialog);
   }
 }
