@@ -51,6 +51,13 @@ final class PlotFeature implements ViewerFeature {
     FileDialogs dialogs = window.dialogs();
     actions.add(
         "plots-apart", detached, () -> (detached.get() ? shown : detached).set(true), () -> "");
+    actions.add(
+        "add-plot",
+        () -> {
+          shown.set(!detached.get());
+          window.steps().afterLayout(plots::showMenu);
+        },
+        window::nothingOpen);
     Supplier<String> noPlots = () -> plots.lanes().isEmpty() ? "nothing is plotted" : "";
     actions.add(
         "save-plot-table",

@@ -11,14 +11,20 @@ import haltere.ui.viewer.compare.CompareFeature;
 import haltere.ui.viewer.feature.UserSettings;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.ButtonType;
 import javafx.scene.control.ContentDisplay;
+import javafx.scene.control.DialogPane;
 import javafx.scene.control.Label;
+import javafx.scene.control.MenuButton;
 import javafx.scene.control.SplitPane;
 import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
+import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
@@ -72,6 +78,61 @@ class LayoutTest {
     assertEquals(
         Optional.empty(),
         viewer.onFx(() -> viewer.window.context().actions().find("layout-Wings")));
+  }
+
+  @Test
+  void usedNameIsReplacedOnlyIfThatIsConfirmed() {
+    viewer = ViewerHarness.withBlob();
+    viewer.run(() -> viewer.window.feature(LayoutFeature.class).keep("Mine"));
+    run("show-plots");
+    saveAs("Mine");
+    answer("Replace Mine?", ButtonType.CANCEL);
+    assertEquals(false, hasPlots("Mine"));
+    saveAs("Mine");
+    answer("Replace Mine?", ButtonType.OK);
+    assertEquals(true, hasPlots("Mine"));
+    saveAs("Yours");
+    assertEquals(true, hasPlots("Yours"));
+  }
+
+  private Object hasPlots(String layout) {
+    UserSettings settings = viewer.window.context().settings();
+    return viewer.onFx(() -> ((Map<?, ?>) settings.map("layouts").get(layout)).get("panel.plots"));
+  }
+
+  private void saveAs(String name) {
+    run("keep-layout");
+    viewer.waitFor("the name", () -> viewer.isThere("answer"));
+    viewer.run(() -> viewer.node("answer", TextField.class).setText(name));
+    answer("Name of the layout", ButtonType.OK);
+  }
+
+  private void answer(String question, ButtonType button) {
+    viewer.waitFor(question, () -> dialog(question).isPresent());
+    viewer.run(() -> ((Button) dialog(question).get().lookupButton(button)).fire());
+  }
+
+  private static Optional<DialogPane> dialog(String question) {
+    return Window.getWindows().stream()
+        .map(window -> window.getScene().getRoot())
+        .filter(DialogPane.class::isInstance)
+        .map(DialogPane.class::cast)
+        .filter(pane -> question.equals(pane.getContentText()))
+        .findFirst();
+  }
+
+  @Test
+  void plotIsAddedByACommand() {
+    viewer = ViewerHarness.withBlob();
+    run("add-plot");
+    MenuButton add = viewer.node("add-plot", MenuButton.class);
+    viewer.waitFor("the menu", () -> isInWindow("plots") && add.isShowing());
+    viewer.run(add::hide);
+    run("plots-apart");
+    viewer.waitFor("plots elsewhere", () -> viewer.isThere("plots") && !isInWindow("plots"));
+    run("add-plot");
+    viewer.waitFor("the menu there", () -> !isInWindow("plots") && add.isShowing());
+    viewer.run(add::hide);
   }
 
   @Test

@@ -156,6 +156,11 @@ public final class PlotPanel extends BorderPane {
     lanes.forEach(lane -> lane.followPublished(fields));
   }
 
+  /** Opens the menu of all that can be plotted. */
+  public void showMenu() {
+    add.show();
+  }
+
   /** Adds a lane below the others. */
   public void addLane(PlotField field) {
     PlotLane lane = new PlotLane(new Lane(field), window);
