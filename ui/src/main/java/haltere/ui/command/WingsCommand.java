@@ -1,6 +1,7 @@
 package haltere.ui.command;
 
 import haltere.core.chain.FilterChain;
+import haltere.core.chain.Outlet;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.AtomicFile;
 import haltere.core.json.internal.Json;
@@ -9,10 +10,7 @@ import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.pipeline.ResultFiles;
 import haltere.core.stream.StreamHandler;
-import haltere.filters.wing.WingBeat;
-import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingMethod;
-import haltere.filters.wing.WingPair;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTrackerFilter;
 import haltere.ui.command.results.WingsSummary;
@@ -167,9 +165,9 @@ final class WingsCommand extends Subcommand {
         writing::begin,
         provenance(file).chain(chain),
         files -> {
-          table(chain, files, "estimates", WingEstimate.class, out);
-          table(chain, files, "beats", WingBeat.class, beats);
-          table(chain, files, "pairs", WingPair.class, pairs);
+          table(files, filter.estimates(), out);
+          table(files, filter.beats(), beats);
+          table(files, filter.pairs(), pairs);
           if (log != null) {
             String source = file == null ? cameras.devices.get(0) : file.getFileName().toString();
             WingLog wingLog = WingLog.open(writing.begin(log), source, filter, logFormat());
@@ -187,11 +185,10 @@ final class WingsCommand extends Subcommand {
     }
   }
 
-  private static <R extends Record> void table(
-      FilterChain chain, ResultFiles files, String outlet, Class<R> type, Path file)
+  private static <R extends Record> void table(ResultFiles files, Outlet<R> outlet, Path file)
       throws IOException {
     if (file != null) {
-      files.write(chain.outlet(outlet, type), file);
+      files.write(outlet, file);
     }
   }
 

@@ -6,11 +6,8 @@ import haltere.core.settings.Parameter;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.sink.CsvSink;
 import haltere.filters.wing.ManualWingChange;
-import haltere.filters.wing.WingBeat;
-import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterState;
-import haltere.filters.wing.WingMeasurement;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTrackerFilter;
 import java.io.BufferedOutputStream;
@@ -106,9 +103,9 @@ public final class WingLog implements Closeable {
       return;
     }
     switch (format.rows()) {
-      case EVENT -> table("measurements", WingMeasurement.class);
-      case TICK -> table("estimates", WingEstimate.class);
-      case BEAT -> table("beats", WingBeat.class);
+      case EVENT -> table(filter.measurements());
+      case TICK -> table(filter.estimates());
+      case BEAT -> table(filter.beats());
     }
   }
 
@@ -121,38 +118,38 @@ public final class WingLog implements Closeable {
     rows = lines::rows;
     comments = lines::comment;
     if (when == WingLogFormat.Rows.EVENT) {
-      log("measurements", WingMeasurement.class, lines::event);
+      log(filter.measurements(), lines::event);
     } else {
-      subscribe("measurements", WingMeasurement.class, lines::keep);
-      log("estimates", WingEstimate.class, lines::tick);
+      subscriptions.add(filter.measurements().subscribe(lines::keep, this::fail));
+      log(filter.estimates(), lines::tick);
     }
   }
 
-  private <R extends Record> void table(String outlet, Class<R> type) throws IOException {
-    for (String column : CsvSink.columns(type)) {
+  private <R extends Record> void table(Outlet<R> outlet) throws IOException {
+    for (String column : CsvSink.columns(outlet.type())) {
       comment("column " + column + ": " + MEANINGS.get(column));
     }
     text.flush();
-    CsvSink<R> sink = CsvSink.on(out, type);
+    CsvSink<R> sink = CsvSink.on(out, outlet.type());
     table = sink;
     rows = sink::rows;
     comments = sink::comment;
-    log(outlet, type, sink);
+    log(outlet, sink);
   }
 
   /** Writes a row for each result of an outlet, after lines on changes since the last row. */
-  private <R> void log(String outlet, Class<R> type, Consumer<? super R> rowsOf) {
+  private <R> void log(Outlet<R> outlet, Consumer<? super R> rowsOf) {
     subscriptions.add(
         filter
             .manualChanges()
             .subscribe(change -> comments.accept("manual change: " + label(change)), this::fail));
-    subscribe(
-        outlet,
-        type,
-        row -> {
-          logChanges();
-          rowsOf.accept(row);
-        });
+    subscriptions.add(
+        outlet.subscribe(
+            row -> {
+              logChanges();
+              rowsOf.accept(row);
+            },
+            this::fail));
   }
 
   /** Says which settings are others from the next row on. */
@@ -195,14 +192,6 @@ public final class WingLog implements Closeable {
 
   private static String unit(Parameter parameter) {
     return parameter.unit().isEmpty() ? "" : " " + parameter.unit();
-  }
-
-  private <R> void subscribe(String name, Class<R> type, Consumer<? super R> consumer) {
-    for (Outlet<?> outlet : filter.outlets()) {
-      if (outlet.name().equals(name)) {
-        subscriptions.add(outlet.subscribe(row -> consumer.accept(type.cast(row)), this::fail));
-      }
-    }
   }
 
   private void fail(RuntimeException problem) {

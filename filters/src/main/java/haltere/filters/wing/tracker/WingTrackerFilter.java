@@ -82,6 +82,42 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
   }
 
   /**
+   * The estimates of each edge and each wing.
+   *
+   * @return one for each tick of the rate
+   */
+  public Outlet<WingEstimate> estimates() {
+    return estimates;
+  }
+
+  /**
+   * The measurements of the edges.
+   *
+   * @return one for each accepted event
+   */
+  public Outlet<WingMeasurement> measurements() {
+    return measurements;
+  }
+
+  /**
+   * The beats of each wing.
+   *
+   * @return one for each completed beat
+   */
+  public Outlet<WingBeat> beats() {
+    return beats;
+  }
+
+  /**
+   * The differences, sums and phase lags of both wings.
+   *
+   * @return one for each tick of the rate with both wings
+   */
+  public Outlet<WingPair> pairs() {
+    return pairs;
+  }
+
+  /**
    * {@return the outlet of manual changes of running Kalman filters; not among {@link #outlets()},
    * since it is not a result}
    */
