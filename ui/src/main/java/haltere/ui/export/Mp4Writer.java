@@ -4,7 +4,6 @@ import haltere.core.stream.internal.Daemon;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -100,8 +99,8 @@ public final class Mp4Writer implements FilmWriter {
     int[] argb = image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
     ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * argb.length);
     bytes.asIntBuffer().put(argb);
-    OutputStream pipe = process.getOutputStream();
-    hand(() -> pipe.write(bytes.array()), "ffmpeg has accepted no picture for " + seconds());
+    String late = "ffmpeg has accepted no picture for " + seconds();
+    hand(() -> process.getOutputStream().write(bytes.array()), late);
   }
 
   private void start(int width, int height) throws IOException {

@@ -54,13 +54,9 @@ public record PlotField(String stage, String outlet, String column) {
     List<PlotField> fields = new ArrayList<>();
     for (ChainStage stage : chain.innermostStages()) {
       for (Outlet<?> outlet : stage.filter().outlets()) {
-        PlotRow.of(outlet.type())
-            .ifPresent(
-                row ->
-                    row.columns()
-                        .forEach(
-                            column ->
-                                fields.add(new PlotField(stage.name(), outlet.name(), column))));
+        for (String column : PlotRow.of(outlet.type()).map(PlotRow::columns).orElse(List.of())) {
+          fields.add(new PlotField(stage.name(), outlet.name(), column));
+        }
       }
     }
     return fields;

@@ -7,6 +7,7 @@ import haltere.core.overlay.OverlayLayer;
 import haltere.core.stream.StreamNotification;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * Subscribes to the overlays of enabled filters and keeps the newest snapshot of each.
@@ -34,14 +35,10 @@ public final class OverlaySnapshots {
   /** The newest snapshots of enabled filters. */
   public List<Marks<?>> marks() {
     followChain();
-    List<Marks<?>> marks = new ArrayList<>(snapshots.size());
-    for (LayerSnapshot<?> each : snapshots) {
-      Marks<?> latest = each.latest();
-      if (latest != null) {
-        marks.add(latest);
-      }
-    }
-    return marks;
+    return snapshots.stream()
+        .<Marks<?>>map(LayerSnapshot::latest)
+        .filter(Objects::nonNull)
+        .toList();
   }
 
   /** Subscribes to the filters that are enabled now. */
@@ -64,11 +61,10 @@ public final class OverlaySnapshots {
 
   /** Removes all snapshots if the notification ends continuity; returns whether it does. */
   public boolean notified(StreamNotification notification) {
-    boolean jumps = notification.restartsTime();
-    if (jumps) {
+    if (notification.restartsTime()) {
       snapshots.forEach(LayerSnapshot::clear);
     }
-    return jumps;
+    return notification.restartsTime();
   }
 
   /** Ends all subscriptions; the processing thread has ended or calls this. */

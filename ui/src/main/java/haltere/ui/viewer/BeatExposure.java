@@ -38,9 +38,8 @@ final class BeatExposure implements ViewerFeature {
 
   private void say(boolean found) {
     if (!found) {
-      window
-          .status()
-          .setActivity("One wing beat: add a wing tracker to the chain; until then it lasts 5 ms.");
+      String advice = "One wing beat: add a wing tracker to the chain; until then it lasts 5 ms.";
+      window.status().setActivity(advice);
     }
   }
 

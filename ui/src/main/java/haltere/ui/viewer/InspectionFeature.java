@@ -13,6 +13,7 @@ import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.picture.MeasuringTape;
 import haltere.ui.viewer.picture.RegionMarks;
 import haltere.ui.viewer.picture.RegionTool;
+import haltere.ui.viewer.session.ViewerSession;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javafx.animation.PauseTransition;
@@ -108,11 +109,8 @@ public final class InspectionFeature implements ViewerFeature {
   }
 
   private SensorGeometry sensor() {
-    return window
-        .sessions()
-        .session()
-        .map(open -> open.player().playable().geometry())
-        .orElse(new SensorGeometry(1, 1));
+    Optional<ViewerSession> open = window.sessions().session();
+    return open.map(it -> it.player().playable().geometry()).orElse(new SensorGeometry(1, 1));
   }
 
   /** Watches a region, or none. */

@@ -1,6 +1,7 @@
 package haltere.ui.viewer.chain;
 
 import atlantafx.base.theme.Styles;
+import haltere.core.chain.FilterProvider;
 import haltere.core.chain.Filters;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
@@ -31,11 +32,9 @@ final class AddFilterMenu extends MenuButton {
     wanted.setPromptText("Search filters");
     wanted.setAccessibleText("Search filters");
     List<Item> items = new ArrayList<>();
-    Filters.all()
-        .values()
-        .forEach(
-            found ->
-                items.add(new Item(found.name(), found.description(), () -> editor.add(found))));
+    for (FilterProvider<?> found : Filters.all().values()) {
+      items.add(new Item(found.name(), found.description(), () -> editor.add(found)));
+    }
     items.add(
         new Item(
             "chain",

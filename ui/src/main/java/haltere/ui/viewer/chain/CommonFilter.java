@@ -37,12 +37,12 @@ public enum CommonFilter {
 
   /** Whether all of its filters are in a chain and on. */
   public boolean isOn(List<StageState> stages) {
-    return kinds.stream()
-        .allMatch(
-            kind ->
-                stages.stream()
-                    .map(StageState::stage)
-                    .anyMatch(stage -> stage.kind().equals(kind) && stage.isEnabled()));
+    return stages.stream()
+        .map(StageState::stage)
+        .filter(ChainStage::isEnabled)
+        .map(ChainStage::kind)
+        .toList()
+        .containsAll(kinds);
   }
 
   /**

@@ -14,6 +14,7 @@ import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.PanelLayout;
+import haltere.ui.viewer.feature.ViewBar;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.EventView;
@@ -82,7 +83,8 @@ public final class CompareFeature implements ViewerFeature {
     Region bar = new Region();
     bar.getStyleClass().addAll("view-bar");
     // as tall as the first picture's bar, so that both pictures have the same height
-    bar.minHeightProperty().bind(window.panels().viewBar().heightProperty());
+    ViewBar viewBar = window.panels().viewBar();
+    bar.minHeightProperty().bind(viewBar.heightProperty());
     BorderPane named = new BorderPane(view);
     VBox above = new VBox(bar, secondName);
     named.setTop(above);
@@ -105,10 +107,7 @@ public final class CompareFeature implements ViewerFeature {
         .bind(Bindings.when(seen).then(named.widthProperty()).otherwise(Double.MAX_VALUE));
     window.actions().add("compare", shown, () -> shown.get() ? "" : window.nothingOpen());
     ToggleButton button =
-        window
-            .panels()
-            .viewBar()
-            .tool("tool-compare", Icons.COMPARE, "Compare with a second chain (Ctrl+D)", shown);
+        viewBar.tool("tool-compare", Icons.COMPARE, "Compare with a second chain (Ctrl+D)", shown);
     Controls.unless(window.nothingOpen(), button);
     shown.subscribe(
         (was, is) -> {

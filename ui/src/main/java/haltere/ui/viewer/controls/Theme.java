@@ -37,8 +37,6 @@ public enum Theme {
   /** Makes it the style of all windows. */
   public void apply() {
     Application.setUserAgentStylesheet(
-        this == DARK
-            ? new PrimerDark().getUserAgentStylesheet()
-            : new PrimerLight().getUserAgentStylesheet());
+        (this == DARK ? new PrimerDark() : new PrimerLight()).getUserAgentStylesheet());
   }
 }

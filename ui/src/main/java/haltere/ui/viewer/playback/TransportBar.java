@@ -89,7 +89,6 @@ public final class TransportBar extends HBox {
     playback.loopProperty().subscribe(now -> loop.setSelected(now.on()));
     Controls.help(elapsed, "Time since the start");
     Controls.help(remaining, "Time until the end, or until the newest event");
-    Region space = Controls.growing(new Region());
     getChildren()
         .addAll(
             Controls.button("rewind", Icons.REWIND, "Back to the start (R)", playback::rewind),
@@ -113,7 +112,7 @@ public final class TransportBar extends HBox {
             new Separator(Orientation.VERTICAL),
             Controls.button("reset-filters", Icons.RESET, "Reset all filters (Z)", playback::reset),
             tools,
-            space,
+            Controls.growing(new Region()),
             elapsed,
             remaining);
     getChildren().stream()

@@ -76,7 +76,6 @@ public final class PlotPanel extends BorderPane {
     follow.setAccessibleText("Follow the newest values");
     follow.setSelected(true);
     follow.setOnAction(event -> setFollowing(follow.isSelected()));
-    Region space = Controls.growing(new Region());
     HBox head =
         Controls.row(
             6,
@@ -86,7 +85,7 @@ public final class PlotPanel extends BorderPane {
             span,
             Controls.button("plot-more-time", Icons.ADD, "Show more time", () -> zoom(2, 1)),
             lost,
-            space,
+            Controls.growing(new Region()),
             Controls.button("plot-clear", Icons.RESET, "Clear the plots", this::clear));
     head.getStyleClass().addAll("plots-head");
     laneBox.setFillWidth(true);

@@ -10,7 +10,6 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.io.IOException;
 import java.time.Clock;
-import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import javafx.application.Platform;
 
@@ -72,15 +71,5 @@ public final class PublishFeature implements ViewerFeature {
         .join();
     made.get().onFailure(text -> Platform.runLater(() -> window.status().showError(text)));
     return new Sending(made.get());
-  }
-
-  /** Stops sending. */
-  public void stop() {
-    sending.stop();
-  }
-
-  /** Address of the results. */
-  public Optional<String> address() {
-    return sending.output().map(now -> now.sink().address());
   }
 }

@@ -2,6 +2,7 @@ package haltere.ui.viewer.space;
 
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.feature.PanelLayout;
+import haltere.ui.viewer.feature.ViewBar;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.session.ViewerSession;
@@ -23,10 +24,8 @@ public final class SpaceTimeFeature implements ViewerFeature {
     window = installed;
     panel = new SpaceTimePanel(window.display().marksProperty());
     shown = window.addPanel("space-time", PanelLayout.Position.BESIDE, () -> panel);
-    window
-        .panels()
-        .viewBar()
-        .tool("tool-space-time", Icons.CUBE, "Events in space and time (Ctrl+T)", shown);
+    ViewBar bar = window.panels().viewBar();
+    bar.tool("tool-space-time", Icons.CUBE, "Events in space and time (Ctrl+T)", shown);
     shown.subscribe((was, is) -> follow(window.sessions().session()));
     window
         .sessions()

@@ -239,8 +239,9 @@ class CameraFeatureTest {
       harness.waitFor("the filter", button::isSelected);
       PublishFeature feature = harness.window.feature(PublishFeature.class);
       harness.run(() -> feature.start("tcp://127.0.0.1:0"));
-      harness.waitFor("an address", () -> feature.address().isPresent());
-      int port = LineAddress.parse(harness.onFx(() -> feature.address().orElseThrow())).port();
+      harness.waitFor("an address", () -> harness.text("status-message").startsWith("Sending"));
+      String address = harness.text("status-message").replace("Sending results at ", "");
+      int port = LineAddress.parse(address).port();
       try (Socket socket = new Socket("127.0.0.1", port);
           BufferedReader reader =
               new BufferedReader(
@@ -248,7 +249,7 @@ class CameraFeatureTest {
         socket.setSoTimeout(20_000);
         Map<?, ?> message = (Map<?, ?>) Json.parse(reader.readLine(), "a message");
         assertTrue(message.containsKey("number"), message.toString());
-        harness.run(feature::stop);
+        harness.run(() -> harness.window.context().actions().run("publish"));
         while (reader.readLine() != null) {
           // to the end
         }
