@@ -32,8 +32,25 @@ public final class UserSettings {
   private final Map<String, Object> values;
   private final Map<String, StoredValue> properties = new HashMap<>();
 
+  /** A change of a value, from the one that was saved. */
+  private record Change(Object before, Object now) {
+    /** The value after the change of another one, of whose map only changed entries are changed. */
+    Object of(Object there) {
+      if (!(there instanceof Map<?, ?> others
+          && before instanceof Map<?, ?> was
+          && now instanceof Map<?, ?> is)) {
+        return now;
+      }
+      Map<Object, Object> all = new LinkedHashMap<>(others);
+      all.keySet().removeIf(key -> was.containsKey(key) && !is.containsKey(key));
+      is.forEach(
+          (key, value) -> all.compute(key, (k, old) -> value.equals(was.get(k)) ? old : value));
+      return all;
+    }
+  }
+
   /** Values that were changed and are not saved yet. */
-  private final Map<String, Object> unsaved = new ConcurrentHashMap<>();
+  private final Map<String, Change> unsaved = new ConcurrentHashMap<>();
 
   private UserSettings(Optional<Path> file, Map<String, Object> values) {
     this.file = file;
@@ -81,8 +98,10 @@ public final class UserSettings {
 
   /** Sets a value that JSON can hold. */
   public void put(String name, Object value) {
-    if (!value.equals(values.put(name, value))) {
-      unsaved.put(name, value);
+    Object before = values.put(name, value);
+    if (!value.equals(before)) {
+      Change change = new Change(before == null ? Map.of() : before, value);
+      unsaved.merge(name, change, (first, last) -> new Change(first.before(), last.now()));
     }
   }
 
@@ -142,14 +161,14 @@ public final class UserSettings {
 
   /** Writes changed values into the file, which another window may have changed elsewhere. */
   public void save() throws IOException {
-    Map<String, Object> changed = Map.copyOf(unsaved);
+    Map<String, Change> changed = Map.copyOf(unsaved);
     if (file.isEmpty() || changed.isEmpty()) {
       return;
     }
     Path folder = file.get().toAbsolutePath().getParent();
     Files.createDirectories(folder);
     Map<String, Object> all = load(folder).values;
-    all.putAll(changed);
+    changed.forEach((name, change) -> all.put(name, change.of(all.getOrDefault(name, Map.of()))));
     AtomicFile.write(file.get(), Json.write(all) + "\n", true);
     unsaved.entrySet().removeAll(changed.entrySet());
   }
