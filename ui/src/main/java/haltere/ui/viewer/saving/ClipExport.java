@@ -15,8 +15,8 @@ import java.util.Locale;
 
 /** Exports a part as a film: pictures with overlays at equal intervals of recording time. */
 final class ClipExport extends PartExport {
-  /** Pictures of the film per second. */
-  static final double FRAMES_PER_SECOND = 25;
+  /** Most pictures of the film per second. */
+  private static final double MAX_FRAMES_PER_SECOND = 25;
 
   /** Maximum number of pictures; longer films are probably a mistake. */
   private static final long MAX_PICTURES = 20_000;
@@ -38,32 +38,32 @@ final class ClipExport extends PartExport {
    * @param file its name gives the format
    * @param options how events are shown
    * @param overlays overlays of the pictures
-   * @param pictureUs recording time from one picture to the next
+   * @param speed recording time per time of the film
    */
-  ClipExport(
-      ExportedPart part, Path file, DisplayOptions options, Overlays overlays, double pictureUs)
+  ClipExport(ExportedPart part, Path file, DisplayOptions options, Overlays overlays, double speed)
       throws IOException {
     super(part);
+    // a slice that is longer than a picture is shown as one, as on the screen
+    double longestUs = Math.max(speed * 1e6 / MAX_FRAMES_PER_SECOND, part.sliceUs());
+    pictureUs = Math.max(1, Math.min(longestUs, part.toUs() - part.fromUs()));
     long wanted = Math.round((part.toUs() - part.fromUs()) / pictureUs);
     if (wanted > MAX_PICTURES) {
       String advice = "mark a shorter part or choose a higher speed, which is that of playback";
       throw new IOException("that would be " + wanted + " pictures; " + advice);
     }
     this.overlays = overlays;
-    this.pictureUs = pictureUs;
-    inSlice = part.sliceUs() >= pictureUs;
-    film = film(file);
+    film = film(file, Math.min(MAX_FRAMES_PER_SECOND, speed * 1e6 / pictureUs));
     display = DisplaySink.direct(part.playable().geometry(), part.chain(), options);
     display.renderer().setRegion(overlays.region());
   }
 
-  private static FilmWriter film(Path file) throws IOException {
+  private static FilmWriter film(Path file, double framesPerSecond) throws IOException {
     String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
     if (name.endsWith(".gif")) {
-      return new GifWriter(file, FRAMES_PER_SECOND);
+      return new GifWriter(file, framesPerSecond);
     }
     if (name.endsWith(".mp4")) {
-      return new Mp4Writer(file, FRAMES_PER_SECOND);
+      return new Mp4Writer(file, framesPerSecond);
     }
     throw new IOException(file.getFileName() + ": a film's name ends in .gif or .mp4");
   }

@@ -87,11 +87,11 @@ public final class ExportFeature implements ViewerFeature {
   /** Exports a film; the file name gives the format. */
   public void exportFilm(Path file) {
     double speed = window.playback().speedProperty().get();
-    double pictureUs = (Double.isInfinite(speed) ? 1 : speed) * 1e6 / ClipExport.FRAMES_PER_SECOND;
+    double filmSpeed = Double.isInfinite(speed) ? 1 : speed;
     long sliceUs = window.playback().status().map(PlayerStatus::sliceUs).orElse(0L);
     DisplayOptions options = window.display().options().forSlices(sliceUs);
     Overlays overlays = window.display().overlays();
-    export(file, part -> new ClipExport(part, file, options, overlays, pictureUs));
+    export(file, part -> new ClipExport(part, file, options, overlays, filmSpeed));
   }
 
   /** Exports the events that the chain passes; the file name gives the format. */

@@ -15,6 +15,7 @@ import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
 import haltere.core.format.summary.RecordingSummary;
 import haltere.core.playback.Loop;
+import haltere.core.playback.Slicing;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.frequency.PixelRegion;
@@ -29,6 +30,7 @@ import haltere.ui.viewer.feature.DisplayControl;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.MeasuredLine;
 import haltere.ui.viewer.playback.PlaybackController;
+import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
@@ -382,6 +384,43 @@ class ExportTest {
     viewer.run(() -> export().exportFilm(fixed));
     viewer.waitFor("it says so", () -> said().startsWith("Exported fixed.gif"));
     assertEquals(-1, Files.mismatch(following, fixed));
+  }
+
+  @Test
+  void filmOfLongSlicesShowsAllOfEachSlice() throws IOException {
+    DisplayControl display = viewer.window.context().display();
+    PlaybackController playback = viewer.window.context().playback();
+    viewer.run(
+        () -> {
+          display.modeProperty().set(DisplayMode.COUNTS);
+          display.decayUsProperty().set(DisplayOptions.SLICE_ONLY);
+          playback.setSpeed(1);
+        });
+    viewer.session().player().setSlicing(new Slicing.ByTime(100_000)).join();
+    seek(500_000);
+    viewer.run(playback::markIn);
+    markOut(700_000);
+    Path film = folder.resolve("slices.gif");
+    viewer.run(() -> export().exportFilm(film));
+    viewer.waitFor("it says so", () -> said().equals("Exported slices.gif: 3 pictures"));
+    seek(500_000);
+    Path picture = folder.resolve("slice.png");
+    savePicture(picture);
+    assertTrue(isLike(ImageIO.read(picture.toFile()), ImageIO.read(film.toFile())));
+  }
+
+  /** Whether the middles of two pictures are the same, but for the palette of a film. */
+  private static boolean isLike(BufferedImage one, BufferedImage other) {
+    for (int y = 60; y < one.getHeight() - 60; y++) {
+      for (int x = 0; x < one.getWidth(); x++) {
+        Color a = new Color(one.getRGB(x, y));
+        Color b = new Color(other.getRGB(x, y));
+        if (Math.abs(a.getRed() - b.getRed()) + Math.abs(a.getBlue() - b.getBlue()) > 20) {
+          return false;
+        }
+      }
+    }
+    return true;
   }
 
   @Test
