@@ -3,10 +3,12 @@ package haltere.ui.viewer.controls;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.Recordings;
 import java.io.File;
+import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
-import java.util.TreeSet;
+import java.util.function.Predicate;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import javafx.stage.FileChooser;
 import javafx.stage.FileChooser.ExtensionFilter;
 import javafx.stage.Window;
@@ -31,12 +33,24 @@ public final class FileDialogs {
 
   /** A recording to be read. */
   public Optional<Path> recording() {
-    TreeSet<String> endings = new TreeSet<>();
-    for (RecordingFormat format : Recordings.formats().values()) {
-      format.extensions().forEach(extension -> endings.add("*." + extension));
-    }
-    return open(
-        "Open recording", new ExtensionFilter("Recordings", List.copyOf(endings)), ALL_FILES);
+    ExtensionFilter recordings = new ExtensionFilter("Recordings", endings(format -> true));
+    return open("Open recording", recordings, ALL_FILES);
+  }
+
+  /** Asks for the file of a recording in any format that can be written. */
+  public Optional<Path> newRecording() {
+    return save(
+        "Export recording", "part.aedat4", "Recordings", endings(RecordingFormat::writable));
+  }
+
+  private static String[] endings(Predicate<RecordingFormat> wanted) {
+    return Recordings.formats().values().stream()
+        .filter(wanted)
+        .flatMap(format -> format.extensions().stream())
+        .map(extension -> "*." + extension)
+        .distinct()
+        .sorted()
+        .toArray(String[]::new);
   }
 
   /** Asks for the file of a picture. */
@@ -66,7 +80,19 @@ public final class FileDialogs {
     FileChooser chooser = chooser(title);
     chooser.getExtensionFilters().addAll(new ExtensionFilter(kind, endings));
     chooser.setInitialFileName(suggested(name));
-    return withFolder(chooser.showSaveDialog(owner));
+    return withFolder(chooser.showSaveDialog(owner))
+        .map(file -> withOneEnding(file, name, endings));
+  }
+
+  /**
+   * A chosen file without the suggested ending behind a typed one: GTK selects the suggested name
+   * without its ending. An existing file is not chosen so, as nobody was asked.
+   */
+  static Path withOneEnding(Path chosen, String suggested, String... endings) {
+    String ending = suggested.substring(suggested.lastIndexOf('.'));
+    String typed = chosen.toString().replaceFirst(Pattern.quote(ending) + "$", "");
+    boolean hasEnding = Stream.of(endings).anyMatch(each -> typed.endsWith(each.substring(1)));
+    return hasEnding && !Files.exists(Path.of(typed)) ? Path.of(typed) : chosen;
   }
 
   /** A name that begins with that of what is open. */

@@ -109,6 +109,7 @@ public final class Windows {
       Window owner, String title, String text, String usual, Consumer<String> answer) {
     TextInputDialog dialog = new TextInputDialog(usual);
     dialog.setTitle(title);
+    dialog.setGraphic(null);
     dialog.setContentText(text);
     dialog.getEditor().setId("answer");
     dialog.getEditor().setAccessibleText(text);
@@ -119,7 +120,6 @@ public final class Windows {
       Window owner, Dialog<T> dialog, Predicate<T> isAnswer, Consumer<T> answer) {
     dialog.initOwner(owner);
     dialog.setHeaderText(null);
-    dialog.setGraphic(null);
     dialog.setOnHidden(
         event -> Optional.ofNullable(dialog.getResult()).filter(isAnswer).ifPresent(answer));
     show(dialog);

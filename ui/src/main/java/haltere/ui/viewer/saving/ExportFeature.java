@@ -65,10 +65,7 @@ public final class ExportFeature implements ViewerFeature {
         window::nothingOpen);
     actions.add(
         "export-data",
-        () ->
-            dialogs
-                .save("Export recording", "part.aedat4", "All files", "*")
-                .ifPresent(this::exportData),
+        () -> dialogs.newRecording().ifPresent(this::exportData),
         window::nothingOpen);
     actions.add(
         "stop-export",
