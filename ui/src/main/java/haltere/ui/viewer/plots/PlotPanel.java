@@ -7,7 +7,6 @@ import haltere.core.stream.StreamNotification;
 import haltere.ui.plot.InertialFeed;
 import haltere.ui.plot.Lane;
 import haltere.ui.plot.PlotField;
-import haltere.ui.plot.PlotSet;
 import haltere.ui.plot.PlotTable;
 import haltere.ui.plot.TimeWindow;
 import haltere.ui.viewer.chain.ChainEditor;
@@ -150,7 +149,7 @@ public final class PlotPanel extends BorderPane {
       fields.addAll(InertialFeed.FIELDS);
     }
     offered = fields;
-    add.getItems().setAll(PlotMenu.sets(fields, this::show));
+    add.getItems().setAll(PlotMenu.sets(fields, set -> show(set.lanes())));
     add.getItems().addAll(PlotMenu.items(fields, this::addLane));
     lanes.forEach(lane -> lane.followPublished(fields));
   }
@@ -181,11 +180,7 @@ public final class PlotPanel extends BorderPane {
     changed();
   }
 
-  /** Shows a set of plots in place of all others. */
-  public void show(PlotSet set) {
-    show(set.lanes());
-  }
-
+  /** Shows the fields of each lane in place of all others. */
   private void show(List<List<PlotField>> wanted) {
     List.copyOf(lanes).forEach(this::remove);
     for (List<PlotField> fields : wanted) {

@@ -11,7 +11,6 @@ import haltere.ui.plot.Curve;
 import haltere.ui.plot.InertialFeed;
 import haltere.ui.plot.Lane;
 import haltere.ui.plot.PlotField;
-import haltere.ui.plot.PlotSet;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.session.SessionRequest;
@@ -71,9 +70,7 @@ class PlotPanelTest {
     viewer = ViewerHarness.withBlob();
     plot(PlotField.EVENT_RATE);
     PlotField other = new PlotField(X.stage(), X.outlet(), "y_px");
-    viewer.run(
-        () ->
-            plots().show(new PlotSet("place", X.stage(), List.of(List.of(X, other), List.of(X)))));
+    viewer.run(() -> plots().fieldsProperty().set(List.of(List.of(X, other), List.of(X))));
     assertEquals(
         List.of(List.of(X, other), List.of(X)),
         viewer.onFx(() -> plots().lanes().stream().map(Lane::fields).toList()));
