@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javafx.animation.PauseTransition;
+import javafx.application.Platform;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
@@ -120,8 +121,11 @@ public final class Windows {
       Window owner, Dialog<T> dialog, Predicate<T> isAnswer, Consumer<T> answer) {
     dialog.initOwner(owner);
     dialog.setHeaderText(null);
+    // later: GTK's key that closes a window must not open another one, which ends the process
     dialog.setOnHidden(
-        event -> Optional.ofNullable(dialog.getResult()).filter(isAnswer).ifPresent(answer));
+        event ->
+            Platform.runLater(
+                () -> Optional.ofNullable(dialog.getResult()).filter(isAnswer).ifPresent(answer)));
     show(dialog);
   }
 }
