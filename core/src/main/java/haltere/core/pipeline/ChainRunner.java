@@ -320,8 +320,7 @@ public final class ChainRunner implements StreamHandler {
   private void sinkFailed(List<StreamHandler> list, StreamHandler sink, RuntimeException thrown) {
     counters.add(Counter.SINK_FAILURES, 1);
     // a disk that is full is no fault of the program, whose type would help
-    Object reason =
-        thrown instanceof UncheckedIOException unchecked ? Reason.of(unchecked.getCause()) : thrown;
+    Object reason = thrown instanceof UncheckedIOException ? Reason.of(thrown) : thrown;
     report("sink " + name(sink) + " failed: " + reason, "it is removed");
     if (onFailure == OnFailure.STOP) {
       throw thrown;

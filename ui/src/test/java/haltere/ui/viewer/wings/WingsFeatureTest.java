@@ -274,7 +274,7 @@ class WingsFeatureTest {
                     .on()
                     .orElseThrow()
                     .get()));
-    assertFalse(viewer.text("status-message").contains("haltere."), viewer.text("status-message"));
+    assertFalse(viewer.text("status-message").contains("java."), viewer.text("status-message"));
     assertTrue(Files.readAllLines(file).get(0).startsWith("# haltere"));
   }
 
