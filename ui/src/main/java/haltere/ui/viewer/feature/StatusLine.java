@@ -36,7 +36,7 @@ public final class StatusLine extends HBox {
   private final Button more;
   private final Label time = number("status-time", 150, "Time on the recording's own clock");
   private final Label rate = number("status-rate", 90, "Events per second of recording time");
-  private final Label speed = number("status-speed", 70, SPEED_HELP);
+  private final Label speed = number("status-speed", 90, SPEED_HELP);
   private final Label frames =
       number("status-frames", 60, "Pictures shown per second of real time");
   private final Label dropped =
