@@ -153,14 +153,14 @@ public final class CompareFeature implements ViewerFeature {
                 ChainFile.parse(json, "the chain", session.chain().geometry()),
                 session.chain(),
                 session.display()),
-        made -> {
-          if (start == starts) {
-            begin(session, made);
-          }
-        });
+        made -> begin(start, session, made));
   }
 
-  private void begin(ViewerSession session, SecondChain made) {
+  private void begin(int start, ViewerSession session, SecondChain made) {
+    if (start != starts) {
+      window.background().close(made::close);
+      return;
+    }
     Player player = session.player();
     running = Optional.of(new Running(player, made));
     view.setGeometry(made.chain().geometry(), window.display().options().colours());

@@ -29,6 +29,7 @@ final class PictureThread implements AutoCloseable {
   private final Thread thread = Daemon.thread(this::work, "haltere-picture");
   private final CompletableFuture<Void> end = new CompletableFuture<>();
   private volatile RuntimeException failure;
+  private volatile boolean isClosed;
 
   PictureThread() {
     thread.start();
@@ -36,7 +37,7 @@ final class PictureThread implements AutoCloseable {
 
   private void work() {
     try {
-      while (true) {
+      while (!isClosed) {
         EventPacket packet = pool.receive();
         guarded(() -> consumers.remove().accept(packet));
         pool.release(packet);
@@ -113,6 +114,8 @@ final class PictureThread implements AutoCloseable {
   /** Ends the thread; pending work is discarded. */
   @Override
   public void close() {
+    // a task may clear the interruption
+    isClosed = true;
     thread.interrupt();
   }
 }

@@ -1,5 +1,6 @@
 package haltere.ui.viewer.picture;
 
+import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -67,6 +68,31 @@ class PictureThreadTest {
             });
         assertEquals("still there", thread.now(() -> "still there"));
       }
+    }
+  }
+
+  @Test
+  void closingEndsTheThreadAlsoIfAStepClearsItsInterruption() {
+    CountDownLatch begun = new CountDownLatch(1);
+    PictureThread thread = new PictureThread();
+    thread.later(
+        () -> {
+          begun.countDown();
+          while (!Thread.interrupted()) {
+            Thread.onSpinWait();
+          }
+        });
+    assertDoesNotThrow(() -> begun.await());
+    thread.close();
+    Waiting.until("the thread has ended", () -> hasEnded(thread));
+  }
+
+  private static boolean hasEnded(PictureThread thread) {
+    try {
+      thread.now(() -> 1);
+      return false;
+    } catch (CancellationException closed) {
+      return true;
     }
   }
 
