@@ -23,4 +23,9 @@ public record DataLost(long bytes, long estimatedEvents, long fromUs, long toUs,
   public boolean endsContinuity() {
     return true;
   }
+
+  @Override
+  public boolean restartsTime() {
+    return false;
+  }
 }

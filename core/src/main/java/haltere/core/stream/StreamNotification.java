@@ -44,6 +44,6 @@ public sealed interface StreamNotification
    * @return true if a picture of the events should be cleared
    */
   default boolean restartsTime() {
-    return endsContinuity() && !(this instanceof DataLost);
+    return endsContinuity();
   }
 }
