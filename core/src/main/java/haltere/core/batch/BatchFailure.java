@@ -45,7 +45,7 @@ public record BatchFailure(BatchItem item, FailureKind kind, String cause) {
         return of(wrapped.getCause());
       }
       if (thrown instanceof RecordingProblem) {
-        return RECORDING;
+        return thrown.getCause() instanceof IOException ? FILES : RECORDING;
       }
       if (thrown instanceof ChainProblem
           || thrown instanceof SettingsProblem

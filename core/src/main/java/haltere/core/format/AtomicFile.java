@@ -142,7 +142,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
           FileChannel.open(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
       return new AtomicFile(target, real, temporary, overwrite, false, channel, null);
     } catch (AccessDeniedException e) {
-      throw new RecordingProblem(target, "no permission to write in its folder");
+      throw RecordingProblem.of(target, "no permission to write in its folder", e);
     } catch (IOException e) {
       throw RecordingProblem.writing(target, e);
     }

@@ -56,7 +56,7 @@ public final class RecordingFile implements Closeable {
     } catch (NoSuchFileException e) {
       throw new RecordingProblem(path, "there is no such file");
     } catch (AccessDeniedException e) {
-      throw new RecordingProblem(path, "no permission to read it; change its mode or owner");
+      throw noPermission(path);
     }
     try {
       size = channel.size();
@@ -72,6 +72,13 @@ public final class RecordingFile implements Closeable {
     path = name;
     this.stream = Objects.requireNonNull(stream, "stream");
     size = Long.MAX_VALUE;
+  }
+
+  static RecordingProblem noPermission(Path path) {
+    return RecordingProblem.of(
+        path,
+        "no permission to read it; change its mode or owner",
+        new AccessDeniedException(path.toString()));
   }
 
   /**

@@ -111,8 +111,8 @@ final class RecordingFolder {
           .filter(file -> Files.isRegularFile(file) && Recordings.isRecording(file))
           .sorted()
           .toList();
-    } catch (IOException ignored) {
-      throw new RecordingProblem(folder, "this folder cannot be read; name a recording in it");
+    } catch (IOException e) {
+      throw RecordingProblem.of(folder, "this folder cannot be read; name a recording in it", e);
     }
   }
 }

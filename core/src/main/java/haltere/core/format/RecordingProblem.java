@@ -50,9 +50,12 @@ public final class RecordingProblem extends IOException {
       return cause;
     }
     String reason = reason(cause);
-    RecordingProblem problem = new RecordingProblem(place + ": " + verb + reason + advice(reason));
-    problem.initCause(cause);
-    return problem;
+    return new RecordingProblem(place + ": " + verb + reason + advice(reason), cause);
+  }
+
+  /** A problem that the system reports, not the content of the file. */
+  static RecordingProblem of(Path file, String message, IOException cause) {
+    return new RecordingProblem(file + ": " + message, cause);
   }
 
   /** Without the system's name of the file, which may be a temporary one. */
@@ -85,8 +88,8 @@ public final class RecordingProblem extends IOException {
     return "";
   }
 
-  private RecordingProblem(String line) {
-    super(line);
+  private RecordingProblem(String line, IOException cause) {
+    super(line, cause);
   }
 
   /**

@@ -256,7 +256,7 @@ public final class Recordings {
     }
     RecordingFile.checkRegular(file);
     if (!Files.isReadable(file)) {
-      throw new RecordingProblem(file, "no permission to read it; change its mode or owner");
+      throw RecordingFile.noPermission(file);
     }
   }
 }
