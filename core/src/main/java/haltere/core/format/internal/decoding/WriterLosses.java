@@ -19,4 +19,14 @@ public final class WriterLosses {
         ? List.of()
         : List.of(events + " events outside of " + sensor + " were left out");
   }
+
+  /**
+   * Names the difference between times read back and those written.
+   *
+   * @param missingUs what the times read back lack, not 0
+   * @return such as "smaller by 5 us", or "larger by 5 us" for -5
+   */
+  public static String shift(long missingUs) {
+    return (missingUs < 0 ? "larger by " : "smaller by ") + Math.abs(missingUs) + " us";
+  }
 }

@@ -120,7 +120,8 @@ final class EventStreamWriter implements RecordingWriter {
     List<String> lines = new ArrayList<>(WriterLosses.outside(outside, geometry));
     if (startShiftUs != 0) {
       lines.add(
-          "the format's clock starts at 0: all times read back smaller by " + startShiftUs + " us");
+          "the format's clock starts at 0: all times read back "
+              + WriterLosses.shift(startShiftUs));
     }
     if (leaps > 0) {
       lines.add(

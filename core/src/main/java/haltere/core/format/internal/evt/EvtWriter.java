@@ -187,9 +187,8 @@ abstract sealed class EvtWriter implements RecordingWriter
     List<String> lines = new ArrayList<>(WriterLosses.outside(outside, options.geometry()));
     if (statedBaseUs != 0) {
       lines.add(
-          "the clock of the words starts at 0: other programs read all times smaller by "
-              + statedBaseUs
-              + " us");
+          "the clock of the words starts at 0: other programs read all times "
+              + WriterLosses.shift(statedBaseUs));
     }
     if (shifts > 0) {
       lines.add(
