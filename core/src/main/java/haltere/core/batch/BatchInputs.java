@@ -84,7 +84,8 @@ public final class BatchInputs {
 
   private static List<String> lines(Path list) throws IOException {
     try {
-      return Files.readAllLines(list);
+      // programs of Windows begin UTF-8 with a byte order mark
+      return Files.readString(list).replaceFirst("^\\ufeff", "").lines().toList();
     } catch (CharacterCodingException notText) {
       throw new RecordingProblem(list, "this is not UTF-8 text");
     }

@@ -197,7 +197,7 @@ class BatchCommandTest {
   @Test
   void listFileNamesInputs() throws IOException {
     Path list = folder.resolve("list.txt");
-    Files.writeString(list, in.resolve("a.aedat") + "\n\n" + in.resolve("deep") + "\n");
+    Files.writeString(list, "\ufeff" + in.resolve("a.aedat") + "\n\n" + in.resolve("deep") + "\n");
     Path out = folder.resolve("out");
     CommandRun run = CommandRun.of("batch", "--list", list, "--track", "--out", out);
     assertEquals(0, run.status(), run.err());
