@@ -40,12 +40,17 @@ final class ResultFolder implements Closeable {
   private final Path folder;
   private final Path part;
   private final FileChannel journal;
+
+  /** Files that the journal names: a killed process's first, then this one's. */
+  private List<Path> begun;
+
   private boolean completed;
 
-  private ResultFolder(Path folder, FileChannel journal) {
+  private ResultFolder(Path folder, FileChannel journal) throws IOException {
     this.folder = folder;
     part = part(folder);
     this.journal = journal;
+    begun = journalled().map(this::outputs).orElse(List.of());
   }
 
   private static Path part(Path folder) {
@@ -137,10 +142,13 @@ final class ResultFolder implements Closeable {
 
   /** Removes the files of an earlier run, complete or not; {@code done.json} first. */
   void clear() throws IOException {
-    List<Path> files = new ArrayList<>();
-    done(folder).ifPresent(done -> files.addAll(outputs(done)));
-    journalled().ifPresent(begun -> files.addAll(outputs(begun)));
+    List<Path> earlier = done(folder).map(this::outputs).orElse(List.of());
     Files.deleteIfExists(folder.resolve(DONE));
+    remove(earlier);
+    remove(begun);
+  }
+
+  private static void remove(List<Path> files) throws IOException {
     for (Path file : files) {
       Files.deleteIfExists(file);
       Files.deleteIfExists(file.resolveSibling(file.getFileName() + AtomicFile.PART));
@@ -185,6 +193,7 @@ final class ResultFolder implements Closeable {
 
   /** Writes the names of the planned files to the journal. */
   void begin(List<Path> files) throws IOException {
+    begun = files;
     List<Object> outputs = new ArrayList<>();
     files.forEach(file -> outputs.add(Map.of("file", folder.relativize(file).toString())));
     try {
@@ -247,14 +256,17 @@ final class ResultFolder implements Closeable {
     }
   }
 
-  /** Releases the folder and removes incomplete files. */
+  /**
+   * Releases the folder and removes incomplete files, also in an interrupted thread, where the
+   * journal cannot be read.
+   */
   @Override
   public void close() throws IOException {
     if (completed) {
       return;
     }
     try {
-      clear();
+      remove(begun);
       Files.deleteIfExists(part);
       Files.delete(folder);
     } catch (DirectoryNotEmptyException | NoSuchFileException ignored) {

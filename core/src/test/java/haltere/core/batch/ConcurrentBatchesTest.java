@@ -1,6 +1,7 @@
 package haltere.core.batch;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.chain.FilterChain;
@@ -132,5 +133,21 @@ class ConcurrentBatchesTest {
               .peek(file -> assertEquals("done.json", file.getFileName().toString()))
               .count());
     }
+  }
+
+  @Test
+  void interruptedBatchLeavesNoFiles() throws IOException {
+    BatchReport report =
+        run(
+            recordings(1),
+            BatchOptions.Existing.RESUME,
+            sensor -> {
+              if (sensor.width() == SENSOR.width()) {
+                Thread.currentThread().interrupt();
+              }
+              return new FilterChain(sensor);
+            });
+    assertEquals(1, report.failures().size());
+    assertFalse(Files.exists(folder.resolve("results/0.csv")));
   }
 }
