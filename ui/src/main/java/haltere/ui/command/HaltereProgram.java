@@ -213,6 +213,10 @@ public final class HaltereProgram {
 
   private int wrongArguments(ParameterException problem, String... args) {
     CommandLine command = problem.getCommandLine();
+    List<String> unknown = command.getUnmatchedArguments();
+    if (problem instanceof CommandLine.MissingParameterException && !unknown.isEmpty()) {
+      return wrongArguments(new UnmatchedArgumentException(command, unknown), args);
+    }
     if (isDebug(command)) {
       problem.printStackTrace(surroundings.err());
     }

@@ -237,9 +237,7 @@ abstract class Subcommand implements Callable<Integer> {
 
   /** Says which tables were written. */
   void wrote(List<JobResults.ResultFile> files) {
-    for (JobResults.ResultFile written : files) {
-      wrote(written.path(), written.rows());
-    }
+    files.forEach(file -> wrote(file.path(), file.rows()));
   }
 
   /** Opens the viewer and waits until it is closed. */

@@ -176,5 +176,8 @@ class HaltereCommandTest {
     CommandRun option = CommandRun.of("info", "--jsn", "x.aedat");
     assertEquals(2, option.status());
     assertTrue(option.err().contains("Did you mean: --json?"), option.err());
+    CommandRun required = CommandRun.of("run", "x.aedat", "--chian=chain.json");
+    assertEquals(2, required.status());
+    assertTrue(required.err().contains("Did you mean: --chain?"), required.err());
   }
 }
