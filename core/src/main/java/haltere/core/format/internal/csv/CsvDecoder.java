@@ -28,6 +28,7 @@ final class CsvDecoder implements StreamDecoder {
   private final ViolationCounts violations;
   private final PlainRows plainRows;
   private final CsvRow exactRow;
+  private final boolean decimalCommas;
 
   private final byte[] piece = new byte[PIECE + PADDING];
   private final AscendingTimes times = new AscendingTimes();
@@ -37,6 +38,7 @@ final class CsvDecoder implements StreamDecoder {
     this.violations = violations;
     plainRows = new PlainRows(layout, geometry);
     exactRow = new CsvRow(layout, geometry);
+    decimalCommas = layout.decimalCommas();
   }
 
   @Override
@@ -46,7 +48,7 @@ final class CsvDecoder implements StreamDecoder {
     int position = start;
     while (position < in.limit() && out.size() < maxEvents && !times.restarted()) {
       int length = Math.min(PIECE, in.limit() - position);
-      in.get(position, piece, 0, length);
+      fill(in, position, length);
       int used = decodePiece(length, offset + (position - start), out, maxEvents);
       if (used == 0 && !times.restarted()) {
         used = length >= MAX_ROW ? skipLongRow(length, offset + (position - start)) : 0;
@@ -58,6 +60,15 @@ final class CsvDecoder implements StreamDecoder {
     }
     in.position(position);
     return times.restarted();
+  }
+
+  private void fill(ByteBuffer in, int position, int length) {
+    in.get(position, piece, 0, length);
+    for (int i = 0; decimalCommas && i < length; i++) {
+      if (piece[i] == ',') {
+        piece[i] = '.';
+      }
+    }
   }
 
   /** Skips a row that is too long. */
@@ -129,7 +140,7 @@ final class CsvDecoder implements StreamDecoder {
     if (length >= MAX_ROW || inLongRow) {
       return false;
     }
-    in.get(in.position(), piece, 0, length);
+    fill(in, in.position(), length);
     piece[length] = '\n';
     boolean whole =
         exactRow.parse(piece, 0) && exactRow.address() >= 0 && exactRow.timeUs() >= times.lastUs();

@@ -87,7 +87,7 @@ public final class CsvFormat implements StreamedFormat {
                     new RecordingProblem(
                         file.path(),
                         "it is not a text of events: name the columns in a first line, such as "
-                            + "t_us,x,y,on"));
+                            + "t_us,x,y,on, and end each line with a line feed"));
     List<String> remarks = new ArrayList<>();
     if (!layout.named()) {
       remarks.add("no line names the columns; they are read as " + layout.roles());

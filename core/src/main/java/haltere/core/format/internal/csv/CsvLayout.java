@@ -16,6 +16,7 @@ import java.util.OptionalInt;
  * @param dataOffset offset of the first row of events
  * @param named whether there are names
  * @param marked whether commas or semicolons separate the columns, not only spaces
+ * @param decimalCommas whether commas are decimal points, since semicolons separate the columns
  * @param width columns of the sensor from a first row of two numbers, else 0
  * @param height rows of the sensor likewise
  */
@@ -25,6 +26,7 @@ record CsvLayout(
     int dataOffset,
     boolean named,
     boolean marked,
+    boolean decimalCommas,
     int width,
     int height) {
   private static final int PROBE_ROWS = 2000;
@@ -64,7 +66,8 @@ record CsvLayout(
       int end = text.indexOf('\n', offset);
       boolean whole = end >= 0;
       String line = text.substring(offset, whole ? end : text.length()).strip();
-      if (!line.isEmpty() && !start.take(line, offset + skipped, whole)) {
+      boolean joined = start.rows.isEmpty() && line.indexOf('\r') >= 0;
+      if (joined || !line.isEmpty() && !start.take(line, offset + skipped, whole)) {
         return Optional.empty();
       }
       offset = whole ? end + 1 : text.length();
@@ -83,6 +86,7 @@ record CsvLayout(
     int height;
     int dataOffset = -1;
     boolean marked;
+    boolean decimalCommas;
 
     /**
      * Adds a line.
@@ -105,7 +109,8 @@ record CsvLayout(
       }
       if (rows.isEmpty()) {
         dataOffset = at;
-        marked = line.indexOf(',') >= 0 || line.indexOf(';') >= 0;
+        decimalCommas = line.indexOf(';') >= 0;
+        marked = decimalCommas || line.indexOf(',') >= 0;
       }
       if (whole || rows.isEmpty()) {
         rows.add(fields);
@@ -133,13 +138,15 @@ record CsvLayout(
         start.dataOffset,
         true,
         start.marked,
+        start.decimalCommas,
         start.width,
         start.height);
   }
 
   private static String[] fields(String line) {
-    boolean marked = line.chars().anyMatch(c -> c == ',' || c == ';');
-    return fields(line, marked ? "[,;]" : "\\s+");
+    return line.indexOf(';') >= 0
+        ? fields(line.replace(',', '.'), ";")
+        : fields(line, line.indexOf(',') >= 0 ? "," : "\\s+");
   }
 
   /** Parts of a line between separators; names may have spaces where tabs separate them. */
@@ -290,6 +297,7 @@ record CsvLayout(
             start.dataOffset,
             false,
             start.marked,
+            start.decimalCommas,
             start.width,
             start.height));
   }

@@ -136,8 +136,10 @@ final class CsvRow {
   /** Whether the columns end here, or further ones are ignored. */
   private boolean separatorOrEnd() {
     boolean separated = separator();
-    byte at = piece[cursor];
-    return separated || at == '\n' || at == '\r';
+    while (piece[cursor] == '\r') {
+      cursor++;
+    }
+    return separated || piece[cursor] == '\n';
   }
 
   private boolean separator() {

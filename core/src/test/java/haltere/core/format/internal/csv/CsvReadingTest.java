@@ -122,6 +122,8 @@ class CsvReadingTest extends RecordingFormatContract {
         "t,x,y,p\n1.5,3,2,1\n1.500001,4,9,0\n2.0,9,0,1\n",
         "Time [ns];Col;Row;Sign\n1500000000;3;2;1\n1500001000;4;9;-1\n2000000000;9;0;1\n",
         "t_ms\tx\ty\tp\n1500\t3\t2\ttrue\n1500.001\t4\t9\tFalse\n2e3\t9\t0\tTrue\n",
+        "t;x;y;p\n1,5;3;2;1\n1,500001;4;9;0\n2,0;9;0;1\n",
+        "1,500000;3;2;1\n1,500001;4;9;0\n2,000000;9;0;1\n",
         "p;t_us;x;y\nON;1500000;3;2\nOFF;1500001;4;9\nON;2000000;9;0\n",
         "pol\ttime [us]\tx\ty\n1\t1500000\t3\t2\n0\t1500001\t4\t9\n1\t2000000\t9\t0\n",
         "t,a,x,y,p,label\n1500000,0.1,3,2,1,fly\n1500001,x,4,9,0,fly\n2000000,7,9,0,1,\n",
@@ -160,6 +162,7 @@ class CsvReadingTest extends RecordingFormatContract {
         Files.writeString(
             folder.resolve("damaged.csv"),
             "t_us,x,y,on\n1,2,3,1\n\n# a comment\n2,2,3\nx,2,3,1\n3,2 2,3,1\n4,2,3,1,9\n5,2,,1\n"
+                + "5,2,3,1\r6,2,3,1\n"
                 + "6,345,259,0\n7,346,1,0\n");
     try (RecordingReader reader = Recordings.open(file, options(DAVIS346))) {
       StreamRecorder recorder = new StreamRecorder();
@@ -169,7 +172,7 @@ class CsvReadingTest extends RecordingFormatContract {
       expected.append(4, 2, 256, true);
       expected.append(6, 345, 0, false);
       assertEquals(expected, recorder.events());
-      assertEquals(4, reader.violations().count(Violation.UNKNOWN_WORD));
+      assertEquals(5, reader.violations().count(Violation.UNKNOWN_WORD));
       assertEquals(33, reader.violations().firstOffset(Violation.UNKNOWN_WORD));
       assertEquals(1, reader.violations().count(Violation.OUTSIDE_SENSOR));
     }
@@ -214,6 +217,7 @@ class CsvReadingTest extends RecordingFormatContract {
             "Dear reader,\nthis is a letter.\n",
             "name,age\nmiller,3\n",
             "1,2,3\n4,5,6\n",
+            "t_us,x,y,on\r1,2,3,1\r2,2,3,1\r",
             "0.1,0.2,0.3,0.4\n0.2,0.1,0.2,0.1\n",
             "{\"x\": 1}\n",
             "1\n2\n3\n")) {
