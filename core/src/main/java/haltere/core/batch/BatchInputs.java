@@ -153,7 +153,7 @@ public final class BatchInputs {
           recording,
           "its result would have the same name as that of "
               + before.recording()
-              + "; name a folder that both are in with --root");
+              + "; name a folder that both are in with --root, or rename one");
     }
   }
 
