@@ -94,6 +94,10 @@ final class ResultFolder implements Closeable {
    * @throws IOException if it cannot be created
    */
   static Optional<ResultFolder> take(Path folder) throws IOException {
+    if (Files.isRegularFile(folder)) {
+      throw new RecordingProblem(
+          folder, "this is a file where its results would be; choose another folder for them");
+    }
     Path part = part(folder);
     for (int i = 1; ; i++) {
       try {

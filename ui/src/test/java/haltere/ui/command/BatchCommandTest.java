@@ -165,6 +165,15 @@ class BatchCommandTest {
   }
 
   @Test
+  void resultsDoNotReplaceTheRecordingsBesideThem() throws IOException {
+    CommandRun run =
+        CommandRun.of("batch", in.resolve("a.aedat"), "--track", "--out", in, "--overwrite");
+    assertEquals(1, run.status());
+    assertTrue(run.err().contains("choose another folder"), run.err());
+    assertTrue(Files.isRegularFile(in.resolve("a.aedat")));
+  }
+
+  @Test
   void existingResultsAreReplacedOnlyWithOverwrite() throws IOException {
     Path out = folder.resolve("out");
     assertEquals(0, batch(out).status());
