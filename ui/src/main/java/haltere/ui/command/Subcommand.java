@@ -242,10 +242,8 @@ abstract class Subcommand implements Callable<Integer> {
 
   /** Opens the viewer and waits until it is closed. */
   void openWindow(Function<WindowOpener, Optional<String>> opening) {
-    Optional<String> obstacle = surroundings.window().obstacle();
-    if (obstacle.isEmpty()) {
-      obstacle = opening.apply(surroundings.window());
-    }
+    WindowOpener window = surroundings.window();
+    Optional<String> obstacle = window.obstacle().or(() -> opening.apply(window));
     if (obstacle.isPresent()) {
       throw new CommandProblem(obstacle.get());
     }

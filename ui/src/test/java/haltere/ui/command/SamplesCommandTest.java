@@ -125,6 +125,10 @@ class SamplesCommandTest {
   @Test
   void framesAreWrittenAsPicturesInAFolder() throws IOException {
     succeed("convert", davis, out("frames"), "--stream", "frames", "--to", "1589163147480000");
+    assertEquals(
+        Files.getPosixFilePermissions(Files.createDirectory(out("plain"))),
+        Files.getPosixFilePermissions(out("frames")),
+        "who may read other results may read the pictures");
     List<String> table = Files.readAllLines(out("frames").resolve("frames.csv"));
     assertEquals(
         "t_us,exposure_end_us,readout_start_us,readout_end_us,left_px,bottom_px,file",

@@ -25,6 +25,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
+import java.util.UUID;
 import java.util.function.Function;
 import java.util.stream.Stream;
 
@@ -84,27 +85,25 @@ public record SampleExport(
 
   private long writeFrames(RecordingReader reader, ProgressBar progress, ResultFiles.Finish check)
       throws IOException {
-    Path whole = out.toAbsolutePath();
-    Path folder = Files.createTempDirectory(whole.getParent(), "." + whole.getFileName() + "-");
+    String name = "." + out.getFileName() + "." + UUID.randomUUID();
+    Path folder = Files.createDirectory(out.resolveSibling(name));
     try {
-      long rows;
-      try (CsvSink<FrameRow> table =
-          CsvSink.create(folder.resolve("frames.csv"), FrameRow.class, false)) {
+      CsvSink<FrameRow> table = CsvSink.create(folder.resolve("frames.csv"), FrameRow.class, false);
+      try (table) {
         pass(
             reader,
             progress,
             Frame.class,
             frame -> {
-              String name = Quantities.text("frame-%06d.png", table.rows());
-              Pictures.write(folder.resolve(name), FramePictures.draw(frame));
-              table.accept(FrameRow.of(frame, name));
+              String picture = Quantities.text("frame-%06d.png", table.rows());
+              Pictures.write(folder.resolve(picture), FramePictures.draw(frame));
+              table.accept(FrameRow.of(frame, picture));
             });
         check.run();
         table.finish();
-        rows = table.rows();
       }
-      Files.move(folder, whole);
-      return rows;
+      Files.move(folder, out);
+      return table.rows();
     } catch (IOException | RuntimeException e) {
       delete(folder);
       throw e;
