@@ -44,7 +44,8 @@ public final class BatchInputs {
 
   /**
    * Adds a recording or all recordings in a folder. A folder in it that cannot be read is an item
-   * too, so that it fails in the batch beside the recordings. Links to folders are not followed.
+   * too, so that it fails in the batch beside the recordings. Links in it to folders are not
+   * followed.
    *
    * @param input a file or folder
    * @throws RecordingProblem if the input does not exist, or two recordings would have one name
@@ -92,13 +93,15 @@ public final class BatchInputs {
   }
 
   private void walk(Path folder) throws IOException {
+    Path start = folder.toRealPath();
     Files.walkFileTree(
-        folder,
+        start,
         new SimpleFileVisitor<>() {
           @Override
-          public FileVisitResult preVisitDirectory(Path inner, BasicFileAttributes attributes)
+          public FileVisitResult preVisitDirectory(Path real, BasicFileAttributes attributes)
               throws IOException {
-            if (inner.toAbsolutePath().normalize().equals(results)
+            Path inner = named(real);
+            if (Files.exists(results) && Files.isSameFile(real, results)
                 || !inner.equals(folder) && isHidden(inner)) {
               return FileVisitResult.SKIP_SUBTREE;
             }
@@ -110,8 +113,9 @@ public final class BatchInputs {
           }
 
           @Override
-          public FileVisitResult visitFile(Path file, BasicFileAttributes attributes)
+          public FileVisitResult visitFile(Path real, BasicFileAttributes attributes)
               throws IOException {
+            Path file = named(real);
             if (isHidden(file) || !Recordings.isRecording(file)) {
               leftOut++;
             } else {
@@ -123,11 +127,15 @@ public final class BatchInputs {
           @Override
           public FileVisitResult visitFileFailed(Path unreadable, IOException problem)
               throws IOException {
-            if (unreadable.equals(folder)) {
+            if (unreadable.equals(start)) {
               throw problem;
             }
-            put(unreadable, folder, 0);
+            put(named(unreadable), folder, 0);
             return FileVisitResult.CONTINUE;
+          }
+
+          private Path named(Path real) {
+            return folder.resolve(start.relativize(real));
           }
         });
   }

@@ -165,6 +165,21 @@ class BatchCommandTest {
   }
 
   @Test
+  void linkToAFolderThatIsGivenIsSearched() throws IOException {
+    Path link = Files.createSymbolicLink(folder.resolve("link"), in);
+    Path out = folder.resolve("out");
+    CommandRun run = CommandRun.of("batch", link, "--chain", chain, "--out", out);
+    assertEquals(0, run.status(), run.err());
+    assertTrue(run.out().startsWith("4 recordings: 4 done"), run.out());
+    assertTrue(Files.exists(out.resolve("deep/c.raw/done.json")));
+    CommandRun inside = CommandRun.of("batch", link, "--track", "--out", in.resolve("results"));
+    assertTrue(inside.out().startsWith("4 recordings: 4 done"), inside.out());
+    CommandRun again =
+        CommandRun.of("batch", link, "--track", "--out", in.resolve("results"), "--resume");
+    assertTrue(again.err().contains("not read, no recording: 1 file\n"), again.err());
+  }
+
+  @Test
   void resultsDoNotReplaceTheRecordingsBesideThem() throws IOException {
     CommandRun run =
         CommandRun.of("batch", in.resolve("a.aedat"), "--track", "--out", in, "--overwrite");
