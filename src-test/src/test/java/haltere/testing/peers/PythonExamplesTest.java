@@ -29,6 +29,8 @@ import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
@@ -136,6 +138,14 @@ class PythonExamplesTest {
       Path table = out.resolve("fly.aedat/wing-tracker.wings." + tables);
       assertTrue(script.run(table.toString(), picture.toString()).isPresent(), script::errors);
       assertTrue(ImageIO.read(picture.toFile()).getWidth() > 500);
+    }
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void examplesRunByTheirNamesAsInTheDocuments() {
+    for (String name : List.of("batch_to_nwb.py", "plot_wings.py")) {
+      assertTrue(Files.isExecutable(Path.of("../examples/python", name)), name);
     }
   }
 
