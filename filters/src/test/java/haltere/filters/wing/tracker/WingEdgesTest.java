@@ -19,6 +19,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Results of each edge, and of a wing with only one edge enabled. */
@@ -92,19 +93,34 @@ class WingEdgesTest {
   }
 
   @ParameterizedTest
-  @ValueSource(ints = {0, 1})
-  void edgesWithoutEventsCountAsDisabled(int polarity) {
+  @ValueSource(strings = {"Leading", "Trailing"})
+  void bothWingsAreTrackedByOneEdge(String off) {
     EventPacket fly = Flies.events(0.6, FLY);
     FlyScene truth = Flies.scene(FLY);
-    double usual = angleDeg(TrackerOutput.of(fly, settings("filter.model=EDGES")), truth);
+    double usual = angleDeg(TrackerOutput.of(fly, settings("")), truth);
+    String[] switched = {"output.left" + off + "=false", "output.right" + off + "=false"};
+    TrackerOutput output = TrackerOutput.of(fly, settings("", switched));
+    double angle = angleDeg(output, truth);
+    assertTrue(angle <= 2 * usual, angle + " degrees, both " + usual);
+    assertTrue(beats(output) > 75, beats(output) + " beats");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"WINGS, 0", "WINGS, 1", "EDGES, 0", "EDGES, 1"})
+  void edgesWithoutEventsCountAsDisabled(String model, int polarity) {
+    EventPacket fly = Flies.events(0.6, FLY);
+    FlyScene truth = Flies.scene(FLY);
+    WingTrackerSettings settings = settings("filter.model=" + model);
+    double usual = angleDeg(TrackerOutput.of(fly, settings), truth);
     EventPacket part = new EventPacket(0);
     for (int i = 0; i < fly.size(); i++) {
       if (fly.timeUs(i) < 100_000 || (fly.isOn(i) ? 1 : 0) == polarity) {
         part.append(fly.timeUs(i), fly.address(i));
       }
     }
-    TrackerOutput output = TrackerOutput.of(part, settings("filter.model=EDGES"));
-    assertTrue(angleDeg(output, truth) <= 1.5 * usual);
+    TrackerOutput output = TrackerOutput.of(part, settings);
+    double angle = angleDeg(output, truth);
+    assertTrue(angle <= 2 * usual, angle + " degrees, both " + usual);
     assertTrue(beats(output) > 75, beats(output) + " beats");
   }
 

@@ -43,14 +43,15 @@ final class CameraLatency {
 
   /**
    * Lag of ON behind OFF events, seconds: the mean of both wings weighted by their variances, since
-   * both have the same pixels. The other wing is null if it is not tracked.
+   * both have the same pixels; a lag without variance, which is held, is the wing's own. The other
+   * wing is null if it is not tracked.
    */
   static double lagS(StrokeEkf own, StrokeEkf other) {
     double lag = own.x[StrokeEkf.LAG];
-    if (other == null) {
+    double variance = own.belief.covariance(StrokeEkf.LAG, StrokeEkf.LAG);
+    if (other == null || variance == 0) {
       return lag;
     }
-    double variance = own.belief.covariance(StrokeEkf.LAG, StrokeEkf.LAG);
     double otherVariance = other.belief.covariance(StrokeEkf.LAG, StrokeEkf.LAG);
     return lag + variance / (variance + otherVariance) * (other.x[StrokeEkf.LAG] - lag);
   }
