@@ -43,8 +43,7 @@ final class CameraLatency {
 
   /**
    * Lag of ON behind OFF events, seconds: the mean of both wings weighted by their variances, since
-   * both have the same pixels; a lag without variance, which is held, is the wing's own. The other
-   * wing is null if it is not tracked.
+   * both have the same pixels. The own lag if it is held, without variance, or other is null.
    */
   static double lagS(StrokeEkf own, StrokeEkf other) {
     double lag = own.x[StrokeEkf.LAG];
