@@ -145,10 +145,8 @@ final class OrientCommand extends Subcommand {
       if (bodies.estimates() == 0) {
         warning(
             file
-                + (settings.gate().angleDeg() == 0
-                    ? ": no orientation: a gate angle of 0 degrees rejects every line"
-                    : ": no orientation found; at least two cameras from different directions must "
-                        + "see a body at nearly the same time"));
+                + ": no orientation found: each needs accepted lines of two cameras from different "
+                + "directions at nearly the same time; the counts above tell what is missing");
       }
     }
     return OK;
