@@ -143,19 +143,24 @@ final class ExampleCommand extends Subcommand {
                   "  linearised only once     %.4g rad/s, damping ratio %.4g",
                   plain, last(table, "plain_damping")));
     }
-    double[] fit = table.column("fit_s_m");
     double[] measured = table.column("x_m");
-    double squares = 0;
-    for (int k = 0; k < fit.length; k++) {
-      squares += Math.pow((measured[k] - fit[k]) / noiseM, 2) / fit.length;
+    double worst = 0;
+    for (String column : falls ? List.of("s_m", "fit_s_m") : List.of("fit_s_m")) {
+      double[] fit = table.column(column);
+      double squares = 0;
+      for (int k = 0; k < fit.length; k++) {
+        squares += Math.pow((measured[k] - fit[k]) / noiseM, 2) / fit.length;
+      }
+      worst = Math.max(worst, squares);
     }
     // The noise was estimated from third differences, each of four neighbours.
-    int independent = fit.length / 4;
-    if (!(squares * independent <= Gate.probability(0.9995).threshold(independent))) {
+    int independent = measured.length / 4;
+    if (!(worst * independent <= Gate.probability(0.9995).threshold(independent))) {
       warning(
           "the residuals are %.2g times the noise: the model does not fit this "
               + "motion%s; the stated deviations do not hold",
-          Math.sqrt(squares), falls ? "" : ", or x_m is not measured from rest");
+          Math.sqrt(worst),
+          falls ? ", or x_m is not in metres" : ", or x_m is not measured from rest");
     }
   }
 

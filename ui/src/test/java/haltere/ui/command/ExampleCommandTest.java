@@ -147,6 +147,19 @@ class ExampleCommandTest {
     assertLast(-4, "a_m_s2", 3);
     assertTrue(last("sd_a_m_s2") < alone);
     assertEquals(22.99, last("t_s"), 1e-9);
+    assertFalse(run.err().contains("warning"), run.err());
+  }
+
+  @Test
+  void fallInAnotherUnitCausesAWarning() throws IOException {
+    for (double perMetre : new double[] {100, 1000}) {
+      // its least-squares parabola fits, the filter does not
+      write("t_s,x_m", t -> perMetre * (3 - 5 * t * t));
+      CommandRun run =
+          CommandRun.of("example", "falling-weight", "--data", data, "--out", out, "--overwrite");
+      assertEquals(0, run.status(), run.err());
+      assertTrue(run.err().contains("not in metres"), run.err());
+    }
   }
 
   @Test
@@ -180,7 +193,9 @@ class ExampleCommandTest {
         "t_s,x_m;0,1;0,2|line 3: t_s is 0.0, not after the row above",
         "t_s,x_m;0,1|line 2: the table ends after 1 row; at least 8",
         "t_s,x_m|line 1: the table ends after 0 rows",
-        "t_s,x_m;0,1;1,1;2,1;3,1;4,1;5,1;6,1;7,1|the measurements never change",
+        "t_s,x_m;0,1;1,1;2,1;3,1;4,1;5,1;6,1;7,1|x_m never changes",
+        "t_s,x_m,a_m_s2;0,1,9;1,2,9;2,3,9;3,5,9;4,4,9;5,3,9;6,2,9;7,1,9|a_m_s2 never changes",
+        "t_s,x_m;0,1e90;1,0;2,3;3,5;4,4;5,3;6,2;7,1|x_m has a noise of ",
       })
   void invalidTableIsReportedWithItsLineAndNoOutput(String text, String told) throws IOException {
     Files.writeString(data, text.replace(";", "\n") + "\n");

@@ -153,12 +153,13 @@ public final class WingsSummary implements StreamHandler {
             "%-6s %8s %12s %10s %15s %10s", "side", "beats", "frequency", "SD", "amplitude", "SD"));
     for (int side = 0; side < 2; side++) {
       double n = beats[side];
+      String name = side == 0 ? "left" : "right";
       lines.add(
           n == 0
-              ? Quantities.text("%-6s %8d", name(side), 0)
+              ? Quantities.text("%-6s %8d", name, 0)
               : Quantities.text(
                   "%-6s %8.0f %9.2f Hz %7.2f Hz %11.2f deg %6.2f deg",
-                  name(side),
+                  name,
                   n,
                   frequency[side] / n,
                   sd(frequency[side], frequencySquares[side], n),
@@ -191,10 +192,6 @@ public final class WingsSummary implements StreamHandler {
       lines.add(Quantities.text("mean NIS %.3f", nis / nisCount));
     }
     return lines;
-  }
-
-  private static String name(int side) {
-    return side == 0 ? "left" : "right";
   }
 
   private static double sd(double sum, double squares, double n) {

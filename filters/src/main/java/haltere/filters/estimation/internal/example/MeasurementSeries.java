@@ -37,9 +37,9 @@ public final class MeasurementSeries {
     }
     boolean hasAcceleration = !Double.isNaN(get(0).aMS2());
     noise = new DMatrixRMaj(hasAcceleration ? 2 : 1, hasAcceleration ? 2 : 1);
-    noise.set(0, 0, variance(Measurement::xM));
+    noise.set(0, 0, variance("x_m", Measurement::xM));
     if (hasAcceleration) {
-      noise.set(1, 1, variance(Measurement::aMS2));
+      noise.set(1, 1, variance("a_m_s2", Measurement::aMS2));
     }
   }
 
@@ -100,7 +100,7 @@ public final class MeasurementSeries {
     return (get(k).xM() - get(k - 1).xM()) / dtS(k);
   }
 
-  private double variance(ToDoubleFunction<Measurement> value) {
+  private double variance(String name, ToDoubleFunction<Measurement> value) {
     double squares = 0;
     for (int k = 0; k + 3 < size(); k++) {
       double difference = 0;
@@ -115,10 +115,14 @@ public final class MeasurementSeries {
       }
       squares += difference * difference / weights;
     }
-    double step = step(measurements.stream().mapToDouble(value).distinct().sorted().toArray());
-    double variance = Math.max(squares / (size() - 3), step * step / 12);
+    double[] sorted = measurements.stream().mapToDouble(value).distinct().sorted().toArray();
+    if (sorted.length == 1) {
+      throw new IllegalArgumentException(name + " never changes; its noise cannot be estimated");
+    }
+    double variance = Math.max(squares / (size() - 3), Math.pow(step(sorted), 2) / 12);
     if (!(variance >= MIN_NOISE * MIN_NOISE && variance <= MAX_NOISE * MAX_NOISE)) {
-      throw new IllegalArgumentException("the measurements are too large or too small");
+      throw new IllegalArgumentException(
+          name + " has a noise of " + Math.sqrt(variance) + "; check its unit");
     }
     return variance;
   }
@@ -126,9 +130,6 @@ public final class MeasurementSeries {
   /** Greatest common divisor of all differences, by Euclid, to a billionth of the greatest. */
   private static double step(double... sorted) {
     double range = sorted[sorted.length - 1] - sorted[0];
-    if (range == 0) {
-      throw new IllegalArgumentException("the measurements never change");
-    }
     double step = range;
     for (int k = 1; k < sorted.length; k++) {
       double rest = sorted[k] - sorted[k - 1];
