@@ -15,18 +15,19 @@ public record WingOutputSettings(
     @Help("Uses events of the right leading edge.") boolean rightLeading,
     @Help("Uses events of the right trailing edge.") boolean rightTrailing) {
   /**
-   * Whether events of an edge are used.
+   * Whether events of an edge, or of any edge of a wing, are used.
    *
-   * @param edge one of the four edges, not a wing
+   * @param part an edge or a wing
    * @return true if so
    */
-  public boolean uses(WingPart edge) {
-    return switch (edge) {
+  public boolean uses(WingPart part) {
+    return switch (part) {
       case LEFT_LEADING -> leftLeading;
       case LEFT_TRAILING -> leftTrailing;
       case RIGHT_LEADING -> rightLeading;
       case RIGHT_TRAILING -> rightTrailing;
-      default -> throw new IllegalArgumentException(edge + " is no edge");
+      case LEFT -> leftLeading || leftTrailing;
+      case RIGHT -> rightLeading || rightTrailing;
     };
   }
 }

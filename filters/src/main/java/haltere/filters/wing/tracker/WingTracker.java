@@ -296,13 +296,13 @@ public final class WingTracker {
       search.begin(timeUs, settings.search());
       publish(timeUs, Phase.COLLECTING, 0);
     }
-    FoundFly found = search.look(timeUs, settings.search());
-    if (found != null) {
-      begin(found, timeUs);
-    }
+    begin(search.look(timeUs, settings.search()), timeUs);
   }
 
   private void begin(FoundFly found, long timeUs) {
+    if (found == null) {
+      return;
+    }
     if (!fly.wings.isTracked()) {
       publishedUs = timeUs;
       ticks.skipTo(timeUs + 1);
@@ -398,11 +398,10 @@ public final class WingTracker {
       }
     }
     setPhase(timeUs);
-    if (wings.count() == 1) {
-      FoundFly found = search.findBoth(timeUs, settings.search());
-      if (found != null) {
-        begin(found, timeUs);
-      }
+    if (wings.count() == 1
+        && settings.output().uses(WingPart.LEFT)
+        && settings.output().uses(WingPart.RIGHT)) {
+      begin(search.findBoth(timeUs, settings.search()), timeUs);
     }
   }
 }

@@ -105,6 +105,17 @@ class WingEdgesTest {
     assertTrue(beats(output) > 75, beats(output) + " beats");
   }
 
+  @Test
+  void wingWithoutEdgesDoesNotDisturbTheOther() {
+    EventPacket fly = Flies.events(0.6, FLY);
+    long usual = beats(TrackerOutput.of(fly, settings("")));
+    String[] off = {"output.rightLeading=false", "output.rightTrailing=false"};
+    TrackerOutput one = TrackerOutput.of(fly, settings("", off));
+    assertEquals(usual, beats(one), 1);
+    assertTrue(one.last(WingPart.LEFT).events() > 10_000, one.last(WingPart.LEFT).toString());
+    assertTrue(late(one, WingPart.RIGHT).isEmpty());
+  }
+
   @ParameterizedTest
   @CsvSource({"WINGS, 0", "WINGS, 1", "EDGES, 0", "EDGES, 1"})
   void edgesWithoutEventsCountAsDisabled(String model, int polarity) {
