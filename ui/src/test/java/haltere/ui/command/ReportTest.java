@@ -16,6 +16,7 @@ import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
+import java.util.ArrayList;
 import java.util.Base64;
 import java.util.HexFormat;
 import java.util.List;
@@ -102,6 +103,21 @@ class ReportTest {
         "wings: angle (wing-tracker)",
         "wings: frequency (wing-tracker)");
     assertEquals(4 * 420 + 3 * 4, picture(page).getWidth());
+  }
+
+  @Test
+  void plotsContinueAfterARestartOfTheClock() throws Exception {
+    Path fly = scene("fly.csv", "fly", "0.3");
+    List<String> rows = Files.readAllLines(fly);
+    List<String> twice = new ArrayList<>(rows);
+    twice.addAll(rows.subList(1, rows.size()));
+    Files.write(fly, twice);
+    String page = page("wings", fly, "--sensor", "128x128", "--out", folder.resolve("wings.csv"));
+    for (String title : List.of("Event rate of the recording", "wings: frequency (wing-tracker)")) {
+      assertTrue(
+          plots(page).stream().anyMatch(plot -> plot.contains(title) && plot.contains(">0.5<")),
+          title);
+    }
   }
 
   @Test

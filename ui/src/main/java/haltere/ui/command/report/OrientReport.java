@@ -43,6 +43,6 @@ public final class OrientReport implements BiConsumer<String, OrientationEstimat
     page.section("Results");
     page.text(summary);
     page.section("Plots");
-    curves.forEach(curve -> curve.addTo(page, 0, "time (s)"));
+    curves.forEach(curve -> curve.addTo(page, "time (s)"));
   }
 }

@@ -31,30 +31,24 @@ final class ReportCurves {
 
   private static final class ReportCurve {
     private final Deque<Sample> newest = new ArrayDeque<>();
-    private TimeBins bins = new TimeBins(BINS, 1_000);
+    private final TimeBins bins = new TimeBins(BINS, 1_000);
     private long baseUs;
     private long samples;
 
     void add(long timeUs, double value) {
-      if (samples == 0 || timeUs < baseUs) {
-        // a backward jump of the clock restarts the bins
-        bins = new TimeBins(BINS, 1_000);
-        newest.clear();
-        samples = 0;
-        baseUs = timeUs;
-      }
+      baseUs = samples == 0 ? timeUs : baseUs;
       samples++;
-      bins.add(timeUs - baseUs, value);
+      bins.add(Math.max(0, timeUs - baseUs), value);
       if (newest.size() == NEWEST) {
         newest.removeFirst();
       }
       newest.addLast(new Sample(timeUs, value));
     }
 
-    double[] timesS(long originUs) {
+    double[] timesS() {
       return IntStream.range(0, bins.size())
           .filter(bin -> bins.count(bin) > 0)
-          .mapToDouble(bin -> (baseUs - originUs + (bin + 0.5) * bins.binUs()) * 1e-6)
+          .mapToDouble(bin -> (baseUs + (bin + 0.5) * bins.binUs()) * 1e-6)
           .toArray();
     }
 
@@ -82,7 +76,7 @@ final class ReportCurves {
     return fields;
   }
 
-  /** Takes a sample; one that is not a number is left out. */
+  /** Takes a sample; times ascend; one that is not a number is left out. */
   void take(PlotField field, long timeUs, String key, double value) {
     String name =
         fields.size() == 1
@@ -94,10 +88,10 @@ final class ReportCurves {
   }
 
   /**
-   * Adds the plots to a page: the whole time, and a close-up if that hides the samples; over the
-   * time since an origin, with the label of that axis.
+   * Adds the plots to a page: the whole time, and a close-up if that hides the samples; with the
+   * label of the time axis.
    */
-  void addTo(ReportPage page, long originUs, String timeLabel) {
+  void addTo(ReportPage page, String timeLabel) {
     if (traces.isEmpty()) {
       return;
     }
@@ -105,7 +99,7 @@ final class ReportCurves {
     String label = first.label() + (first.unit().isEmpty() ? "" : " (" + first.unit() + ")");
     String title = first.title();
     List<ReportCurve> all = List.copyOf(traces.values());
-    double[] allTimes = join(all.stream().map(trace -> trace.timesS(originUs)).toList());
+    double[] allTimes = join(all.stream().map(trace -> trace.timesS()).toList());
     SvgPlot whole =
         SvgPlot.around(
             allTimes,
@@ -118,7 +112,7 @@ final class ReportCurves {
           double[] high = trace.edge(false);
           double[] middle =
               IntStream.range(0, low.length).mapToDouble(i -> (low[i] + high[i]) / 2).toArray();
-          double[] times = trace.timesS(originUs);
+          double[] times = trace.timesS();
           whole.band("", colours.get(key), times, low, high);
           whole.line("", colours.get(key), times, middle);
         });
@@ -128,7 +122,7 @@ final class ReportCurves {
     page.plot(whole.draw(title, timeLabel, label), legend, dense ? BANDS : "");
     if (dense) {
       String text = title + ", last " + NEWEST + " samples";
-      page.plot(closeUp(colours, originUs).draw(text, timeLabel, label), legend, "");
+      page.plot(closeUp(colours).draw(text, timeLabel, label), legend, "");
     }
   }
 
@@ -138,11 +132,11 @@ final class ReportCurves {
     return colours;
   }
 
-  private SvgPlot closeUp(Map<String, String> colours, long originUs) {
+  private SvgPlot closeUp(Map<String, String> colours) {
     List<double[]> times = new ArrayList<>();
     List<double[]> values = new ArrayList<>();
     for (ReportCurve trace : traces.values()) {
-      times.add(trace.newest.stream().mapToDouble(now -> (now.timeUs - originUs) * 1e-6).toArray());
+      times.add(trace.newest.stream().mapToDouble(now -> now.timeUs * 1e-6).toArray());
       values.add(trace.newest.stream().mapToDouble(Sample::value).toArray());
     }
     SvgPlot plot = SvgPlot.around(join(times), join(values));

@@ -63,8 +63,12 @@ public final class RunReport implements JobResults {
       ReportCurves plotted = new ReportCurves(lane);
       curves.add(plotted);
       for (PlotField field : lane) {
+        // time since the first event, which continues where the clock restarts
         field.listen(
-            filters, false, (timeUs, key, value) -> plotted.take(field, timeUs, key, value));
+            filters,
+            false,
+            (timeUs, key, value) ->
+                plotted.take(field, rate.elapsedUs() + timeUs - rate.lastUs(), key, value));
       }
     }
     return this;
@@ -134,7 +138,7 @@ public final class RunReport implements JobResults {
     page.picture(sheet.draw(), "The recording with the results at up to eight moments");
     page.section("Plots");
     addRate(page);
-    curves.forEach(curve -> curve.addTo(page, events > 0 ? rate.firstUs() : 0, TIME));
+    curves.forEach(curve -> curve.addTo(page, TIME));
     page.folded("The chain as a file", List.of(chainText.strip()));
   }
 
