@@ -93,13 +93,16 @@ public final class RecordingFile implements Closeable {
   }
 
   /**
-   * Rejects pipes and devices, which have no known end.
+   * Rejects folders, and pipes and devices, which have no known end.
    *
    * @param path any path
-   * @throws RecordingProblem if it exists and is neither file nor folder
+   * @throws RecordingProblem if it exists and is no file
    */
   public static void checkRegular(Path path) throws RecordingProblem {
-    if (Files.exists(path) && !Files.isRegularFile(path) && !Files.isDirectory(path)) {
+    if (Files.isDirectory(path)) {
+      throw new RecordingProblem(path, "this is a folder; name a file");
+    }
+    if (Files.exists(path) && !Files.isRegularFile(path)) {
       throw new RecordingProblem(
           path, "this is a pipe or a device, not a file; give - for standard input or output");
     }

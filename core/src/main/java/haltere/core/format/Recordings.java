@@ -254,7 +254,9 @@ public final class Recordings {
     if (!Files.exists(file)) {
       throw new RecordingProblem(file, "there is no such file");
     }
-    RecordingFile.checkRegular(file);
+    if (!Files.isDirectory(file)) {
+      RecordingFile.checkRegular(file);
+    }
     if (!Files.isReadable(file)) {
       throw RecordingFile.noPermission(file);
     }

@@ -221,6 +221,9 @@ class ExampleCommandTest {
   void invalidAndOverlongFilesAreRejected() throws IOException {
     Object[] command = {"example", "oscillator", "--data", data, "--out", out};
     assertFailed(CommandRun.of(command), 1, data.toString(), "no such file");
+    Files.createDirectory(data);
+    assertFailed(CommandRun.of(command), 1, data.toString(), "this is a folder");
+    Files.delete(data);
     Files.writeString(data, "");
     assertFailed(CommandRun.of(command), 1, data.toString(), "empty");
     Files.write(data, new byte[] {'t', (byte) 0xff, (byte) 0xfe});

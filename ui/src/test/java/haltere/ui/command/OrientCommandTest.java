@@ -173,6 +173,16 @@ class OrientCommandTest {
   }
 
   @Test
+  void folderIsReportedByName() {
+    Path output = folder.resolve("none.csv");
+    for (Path[] input : new Path[][] {{folder, cameras}, {seen, folder}}) {
+      CommandRun run = CommandRun.of("orient", input[0], "--cameras", input[1], "--out", output);
+      assertEquals(1, run.status(), run.err());
+      assertTrue(run.err().contains(folder + ": this is a folder"), run.err());
+    }
+  }
+
+  @Test
   void smallDetectionsAreNotUsed() {
     CommandRun run = orient("--min-area", "100000");
     assertEquals(0, run.status(), run.err());

@@ -1,5 +1,6 @@
 package haltere.core.format.internal.braidz;
 
+import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.internal.csv.CsvTable;
 import haltere.core.format.internal.table.RecordingTables;
@@ -46,6 +47,7 @@ public final class BraidzTables implements RecordingTables {
    * @throws IOException if it cannot be read
    */
   public static boolean isZip(Path file) throws IOException {
+    RecordingFile.checkRegular(file);
     try (InputStream in = Files.newInputStream(file)) {
       byte[] head = in.readNBytes(4);
       return head.length == 4 && head[0] == 'P' && head[1] == 'K' && head[2] == 3 && head[3] == 4;
