@@ -10,7 +10,10 @@ import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.pipeline.ResultFiles;
 import haltere.core.stream.StreamHandler;
+import haltere.filters.wing.WingBeat;
+import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingMethod;
+import haltere.filters.wing.WingPair;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTrackerFilter;
 import haltere.ui.command.results.WingsSummary;
@@ -165,9 +168,9 @@ final class WingsCommand extends Subcommand {
         writing::begin,
         provenance(file).chain(chain),
         files -> {
-          table(files, filter.estimates(), out);
-          table(files, filter.beats(), beats);
-          table(files, filter.pairs(), pairs);
+          table(files, filter.results(WingEstimate.class), out);
+          table(files, filter.results(WingBeat.class), beats);
+          table(files, filter.results(WingPair.class), pairs);
           if (log != null) {
             String source = file == null ? cameras.devices.get(0) : file.getFileName().toString();
             WingLog wingLog = WingLog.open(writing.begin(log), source, filter, logFormat());

@@ -6,8 +6,12 @@ import haltere.core.settings.Parameter;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.sink.CsvSink;
 import haltere.filters.wing.ManualWingChange;
+import haltere.filters.wing.WingBeat;
+import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterState;
+import haltere.filters.wing.WingMeasurement;
+import haltere.filters.wing.WingResult;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTrackerFilter;
 import java.io.BufferedOutputStream;
@@ -103,9 +107,9 @@ public final class WingLog implements Closeable {
       return;
     }
     switch (format.rows()) {
-      case EVENT -> table(filter.measurements());
-      case TICK -> table(filter.estimates());
-      case BEAT -> table(filter.beats());
+      case EVENT -> table(WingMeasurement.class);
+      case TICK -> table(WingEstimate.class);
+      case BEAT -> table(WingBeat.class);
     }
   }
 
@@ -118,38 +122,34 @@ public final class WingLog implements Closeable {
     rows = lines::rows;
     comments = lines::comment;
     if (when == WingLogFormat.Rows.EVENT) {
-      log(filter.measurements(), lines::event);
+      log(WingMeasurement.class, lines::event);
     } else {
-      subscriptions.add(filter.measurements().subscribe(lines::keep, this::fail));
-      log(filter.estimates(), lines::tick);
+      subscribe(WingMeasurement.class, lines::keep);
+      log(WingEstimate.class, lines::tick);
     }
   }
 
-  private <R extends Record> void table(Outlet<R> outlet) throws IOException {
-    for (String column : CsvSink.columns(outlet.type())) {
+  private <R extends Record & WingResult> void table(Class<R> kind) throws IOException {
+    for (String column : CsvSink.columns(kind)) {
       comment("column " + column + ": " + MEANINGS.get(column));
     }
     text.flush();
-    CsvSink<R> sink = CsvSink.on(out, outlet.type());
+    CsvSink<R> sink = CsvSink.on(out, kind);
     table = sink;
     rows = sink::rows;
     comments = sink::comment;
-    log(outlet, sink);
+    log(kind, sink);
   }
 
-  /** Writes a row for each result of an outlet, after lines on changes since the last row. */
-  private <R> void log(Outlet<R> outlet, Consumer<? super R> rowsOf) {
-    subscriptions.add(
-        filter
-            .manualChanges()
-            .subscribe(change -> comments.accept("manual change: " + label(change)), this::fail));
-    subscriptions.add(
-        outlet.subscribe(
-            row -> {
-              logChanges();
-              rowsOf.accept(row);
-            },
-            this::fail));
+  /** Writes a row for each result of a kind, after lines on changes since the last row. */
+  private <R extends WingResult> void log(Class<R> kind, Consumer<? super R> rowsOf) {
+    subscribe(ManualWingChange.class, change -> comments.accept("manual change: " + label(change)));
+    subscribe(kind, row -> logChanges());
+    subscribe(kind, rowsOf);
+  }
+
+  private <R extends WingResult> void subscribe(Class<R> kind, Consumer<? super R> consumer) {
+    subscriptions.add(filter.results(kind).subscribe(consumer, this::fail));
   }
 
   /** Says which settings are others from the next row on. */

@@ -37,32 +37,19 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
   private final Outlet<WingEstimate> wings = outlet("wings", WingEstimate.class);
   private final Outlet<WingEstimate> averages = outlet("averages", WingEstimate.class);
   private final Outlet<WingDifference> differences = outlet("differences", WingDifference.class);
-  private final Outlet<WingMeasurement> measurements =
-      outlet("measurements", WingMeasurement.class);
-  private final Outlet<WingVariances> variances = outlet("variances", WingVariances.class);
-  private final Outlet<WingBeat> beats = outlet("beats", WingBeat.class);
-  private final Outlet<WingPair> pairs = outlet("pairs", WingPair.class);
-  private final Outlet<FlyGeometry> geometries = outlet("geometry", FlyGeometry.class);
-  private final Outlet<WingTrackerState> states = outlet("initialisation", WingTrackerState.class);
-  private final Outlet<WingSnapshot> snapshots =
-      drawnOutlet("snapshot", WingSnapshot.class, "wings", new WingOverlay());
-
-  /** not part of a chain: publishes only manual changes */
-  private final Outlet<ManualWingChange> manualChanges =
-      new Outlet<>("by-hand", ManualWingChange.class);
-
   private final Map<Class<? extends WingResult>, Outlet<? extends WingResult>> byKind =
       Map.of(
           WingEstimate.class, estimates,
-          WingMeasurement.class, measurements,
-          WingVariances.class, variances,
           WingDifference.class, differences,
-          WingPair.class, pairs,
-          WingBeat.class, beats,
-          FlyGeometry.class, geometries,
-          WingTrackerState.class, states,
-          WingSnapshot.class, snapshots,
-          ManualWingChange.class, manualChanges);
+          WingMeasurement.class, outlet("measurements", WingMeasurement.class),
+          WingVariances.class, outlet("variances", WingVariances.class),
+          WingBeat.class, outlet("beats", WingBeat.class),
+          WingPair.class, outlet("pairs", WingPair.class),
+          FlyGeometry.class, outlet("geometry", FlyGeometry.class),
+          WingTrackerState.class, outlet("initialisation", WingTrackerState.class),
+          WingSnapshot.class,
+              drawnOutlet("snapshot", WingSnapshot.class, "wings", new WingOverlay()),
+          ManualWingChange.class, new Outlet<>("by-hand", ManualWingChange.class));
 
   private final WingTracker tracker;
 
@@ -82,47 +69,16 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
   }
 
   /**
-   * The estimates of each edge and each wing.
+   * The outlet of a kind of results. Manual changes of running Kalman filters are not among {@link
+   * #outlets()}, since they are no result.
    *
-   * @return one for each tick of the rate
+   * @param kind any kind but {@link WingAverage}
+   * @param <R> that kind
+   * @return the outlet of both edges and wings for estimates
    */
-  public Outlet<WingEstimate> estimates() {
-    return estimates;
-  }
-
-  /**
-   * The measurements of the edges.
-   *
-   * @return one for each accepted event
-   */
-  public Outlet<WingMeasurement> measurements() {
-    return measurements;
-  }
-
-  /**
-   * The beats of each wing.
-   *
-   * @return one for each completed beat
-   */
-  public Outlet<WingBeat> beats() {
-    return beats;
-  }
-
-  /**
-   * The differences, sums and phase lags of both wings.
-   *
-   * @return one for each tick of the rate with both wings
-   */
-  public Outlet<WingPair> pairs() {
-    return pairs;
-  }
-
-  /**
-   * {@return the outlet of manual changes of running Kalman filters; not among {@link #outlets()},
-   * since it is not a result}
-   */
-  public Outlet<ManualWingChange> manualChanges() {
-    return manualChanges;
+  @SuppressWarnings("unchecked")
+  public <R extends WingResult> Outlet<R> results(Class<R> kind) {
+    return (Outlet<R>) byKind.get(kind);
   }
 
   @Override
@@ -171,7 +127,7 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
     @Override
     public boolean isRequested(Class<? extends WingResult> kind) {
       return kind == WingEstimate.class
-          ? Stream.of(estimates, wings, averages, differences, pairs)
+          ? Stream.of(estimates, wings, averages, differences, byKind.get(WingPair.class))
               .anyMatch(Outlet::hasSubscribers)
           : byKind.get(kind).hasSubscribers();
     }
