@@ -118,9 +118,8 @@ final class RecordCommand extends Subcommand {
     for (SessionRecorder.Part part : recorded.recorder().parts()) {
       long came = part.report().received();
       if (Files.exists(part.file())) {
-        long written = part.report().written();
-        String known = written == 0 ? "none" : "at least " + Quantities.events(written);
-        message("%s holds %s of %,d received", part.file(), known, came);
+        String written = Quantities.events(part.report().written());
+        message("%s holds at least %s of %,d received", part.file(), written, came);
       } else {
         String advice = ".aedat4 keeps what was written";
         message("%s was not kept: none of %,d received; %s", part.file(), came, advice);

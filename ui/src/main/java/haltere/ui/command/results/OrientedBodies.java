@@ -107,11 +107,11 @@ public final class OrientedBodies {
     List<String> lines = new ArrayList<>();
     lines.add(
         Quantities.text(
-            "%s observations of %d %s, %s estimates",
-            Quantities.count(observations),
+            "%s of %d %s, %s",
+            Quantities.counted(observations, "observation"),
             bodies.size(),
             bodies.size() == 1 ? "body" : "bodies",
-            Quantities.count(estimates)));
+            Quantities.counted(estimates, "estimate")));
     for (OrientationCount count : OrientationCount.values()) {
       long sum = bodies.values().stream().mapToLong(body -> body.count(count)).sum();
       if (sum > 0 || count == OrientationCount.USED || count == OrientationCount.REJECTED) {

@@ -33,7 +33,7 @@ public final class UserSettings {
   private final Map<String, StoredValue> properties = new HashMap<>();
 
   /** A change of a value, from the one that was saved. */
-  private record Change(Object before, Object now) {
+  private record ValueChange(Object before, Object now) {
     /** The value after the change of another one, of whose map only changed entries are changed. */
     Object of(Object there) {
       if (!(there instanceof Map<?, ?> others
@@ -50,7 +50,7 @@ public final class UserSettings {
   }
 
   /** Values that were changed and are not saved yet. */
-  private final Map<String, Change> unsaved = new ConcurrentHashMap<>();
+  private final Map<String, ValueChange> unsaved = new ConcurrentHashMap<>();
 
   private UserSettings(Optional<Path> file, Map<String, Object> values) {
     this.file = file;
@@ -100,8 +100,8 @@ public final class UserSettings {
   public void put(String name, Object value) {
     Object before = values.put(name, value);
     if (!value.equals(before)) {
-      Change change = new Change(before == null ? Map.of() : before, value);
-      unsaved.merge(name, change, (first, last) -> new Change(first.before(), last.now()));
+      ValueChange change = new ValueChange(before == null ? Map.of() : before, value);
+      unsaved.merge(name, change, (first, last) -> new ValueChange(first.before(), last.now()));
     }
   }
 
@@ -161,7 +161,7 @@ public final class UserSettings {
 
   /** Writes changed values into the file, which another window may have changed elsewhere. */
   public void save() throws IOException {
-    Map<String, Change> changed = Map.copyOf(unsaved);
+    Map<String, ValueChange> changed = Map.copyOf(unsaved);
     if (file.isEmpty() || changed.isEmpty()) {
       return;
     }
