@@ -94,19 +94,19 @@ public final class BatchInputs {
 
   private void walk(Path folder) throws IOException {
     Path start = folder.toRealPath();
+    Path own = Files.exists(results) ? results.toRealPath() : results;
     Files.walkFileTree(
         start,
         new SimpleFileVisitor<>() {
           @Override
           public FileVisitResult preVisitDirectory(Path real, BasicFileAttributes attributes)
               throws IOException {
-            Path inner = named(real);
-            if (Files.exists(results) && Files.isSameFile(real, results)
-                || !inner.equals(folder) && isHidden(inner)) {
+            boolean isInner = !real.equals(start);
+            if (real.equals(own) || isInner && isHidden(real)) {
               return FileVisitResult.SKIP_SUBTREE;
             }
-            if (!inner.equals(folder) && Recordings.isRecording(inner)) {
-              add(inner, folder);
+            if (isInner && Recordings.isRecording(real)) {
+              add(named(real), folder);
               return FileVisitResult.SKIP_SUBTREE;
             }
             return FileVisitResult.CONTINUE;

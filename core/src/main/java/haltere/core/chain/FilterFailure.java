@@ -15,8 +15,8 @@ public final class FilterFailure extends RuntimeException {
 
   FilterFailure(ChainStage stage, RuntimeException cause) {
     super(
-        cause instanceof UncheckedIOException output
-            ? "results of filter " + stage.name() + " were lost: " + Reason.of(output.getCause())
+        cause instanceof UncheckedIOException
+            ? "results of filter " + stage.name() + " were lost: " + Reason.of(cause)
             : "filter " + stage.name() + " failed: " + cause,
         cause);
     this.stage = stage;

@@ -108,8 +108,8 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
   }
 
   /**
-   * The recording backwards in time: objects begin where and as they end. Objects that a tracker
-   * only finds as they begin are lost.
+   * The recording backwards in time: objects begin where and as they end. A tracker that depends on
+   * how they begin has other scores on it.
    *
    * @return a scene of the recording's kind
    * @throws IOException if the file or its labels cannot be read

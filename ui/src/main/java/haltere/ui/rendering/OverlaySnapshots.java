@@ -59,12 +59,11 @@ public final class OverlaySnapshots {
     }
   }
 
-  /** Removes all snapshots if the notification ends continuity; returns whether it does. */
-  public boolean notified(StreamNotification notification) {
+  /** Removes all snapshots if the notification restarts time. */
+  public void notified(StreamNotification notification) {
     if (notification.restartsTime()) {
       snapshots.forEach(LayerSnapshot::clear);
     }
-    return notification.restartsTime();
   }
 
   /** Ends all subscriptions; the processing thread has ended or calls this. */

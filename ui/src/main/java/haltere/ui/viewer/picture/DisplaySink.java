@@ -126,11 +126,11 @@ public final class DisplaySink implements SliceSink {
 
   @Override
   public void notified(StreamNotification notification) {
-    boolean jumps = snapshots.notified(notification);
+    snapshots.notified(notification);
     steps.execute(
         () -> {
           renderer.notified(notification);
-          if (jumps) {
+          if (notification.restartsTime()) {
             renderer.frames().jump();
             renderer.setStale(true);
           }

@@ -94,7 +94,8 @@ final class SpaceTimeSink implements SliceSink {
   @Override
   public void notified(StreamNotification notification) {
     cloud.notified(notification);
-    if (snapshots.notified(notification)) {
+    snapshots.notified(notification);
+    if (notification.restartsTime()) {
       traces.clear();
       marks = List.of();
       tracedUs = 0;
