@@ -19,23 +19,16 @@ import java.util.Optional;
  * {@code docs/road.md} has the equations.
  */
 final class Vehicle {
-  // entries of the state, metres and m/s
+  // entries of the state, metres and m/s: position and velocity across and along the road, heights
+  // of the lower edge and of the middle of the extent, distance of the middle behind the nearer end
   private static final int X = 0;
   private static final int VX = 1;
   static final int Y = 2;
   static final int VY = 3;
-
-  /** Height of the lower edge. */
   static final int LOW = 4;
-
-  /** Height of the middle of the extent. */
   static final int MIDDLE = 5;
-
-  /** Distance of that middle behind the nearer end. */
   static final int BEHIND = 6;
-
   static final int SIZE = 7;
-  private static final int NONE = -1;
 
   /** Memory of an extent in the picture and duration of its errors, seconds. */
   private static final double EXTENT_S = 0.3;
@@ -48,6 +41,9 @@ final class Vehicle {
 
   /** Mean normalised innovation squared above which a vehicle brakes: 95 % quantile of χ². */
   private static final double BRAKES = Gate.probability(0.95).threshold(1);
+
+  /** The same above which the track has gone over to another vehicle: 99.9 % quantile. */
+  private static final double IS_OTHER = Gate.probability(0.999).threshold(1);
 
   /** Least height of the camera above a visible point, as a share of its height. */
   private static final double MIN_CLEARANCE = 0.1;
@@ -92,7 +88,7 @@ final class Vehicle {
     boolean isWhole = track.lowYPx() > BORDER_PX && mapping.seesPlane(track.xPx(), track.yPx());
     if (!isWhole) {
       insideUs = timeUs;
-    } else if ((timeUs - insideUs) * 1e-6 >= EXTENT_S) {
+    } else if (seconds > 0 && (timeUs - insideUs) * 1e-6 >= EXTENT_S) {
       if (isStarted) {
         measure(track, seconds);
       } else {
@@ -105,6 +101,8 @@ final class Vehicle {
   private void start(ObjectTrack track) {
     isStarted = true;
     double low = track.lowYPx();
+    state.setMean(VX, 0);
+    state.setMean(VY, 0);
     state.setMean(LOW, prior.lowEdgeM());
     state.setMean(MIDDLE, prior.heightM() / 2);
     state.setMean(BEHIND, prior.lengthM() / 2);
@@ -121,10 +119,14 @@ final class Vehicle {
         square(prior.heightM() / 4),
         square(prior.lengthM() / 4));
     state.addNoise(Y, LOW, -byHeight * prior.lowEdgeM());
-    // The velocity is used once: later ones have the errors of the positions.
-    PlaneJacobian j = mapping.jacobian(track.xPx(), track.yPx());
-    double variance = square(track.sdVyPxS() * j.yv());
-    correct(VY, NONE, MIDDLE, j.y(track.vxPxS(), track.vyPxS()), variance);
+    // The velocity is used once: later ones have the errors of the positions, and after a change of
+    // the vehicle the track still has that of the vehicle before.
+    if (meanNis <= IS_OTHER) {
+      PlaneJacobian j = mapping.jacobian(track.xPx(), track.yPx());
+      double variance = square(track.sdVyPxS() * j.yv());
+      correct(VY, 0, MIDDLE, j.y(track.vxPxS(), track.vyPxS()), variance);
+    }
+    meanNis = 1;
   }
 
   private void predict(double dt) {
@@ -138,35 +140,34 @@ final class Vehicle {
 
   /** Errors of extents last for a time T: of n rows in a second, 1 / (2 T) are independent. */
   private void measure(ObjectTrack track, double seconds) {
-    if (!(seconds > 0)) {
-      return;
-    }
     double rows = Math.max(1, 2 * EXTENT_S / seconds);
     double x = track.xPx();
     double y = track.yPx();
     double low = track.lowYPx();
     double rowVariance = square(track.sdYPx()) * rows;
     double yv = mapping.jacobian(x, low).yv();
-    double nis = correct(Y, NONE, LOW, mapping.planeY(x, low), rowVariance * square(yv));
+    double nis = correct(Y, 0, LOW, mapping.planeY(x, low), rowVariance * square(yv));
     meanNis += (nis * rows - meanNis) / rows;
     PlaneJacobian j = mapping.jacobian(x, y);
-    correct(Y, BEHIND, MIDDLE, mapping.planeY(x, y), rowVariance * square(j.yv()));
+    correct(Y, 1, MIDDLE, mapping.planeY(x, y), rowVariance * square(j.yv()));
     double columnVariance = square(track.sdXPx() * j.xu()) * rows;
-    correct(X, NONE, MIDDLE, mapping.planeX(x, y), columnVariance);
+    correct(X, 0, MIDDLE, mapping.planeX(x, y), columnVariance);
+    if (meanNis > IS_OTHER) {
+      isStarted = false;
+      insideUs = timeUs;
+    }
   }
 
   /**
-   * Updates with the apparent road position or speed of a point at a height; {@return the
-   * normalised innovation squared}
+   * Updates with the apparent road position or speed of a point at a height, 1 or 0 times the entry
+   * BEHIND behind the nearer end; {@return the normalised innovation squared}
    */
   private double correct(int at, int behind, int height, double seen, double variance) {
     double s = scale(height);
-    double position = state.mean(at) + (behind == NONE ? 0 : state.mean(behind));
+    double position = state.mean(at) + behind * state.mean(BEHIND);
     Arrays.fill(row, 0);
     row[at] = s;
-    if (behind != NONE) {
-      row[behind] = s;
-    }
+    row[BEHIND] = behind * s;
     row[height] = position * s * s / mapping.heightM();
     double innovation = seen - s * position;
     double expected = state.project(row) + variance;

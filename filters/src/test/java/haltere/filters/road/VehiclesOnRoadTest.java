@@ -3,6 +3,7 @@ package haltere.filters.road;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.filters.object.ObjectTrack;
 import haltere.filters.plane.PlanePoint;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -93,5 +94,26 @@ class VehiclesOnRoadTest {
       point = road.apply(now.seen(point.timeUs() + 10_000, STEP_S, errors)).orElseThrow();
     }
     assertEquals(-4, point.vyMS(), 1.5);
+  }
+
+  @Test
+  void trackThatGoesOverToAnotherVehicleHasTheSpeedOfThatVehicle() {
+    SeenVehicle.Errors errors = new SeenVehicle.Errors(8, 0.1);
+    PlanePoint away = follow(usual(3, 20, 14), 2, errors);
+    assertEquals(14, away.vyMS(), 1.5);
+    SeenVehicle other = usual(3, 50, -14);
+    Optional<PlanePoint> point = Optional.empty();
+    int withoutRow = 0;
+    for (double s = STEP_S; s < 1.5; s += STEP_S) {
+      long timeUs = away.timeUs() + Math.round(s * 1e6);
+      ObjectTrack seen = other.at(other.yAt(s), -14).seen(timeUs, STEP_S, errors);
+      // the velocity of the track is still that of the first vehicle
+      double vy = -seen.vyPxS();
+      point = road.apply(SeenVehicle.row(timeUs, seen.xPx(), seen.yPx(), seen.lowYPx(), 0, vy));
+      withoutRow += point.isEmpty() ? 1 : 0;
+    }
+    assertTrue(withoutRow > 0, "a row although the extent of the vehicle is not known");
+    assertEquals(-14, point.orElseThrow().vyMS(), 2 * point.orElseThrow().sdVyMS());
+    assertTrue(point.orElseThrow().sdVyMS() < 4, point.toString());
   }
 }
