@@ -163,7 +163,7 @@ final class Aedat2Writer implements RecordingWriter {
   public List<String> losses() {
     List<String> lines = new ArrayList<>(WriterLosses.outside(outside, geometry));
     if (clock != null) {
-      clock.loss().ifPresent(lines::add);
+      lines.addAll(WriterLosses.jumps(clock.leaps(), "the format's 32-bit clock"));
     }
     return lines;
   }

@@ -1,7 +1,5 @@
 package haltere.core.format.internal.clock;
 
-import java.util.Optional;
-
 /**
  * The 32-bit clock of a writer: it predicts the times that a reader will reconstruct, which differ
  * after jumps too large for the clock ({@link WrappingClock} has the rule).
@@ -77,16 +75,11 @@ public final class WrittenClock {
   }
 
   /**
-   * Losses of such a clock.
+   * The jumps of time that are too large for the clock.
    *
-   * @return a line for the user, or empty without losses
+   * @return their number
    */
-  public Optional<String> loss() {
-    return leaps == 0
-        ? Optional.empty()
-        : Optional.of(
-            leaps
-                + " jumps of time are too long for the format's 32-bit clock; later times read "
-                + "back shifted");
+  public long leaps() {
+    return leaps;
   }
 }

@@ -145,7 +145,7 @@ final class DatWriter implements RecordingWriter {
               + " events less a multiple of 4294967296 us");
     }
     if (clock != null) {
-      clock.loss().ifPresent(lines::add);
+      lines.addAll(WriterLosses.jumps(clock.leaps(), "the format's 32-bit clock"));
     }
     return lines;
   }

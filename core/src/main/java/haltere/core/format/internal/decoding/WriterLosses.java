@@ -3,7 +3,7 @@ package haltere.core.format.internal.decoding;
 import haltere.core.event.SensorGeometry;
 import java.util.List;
 
-/** Messages about events that a writer skipped, shared by all formats. */
+/** Messages about what a written recording lacks, shared by all formats. */
 public final class WriterLosses {
   private WriterLosses() {}
 
@@ -15,9 +15,24 @@ public final class WriterLosses {
    * @return a line, or none without such events
    */
   public static List<String> outside(long events, SensorGeometry sensor) {
-    return events == 0
-        ? List.of()
-        : List.of(events + " events outside of " + sensor + " were left out");
+    String were = events == 1 ? " was left out" : " were left out";
+    return lines(events, " event", " outside of " + sensor + were);
+  }
+
+  /**
+   * Reports jumps of time that a format's clock cannot express.
+   *
+   * @param jumps number of jumps
+   * @param clock the clock, such as "the format's clock"
+   * @return a line, or none without such jumps
+   */
+  public static List<String> jumps(long jumps, String clock) {
+    String fit = jumps == 1 ? " of time does not fit " : " of time do not fit ";
+    return lines(jumps, " jump", fit + clock + "; later times read back shifted");
+  }
+
+  private static List<String> lines(long count, String one, String rest) {
+    return count == 0 ? List.of() : List.of(count + one + (count == 1 ? "" : "s") + rest);
   }
 
   /**

@@ -123,12 +123,7 @@ final class EventStreamWriter implements RecordingWriter {
           "the format's clock starts at 0: all times read back "
               + WriterLosses.shift(startShiftUs));
     }
-    if (leaps > 0) {
-      lines.add(
-          leaps
-              + " jumps of time, back or by more than a day, do not fit the format's clock; "
-              + "later times read back shifted");
-    }
+    lines.addAll(WriterLosses.jumps(leaps, "the format's clock, which advances by at most a day"));
     return lines;
   }
 

@@ -190,10 +190,7 @@ abstract sealed class EvtWriter implements RecordingWriter
           "the clock of the words starts at 0: other programs read all times "
               + WriterLosses.shift(statedBaseUs));
     }
-    if (shifts > 0) {
-      lines.add(
-          shifts + " jumps of time do not fit the format's clock; later times read back shifted");
-    }
+    lines.addAll(WriterLosses.jumps(shifts, "the format's clock"));
     return lines;
   }
 

@@ -168,7 +168,8 @@ class Aedat2FormatTest extends RecordingFormatContract {
       writer.write(written);
       writer.finish();
       assertEquals(1, writer.losses().size());
-      assertTrue(writer.losses().get(0).startsWith("1 jumps of time"), writer.losses().get(0));
+      assertTrue(
+          writer.losses().get(0).startsWith("1 jump of time does not fit"), writer.losses().get(0));
     }
   }
 

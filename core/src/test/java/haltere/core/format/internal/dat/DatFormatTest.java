@@ -122,7 +122,7 @@ class DatFormatTest extends RecordingFormatContract {
     List<String> losses = losses(folder.resolve("leap.dat"), written);
 
     assertEquals(2, losses.size(), losses.toString());
-    assertTrue(losses.get(1).startsWith("1 jumps of time"), losses.get(1));
+    assertTrue(losses.get(1).startsWith("1 jump of time does not fit"), losses.get(1));
     assertEquals(3, read(folder.resolve("leap.dat")).events().size());
   }
 

@@ -161,7 +161,7 @@ abstract class EvtContract extends RecordingFormatContract {
       writer.write(early);
       writer.finish();
       assertTrue(
-          writer.losses().stream().anyMatch(line -> line.startsWith("1 jumps of time")),
+          writer.losses().stream().anyMatch(line -> line.startsWith("1 jump of time does not fit")),
           writer.losses().toString());
     }
     assertEquals(20, events(folder.resolve("leap.raw"), ReadOptions.DEFAULT).size());
