@@ -155,22 +155,20 @@ final class ConvertCommand extends Subcommand {
 
   private void checkEncoding() {
     if (outFormat != null) {
-      RecordingFormat format = Recordings.formats().get(outFormat);
       if (!ReadingOptions.isStandard(out) || evt != null) {
         throw wrongArguments("--out-format needs - as OUT, and excludes --evt");
       }
-      if (format == null || !format.isStreamed()) {
-        throw wrongArguments("--out-format is " + outFormat + ", which cannot be a stream");
+      List<String> names = new ArrayList<>(Recordings.formats().keySet());
+      names.removeIf(name -> !Recordings.formats().get(name).isStreamed());
+      if (!names.contains(outFormat)) {
+        throw wrongArguments("--out-format is " + outFormat + ", it must be one of " + names);
       }
     }
-    if (evt == null) {
-      return;
-    }
-    if (!ENCODINGS.containsKey(evt)) {
+    if (evt != null && !ENCODINGS.containsKey(evt)) {
       throw wrongArguments("--evt is " + evt + ", it must be 2, 2.1 or 3");
     }
     boolean isRaw = ReadingOptions.isStandard(out) || WritingOptions.hasEnding(out, ".raw");
-    if (stream != null || !isRaw) {
+    if (evt != null && (stream != null || !isRaw)) {
       throw wrongArguments("--evt is for recordings in .raw files, which " + out + " is not");
     }
   }

@@ -93,7 +93,9 @@ class StreamsCommandTest {
     assertEquals(1, nothing.status());
     assertEquals(1, nothing.errorLines().size(), nothing.err());
     assertEquals(2, piped(csv, "info", "-", "--index").status());
-    assertEquals(2, piped(csv, "convert", "-", "-", "--out-format", "npz").status());
+    CommandRun unknown = piped(csv, "convert", "-", "-", "--out-format", "npz");
+    assertEquals(2, unknown.status());
+    assertTrue(unknown.err().contains("npz, it must be one of [aedat2, "), unknown.err());
     assertEquals(2, piped(csv, "convert", "-", "b.csv", "--out-format", "csv").status());
   }
 
