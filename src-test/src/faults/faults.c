@@ -8,10 +8,12 @@
  *   FAULTS_READ_ERROR_AT  offset in a file from which reading says EIO
  *   FAULTS_SYNC_ERROR     1: forcing a file to the disk says EIO
  *   FAULTS_RENAME_ERROR   1: renaming says EIO
+ *   FAULTS_LIST_ERROR     1: listing a folder says EIO
  *   FAULTS_SLOW_US        pause before each read and write
  *   FAULTS_CLOCK_JUMP_S   the time of day jumps by this at each hundredth question, forth and back
  */
 #define _GNU_SOURCE
+#include <dirent.h>
 #include <dlfcn.h>
 #include <errno.h>
 #include <limits.h>
@@ -26,7 +28,7 @@
 
 static const char *folder;
 static long full_after = -1, large_after = -1, read_error_at = -1, slow_us = -1, clock_jump_s = 0;
-static int sync_error, rename_error;
+static int sync_error, rename_error, list_error;
 static atomic_long written;
 static atomic_long questions;
 
@@ -44,6 +46,7 @@ __attribute__((constructor)) static void start(void) {
   clock_jump_s = number("FAULTS_CLOCK_JUMP_S", 0);
   sync_error = number("FAULTS_SYNC_ERROR", 0) != 0;
   rename_error = number("FAULTS_RENAME_ERROR", 0) != 0;
+  list_error = number("FAULTS_LIST_ERROR", 0) != 0;
 }
 
 static int below(const char *path) { return folder != NULL && strncmp(path, folder, strlen(folder)) == 0; }
@@ -174,6 +177,15 @@ int rename(const char *from, const char *to) {
   }
   int (*real)(const char *, const char *) = (int (*)(const char *, const char *))dlsym(RTLD_NEXT, "rename");
   return real(from, to);
+}
+
+struct dirent *readdir(DIR *listed) {
+  if (list_error && concerns(dirfd(listed))) {
+    errno = EIO;
+    return NULL;
+  }
+  struct dirent *(*real)(DIR *) = (struct dirent *(*)(DIR *))dlsym(RTLD_NEXT, "readdir");
+  return real(listed);
 }
 
 int clock_gettime(clockid_t clock, struct timespec *time) {

@@ -134,6 +134,12 @@ public final class BatchInputs {
             return FileVisitResult.CONTINUE;
           }
 
+          @Override
+          public FileVisitResult postVisitDirectory(Path listed, IOException problem)
+              throws IOException {
+            return problem == null ? FileVisitResult.CONTINUE : visitFileFailed(listed, problem);
+          }
+
           private Path named(Path real) {
             return folder.resolve(start.relativize(real));
           }
@@ -165,15 +171,17 @@ public final class BatchInputs {
     }
   }
 
-  private static long bytes(Path recording) throws IOException {
-    if (!Files.isDirectory(recording)) {
-      return Files.size(recording);
+  /** The size of a recording; 0 if it cannot be read, so that it fails in the batch by itself. */
+  private static long bytes(Path recording) {
+    try {
+      long bytes = 0;
+      for (Path file : Checksums.files(recording)) {
+        bytes += Files.size(file);
+      }
+      return bytes;
+    } catch (IOException unreadable) {
+      return 0;
     }
-    long bytes = 0;
-    for (Path file : Checksums.files(recording)) {
-      bytes += Files.size(file);
-    }
-    return bytes;
   }
 
   /**

@@ -1,6 +1,7 @@
 package haltere.core.format;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -111,8 +112,14 @@ final class RecordingFolder {
           .filter(file -> Files.isRegularFile(file) && Recordings.isRecording(file))
           .sorted()
           .toList();
+    } catch (UncheckedIOException e) {
+      throw unreadable(folder, e.getCause());
     } catch (IOException e) {
-      throw RecordingProblem.of(folder, "this folder cannot be read; name a recording in it", e);
+      throw unreadable(folder, e);
     }
+  }
+
+  private static RecordingProblem unreadable(Path folder, IOException cause) {
+    return RecordingProblem.of(folder, "this folder cannot be read; name a recording in it", cause);
   }
 }

@@ -151,6 +151,20 @@ class FaultsTest {
     }
   }
 
+  @Test
+  void folderThatCannotBeListedIsReportedAndDoesNotStopABatch() throws IOException {
+    Path damaged = Files.createDirectory(in.resolve("damaged"));
+    try {
+      Map<String, ?> faulty = Map.of("FAULTS_FOLDER", damaged, "FAULTS_LIST_ERROR", 1);
+      batch(faulty, out).saysOf("damaged", "cannot be read");
+    } finally {
+      Files.delete(damaged);
+    }
+    Map<String, byte[]> done = files(out);
+    assertTrue(new String(done.remove("failed.json")).contains("damaged"));
+    assertSame(undisturbedBatch(), done);
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {"FAULTS_FULL_AFTER", "FAULTS_SYNC_ERROR", "FAULTS_RENAME_ERROR", "FAULTS_SLOW_US"})
