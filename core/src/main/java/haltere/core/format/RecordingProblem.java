@@ -4,9 +4,6 @@ import haltere.core.stream.internal.Reason;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.nio.channels.ClosedChannelException;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.FileSystemException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Locale;
 
@@ -49,26 +46,13 @@ public final class RecordingProblem extends IOException {
         || cause instanceof ClosedChannelException) {
       return cause;
     }
-    String reason = reason(cause);
+    String reason = Reason.withoutFile(cause);
     return new RecordingProblem(place + ": " + verb + reason + advice(reason), cause);
   }
 
   /** A problem that the system reports, not the content of the file. */
   static RecordingProblem of(Path file, String message, IOException cause) {
     return new RecordingProblem(file + ": " + message, cause);
-  }
-
-  /** Without the system's name of the file, which may be a temporary one. */
-  private static String reason(IOException cause) {
-    if (cause instanceof NoSuchFileException) {
-      return "there is no such file or folder";
-    }
-    if (cause instanceof AccessDeniedException) {
-      return "no permission";
-    }
-    return cause instanceof FileSystemException named && named.getReason() != null
-        ? named.getReason()
-        : Reason.of(cause);
   }
 
   private static String advice(String reason) {

@@ -12,7 +12,6 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
-import java.nio.file.NoSuchFileException;
 import java.util.regex.Pattern;
 
 /** Turns any failure into one line with file, cause and advice. */
@@ -67,16 +66,13 @@ final class Failures {
 
   private static String fileProblem(FileSystemException problem) {
     String file = problem.getFile() == null ? "" : problem.getFile() + ": ";
-    if (problem instanceof NoSuchFileException) {
-      return file + "there is no such file or folder";
-    }
     if (problem instanceof AccessDeniedException) {
       return file + "permission denied; change its mode or owner, or choose another place";
     }
     if (problem instanceof FileAlreadyExistsException) {
       return file + "exists already; give --overwrite to replace it";
     }
-    return file + (problem.getReason() == null ? "cannot be used" : problem.getReason());
+    return Reason.of(problem);
   }
 
   /** The problem of a text file that is no text. */

@@ -62,9 +62,6 @@ final class FileFeature implements ViewerFeature {
 
   private void opened(Path file) {
     Path whole = file.toAbsolutePath().normalize();
-    if (!files.isEmpty() && files.get(0).equals(whole)) {
-      return;
-    }
     files.remove(whole);
     files.add(0, whole);
     if (files.size() > MAX_FILES) {

@@ -2,9 +2,9 @@ package haltere.ui.viewer.controls;
 
 import haltere.core.playback.PlayerStatus;
 import haltere.core.settings.Parameter;
+import haltere.core.stream.internal.Reason;
 import java.io.PrintWriter;
 import java.io.StringWriter;
-import java.io.UncheckedIOException;
 import java.util.Locale;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletionException;
@@ -199,15 +199,11 @@ public final class Texts {
   /** A problem in one line, without the wrapping of futures and options of commands. */
   public static String oneLine(Throwable problem) {
     Throwable cause = problem;
-    while ((cause instanceof CompletionException
-            || cause instanceof ExecutionException
-            || cause instanceof UncheckedIOException)
+    while ((cause instanceof CompletionException || cause instanceof ExecutionException)
         && cause.getCause() != null) {
       cause = cause.getCause();
     }
-    String message = cause.getMessage();
-    String text = message == null || message.isBlank() ? cause.getClass().getSimpleName() : message;
-    return withoutOptions(text.lines().findFirst().orElse(text)).strip();
+    return withoutOptions(Reason.of(cause).lines().findFirst().orElse("")).strip();
   }
 
   /**

@@ -2,7 +2,6 @@ package haltere.ui.viewer.feature;
 
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
-import haltere.core.event.SensorGeometry;
 import haltere.core.format.AtomicFile;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.chain.ChainEditor;
@@ -121,19 +120,17 @@ public record ViewerContext(
    * settings of an earlier version.
    */
   public void loadChain(Path file, ChainEditor chain) {
-    ifOpen(open -> loadChain(file, open.chain().geometry(), chain));
-  }
-
-  private void loadChain(Path file, SensorGeometry geometry, ChainEditor chain) {
     List<String> notes = new ArrayList<>();
-    file(
-        () -> ChainFile.read(file, geometry, notes::add),
-        loaded -> {
-          chain.replaceAll(loaded);
-          if (!notes.isEmpty()) {
-            status.showError(String.join("; ", notes));
-          }
-        });
+    ifOpen(
+        open ->
+            file(
+                () -> ChainFile.read(file, open.chain().geometry(), notes::add),
+                loaded -> {
+                  chain.replaceAll(loaded);
+                  if (!notes.isEmpty()) {
+                    status.showError(String.join("; ", notes));
+                  }
+                }));
   }
 
   /**

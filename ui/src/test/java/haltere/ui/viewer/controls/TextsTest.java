@@ -7,6 +7,7 @@ import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.NoSuchFileException;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletionException;
 import org.junit.jupiter.api.Test;
@@ -82,6 +83,9 @@ class TextsTest {
     assertEquals(
         "No space left on device",
         Texts.oneLine(new CompletionException(new UncheckedIOException(full))));
+    assertEquals(
+        "cameras.json: there is no such file or folder",
+        Texts.oneLine(new NoSuchFileException("cameras.json")));
   }
 
   @Test
