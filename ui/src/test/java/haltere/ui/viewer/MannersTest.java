@@ -153,6 +153,20 @@ class MannersTest {
   }
 
   @Test
+  void lettersSearchFiltersAlsoWhenTheMouseIsOverAFilter() {
+    viewer = ViewerHarness.withBlob();
+    viewer.click("add-filter");
+    viewer.waitFor("the search", () -> viewer.isThere("add-filter-search"));
+    viewer.run(viewer.node("add-hot-pixels", Node.class)::requestFocus);
+    viewer.type("road");
+    TextField search = viewer.node("add-filter-search", TextField.class);
+    viewer.waitFor("the word", () -> search.getText().equals("road"));
+    viewer.waitFor("the match", () -> !viewer.isThere("add-hot-pixels"));
+    viewer.press(KeyCode.ENTER);
+    viewer.waitFor("it is added", () -> names().contains("kalman-tracks"));
+  }
+
+  @Test
   void problemIsOneLineWithDetailsOnAClick() {
     viewer = ViewerHarness.withBlob();
     viewer.run(

@@ -14,6 +14,7 @@ import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.TextField;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.VBox;
 
 /**
@@ -51,9 +52,18 @@ final class AddFilterMenu extends MenuButton {
         event -> {
           wanted.clear();
           wanted.requestFocus();
+          // the mouse gives the focus to the filter below it
+          wanted.getScene().setOnKeyTyped(typed -> search(wanted, typed));
         });
     getItems().add(new CustomMenuItem(wanted, false));
     getItems().addAll(items);
+  }
+
+  private static void search(TextField wanted, KeyEvent typed) {
+    if (!wanted.isFocused()) {
+      wanted.requestFocus();
+      wanted.fireEvent(typed);
+    }
   }
 
   /** A filter with its description. */
