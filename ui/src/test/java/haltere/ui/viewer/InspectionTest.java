@@ -104,6 +104,19 @@ class InspectionTest {
   }
 
   @Test
+  void readOutIsWholeInThePicturesOfAComparison() {
+    viewer.run(() -> viewer.window.context().actions().run("compare"));
+    viewer.run(() -> viewer.stage.setWidth(ViewerWindow.MIN_WIDTH));
+    EventView view = viewer.window.context().panels().view();
+    viewer.waitFor("a narrow picture", () -> view.getWidth() < ViewerWindow.MIN_WIDTH / 2);
+    viewer.click("event-view", 0.5, 0.5);
+    Label readout = viewer.node("cursor-readout", Label.class);
+    viewer.waitFor("a long read-out", () -> readout.getText().contains("ev/s near"));
+    viewer.waitFor("all of it", () -> readout.getBoundsInParent().getMaxX() <= view.getWidth());
+    assertTrue(viewer.onFx(() -> readout.getHeight() > 2 * readout.getFont().getSize()));
+  }
+
+  @Test
   void legendInTheNarrowestPictureIsShorterAndWhole() {
     viewer.run(() -> viewer.window.context().actions().run("show-as-time-surface"));
     EventView view = viewer.window.context().panels().view();

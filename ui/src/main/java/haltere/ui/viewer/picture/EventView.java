@@ -69,6 +69,7 @@ public final class EventView extends Region implements ArrowKeys {
     readout.setMouseTransparent(true);
     readout.setManaged(false);
     readout.setVisible(false);
+    readout.setWrapText(true);
     getChildren().add(picture.node());
     getChildren().addAll(frame, readout, legend);
     layoutBoundsProperty().subscribe((was, is) -> viewpoint.setSize(getWidth(), getHeight()));
@@ -221,6 +222,7 @@ public final class EventView extends Region implements ArrowKeys {
     legend.setOpacity(legend.minWidth(-1) > room ? 0 : 1);
     double legendX = Math.max(2, getWidth() - legend.getWidth() - 12);
     legend.relocate(legendX, getHeight() - legend.getHeight() - 10);
+    readout.setMaxWidth(getWidth() - 24);
     showReadout(readout.getText());
   }
 
