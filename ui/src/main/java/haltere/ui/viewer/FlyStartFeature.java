@@ -1,10 +1,12 @@
 package haltere.ui.viewer;
 
 import haltere.ui.rendering.ColourMap;
+import haltere.ui.rendering.DisplayMode;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.session.InitialView;
 import haltere.ui.viewer.session.ViewerSession;
 import javafx.beans.property.BooleanProperty;
@@ -42,13 +44,12 @@ final class FlyStartFeature implements ViewerFeature {
         .subscribe(wide -> caption.setMinHeight(caption.prefHeight(wide.doubleValue())));
     caption.setOnAction(event -> captionEnabled.set(false));
     window.panels().addAbovePicture(caption);
-    showCaption();
     window.settings().keep("flyCaption", captionEnabled);
     window.onSession(this::begin);
     // a speed chosen during the search remains, even if it is the same
     window.playback().speedProperty().subscribe(() -> searching = false);
     window.panels().onPulse(() -> window.ifOpen(this::pulse));
-    captionEnabled.subscribe((was, is) -> showCaption());
+    captionEnabled.subscribe(enabled -> showCaption());
     window.display().onChange(this::showCaption);
   }
 
@@ -74,10 +75,10 @@ final class FlyStartFeature implements ViewerFeature {
 
   private void showCaption() {
     Controls.show(isFly && captionEnabled.get(), caption);
-    ColourMap colours = window.display().coloursProperty().get();
+    DisplayOptions shown = window.display().options();
     caption.setText(
         "Simulated tethered fly, seen from above"
-            + (colours.equals(ColourMap.DARK)
+            + (shown.mode() == DisplayMode.POLARITY && shown.colours().equals(ColourMap.DARK)
                 ? "; orange: brighter (ON), blue: darker (OFF)"
                 : ""));
     caption.setAccessibleText("Dismiss the caption: " + caption.getText());

@@ -130,6 +130,8 @@ class StartTest {
         () -> viewer.onFx(viewer.window.context().playback().speedProperty()::get) == 0.01);
     assertTrue(viewer.isThere("fly-caption"));
     assertTrue(viewer.text("fly-caption").contains("orange: brighter (ON), blue: darker (OFF)"));
+    viewer.run(() -> viewer.window.context().actions().run("show-as-frequency"));
+    assertEquals("Simulated tethered fly, seen from above", viewer.text("fly-caption"));
     assertEquals(
         100_000, viewer.onFx(() -> viewer.window.context().panels().plots().window().spanUs()));
     List<Lane> lanes = viewer.onFx(() -> viewer.window.context().panels().plots().lanes());
