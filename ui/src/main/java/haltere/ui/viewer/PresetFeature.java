@@ -40,7 +40,7 @@ public final class PresetFeature implements ViewerFeature {
     window.editor().setPresets(this::items);
     folder = window.settings().file().map(file -> file.resolveSibling(FOLDER)).orElse(null);
     if (folder != null) {
-      list();
+      window.file(() -> read(folder), this::offer);
     }
   }
 
@@ -71,19 +71,13 @@ public final class PresetFeature implements ViewerFeature {
       window.status().showError("A preset cannot be named " + name);
       return;
     }
-    chain.read(
-        ChainFile::write,
-        json -> window.file(() -> write(folder.resolve(name + ENDING), json), written -> list()));
+    chain.read(ChainFile::write, json -> window.file(() -> write(name, json), this::offer));
   }
 
-  private static Path write(Path file, String json) throws IOException {
-    Files.createDirectories(file.getParent());
-    AtomicFile.write(file, json, true);
-    return file;
-  }
-
-  private void list() {
-    window.file(() -> read(folder), this::offer);
+  private Map<String, String> write(String name, String json) throws IOException {
+    Files.createDirectories(folder);
+    AtomicFile.write(folder.resolve(name + ENDING), json, true);
+    return read(folder);
   }
 
   /** Contents of the files by the names of the chains, in alphabetical order. */

@@ -9,6 +9,7 @@ import haltere.core.format.ReadOptions;
 import haltere.core.json.internal.Json;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.viewer.controls.Theme;
+import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
@@ -19,11 +20,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.FutureTask;
 import javafx.event.ActionEvent;
+import javafx.geometry.Rectangle2D;
+import javafx.scene.Group;
 import javafx.scene.Node;
+import javafx.scene.Scene;
 import javafx.scene.control.TextField;
 import javafx.scene.control.TextInputControl;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
+import javafx.stage.Screen;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -164,6 +169,17 @@ class MannersTest {
     viewer.waitFor("the match", () -> !viewer.isThere("add-hot-pixels"));
     viewer.press(KeyCode.ENTER);
     viewer.waitFor("it is added", () -> names().contains("kalman-tracks"));
+  }
+
+  @Test
+  void windowBesideTheViewerIsNoLargerThanTheScreen() {
+    viewer = ViewerHarness.withBlob();
+    Scene scene =
+        viewer.onFx(
+            () -> Windows.beside(viewer.stage, "Plots", new Group(), 9000, 9000).getScene());
+    Rectangle2D room = viewer.onFx(() -> Screen.getPrimary().getVisualBounds());
+    assertEquals(room.getWidth(), scene.getWidth());
+    assertEquals(room.getHeight(), scene.getHeight());
   }
 
   @Test

@@ -6,6 +6,7 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javafx.animation.PauseTransition;
 import javafx.application.Platform;
+import javafx.geometry.Rectangle2D;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
@@ -14,6 +15,7 @@ import javafx.scene.control.ButtonType;
 import javafx.scene.control.Dialog;
 import javafx.scene.control.TextInputDialog;
 import javafx.stage.Modality;
+import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
@@ -23,18 +25,20 @@ import javafx.util.Duration;
 public final class Windows {
   private Windows() {}
 
-  /** A window that is closed with its owner, and not shown yet. */
+  /** A window that is closed with its owner, no larger than the screen, and not shown yet. */
   public static Stage beside(Stage owner, String title, Parent root, double width, double height) {
     Stage stage = new Stage();
     stage.initOwner(owner);
     stage.setTitle(title);
-    Scene scene = new Scene(root, width, height);
+    Rectangle2D room = Screen.getPrimary().getVisualBounds();
+    Scene scene =
+        new Scene(root, Math.min(width, room.getWidth()), Math.min(height, room.getHeight()));
     scene.getStylesheets().setAll(owner.getScene().getStylesheets());
     scene.setFill(owner.getScene().getFill());
     stage.setScene(scene);
     keepSize(stage, stage::centerOnScreen);
-    stage.setMinWidth(width / 2);
-    stage.setMinHeight(height / 2);
+    stage.setMinWidth(scene.getWidth() / 2);
+    stage.setMinHeight(scene.getHeight() / 2);
     return stage;
   }
 
