@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import javafx.application.Platform;
 import javafx.beans.property.ReadOnlyDoubleProperty;
+import javafx.stage.Screen;
 import javafx.stage.Stage;
 
 /** Saves position and size of the window and its panels, with the other settings. */
@@ -58,11 +59,8 @@ final class SettingsFeature implements ViewerFeature {
         && kept.get("y") instanceof Number y
         && kept.get("width") instanceof Number width
         && kept.get("height") instanceof Number height) {
-      boolean onScreen =
-          !javafx.stage.Screen.getScreensForRectangle(
-                  x.doubleValue(), y.doubleValue(), width.doubleValue(), 60)
-              .isEmpty();
-      if (onScreen) {
+      if (!Screen.getScreensForRectangle(x.doubleValue(), y.doubleValue(), width.doubleValue(), 60)
+          .isEmpty()) {
         stage.setX(x.doubleValue());
         stage.setY(y.doubleValue());
       }

@@ -5,6 +5,7 @@ import haltere.core.settings.Parameter;
 import haltere.core.stream.internal.Reason;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.io.UncheckedIOException;
 import java.util.Locale;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletionException;
@@ -197,13 +198,15 @@ public final class Texts {
   }
 
   /** A problem in one line, without the wrapping of futures and options of commands. */
-  public static String oneLine(Throwable problem) {
-    Throwable cause = problem;
-    while ((cause instanceof CompletionException || cause instanceof ExecutionException)
-        && cause.getCause() != null) {
-      cause = cause.getCause();
+  public static String oneLine(Throwable why) {
+    if ((why instanceof CompletionException
+            || why instanceof ExecutionException
+            || why instanceof UncheckedIOException)
+        && why.getCause() != null) {
+      return oneLine(why.getCause());
     }
-    return withoutOptions(Reason.of(cause).lines().findFirst().orElse("")).strip();
+    String text = why.getMessage() == null ? why.getClass().getSimpleName() : Reason.of(why);
+    return withoutOptions(text.lines().findFirst().orElse("")).strip();
   }
 
   /**
