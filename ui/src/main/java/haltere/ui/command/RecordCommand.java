@@ -219,8 +219,11 @@ final class RecordCommand extends Subcommand {
       if (firstClock.isPresent() && otherClock.isPresent()) {
         long us = firstClock.get().onClockOf(otherClock.get(), 0);
         message(
-            "the clock of %s is %d us ahead of that of %s",
-            other.camera().info().id(), us, first.camera().info().id());
+            "the clock of %s is %d us %s that of %s",
+            other.camera().info().id(),
+            Math.abs(us),
+            us < 0 ? "behind" : "ahead of",
+            first.camera().info().id());
       }
     }
   }
