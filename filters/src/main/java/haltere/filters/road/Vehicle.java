@@ -59,7 +59,7 @@ final class Vehicle {
 
   private boolean isStarted;
 
-  /** Recent mean normalised innovation squared. */
+  /** Recent mean normalised innovation squared; of the vehicle before until this one starts. */
   private double meanNis = 1;
 
   /**

@@ -20,10 +20,9 @@ public final class Reason {
     if (failure instanceof UncheckedIOException) {
       return of(failure.getCause());
     }
-    if (failure instanceof FileSystemException named
-        && named.getFile() != null
-        && named.getReason() == null) {
-      return named.getMessage() + ": " + withoutFile(named);
+    if (failure instanceof FileSystemException named && named.getReason() == null) {
+      String file = named.getFile() == null ? "" : named.getMessage() + ": ";
+      return file + withoutFile(named);
     }
     return failure.getMessage() == null ? failure.toString() : failure.getMessage();
   }
@@ -41,7 +40,7 @@ public final class Reason {
     if (failure instanceof AccessDeniedException) {
       return "no permission";
     }
-    if (failure instanceof FileSystemException named && named.getFile() != null) {
+    if (failure instanceof FileSystemException named) {
       return named.getReason() == null ? "cannot be used" : named.getReason();
     }
     return of(failure);

@@ -27,5 +27,6 @@ class ReasonTest {
     assertEquals("a.csv: File too large", Reason.of(full));
     assertEquals("File too large", Reason.withoutFile(full));
     assertEquals("a.csv: cannot be used", Reason.of(new FileSystemException("a.csv")));
+    assertEquals("there is no such file or folder", Reason.of(new NoSuchFileException(null)));
   }
 }

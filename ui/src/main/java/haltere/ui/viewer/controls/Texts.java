@@ -205,8 +205,9 @@ public final class Texts {
         && why.getCause() != null) {
       return oneLine(why.getCause());
     }
-    String text = why.getMessage() == null ? why.getClass().getSimpleName() : Reason.of(why);
-    return withoutOptions(text.lines().findFirst().orElse("")).strip();
+    boolean isSilent = why.getMessage() == null || why.getMessage().isBlank();
+    String text = isSilent ? why.getClass().getSimpleName() : Reason.of(why);
+    return withoutOptions(text.lines().findFirst().orElse(text)).strip();
   }
 
   /**

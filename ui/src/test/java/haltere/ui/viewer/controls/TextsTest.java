@@ -86,6 +86,7 @@ class TextsTest {
     assertEquals(
         "cameras.json: there is no such file or folder",
         Texts.oneLine(new NoSuchFileException("cameras.json")));
+    assertEquals("IOException", Texts.oneLine(new IOException(" ")));
   }
 
   @Test

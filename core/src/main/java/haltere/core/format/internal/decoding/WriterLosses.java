@@ -15,8 +15,8 @@ public final class WriterLosses {
    * @return a line, or none without such events
    */
   public static List<String> outside(long events, SensorGeometry sensor) {
-    String were = events == 1 ? " was left out" : " were left out";
-    return lines(events, " event", " outside of " + sensor + were);
+    String was = events == 1 ? " was left out" : " were left out";
+    return line(events, "event", "outside of " + sensor + was);
   }
 
   /**
@@ -27,12 +27,13 @@ public final class WriterLosses {
    * @return a line, or none without such jumps
    */
   public static List<String> jumps(long jumps, String clock) {
-    String fit = jumps == 1 ? " of time does not fit " : " of time do not fit ";
-    return lines(jumps, " jump", fit + clock + "; later times read back shifted");
+    String fits = jumps == 1 ? "of time does not fit " : "of time do not fit ";
+    return line(jumps, "jump", fits + clock + "; later times read back shifted");
   }
 
-  private static List<String> lines(long count, String one, String rest) {
-    return count == 0 ? List.of() : List.of(count + one + (count == 1 ? "" : "s") + rest);
+  private static List<String> line(long count, String noun, String rest) {
+    String nouns = count == 1 ? noun : noun + "s";
+    return count == 0 ? List.of() : List.of(count + " " + nouns + " " + rest);
   }
 
   /**

@@ -240,11 +240,12 @@ class EventStreamFormatTest extends RecordingFormatContract {
     EventPacket written = new EventPacket(0);
     written.append(500, 320, 0, true);
     written.append(600, 319, 239, true);
+    written.append(700, 0, 240, true);
     Path file = folder.resolve("outside.es");
     try (RecordingWriter writer = format().create(file, WriteOptions.of(SENSOR)).orElseThrow()) {
       writer.write(written);
       writer.finish();
-      assertEquals(List.of("1 event outside of 320x240 was left out"), writer.losses());
+      assertEquals(List.of("2 events outside of 320x240 were left out"), writer.losses());
     }
     try (RecordingReader reader = format().open(file, ReadOptions.DEFAULT)) {
       assertEquals(EventPackets.part(written, 1, 2), read(reader).events());
