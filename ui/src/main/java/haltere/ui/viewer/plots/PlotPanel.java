@@ -291,7 +291,7 @@ public final class PlotPanel extends BorderPane {
     dirty = true;
   }
 
-  /** Fetches and draws new samples, at most some 30 times a second. */
+  /** Fetches new samples and draws them at most some 30 times a second, not during run-ups. */
   public void update(PlayerStatus status, long nanos) {
     List<Lane> plotted = lanes();
     if (feeds.hasInertial() && !offersInertial) {
@@ -316,7 +316,7 @@ public final class PlotPanel extends BorderPane {
       }
     }
     window.advanceTo(nowUs);
-    if (dirty && isVisible() && nanos - drawnNanos >= FRAME_NANOS) {
+    if (dirty && isVisible() && status.runUpUs() == 0 && nanos - drawnNanos >= FRAME_NANOS) {
       drawnNanos = nanos;
       // no later picture in a pause would show the newest values
       dirty = nanos - valuesNanos < VALUES_NANOS;

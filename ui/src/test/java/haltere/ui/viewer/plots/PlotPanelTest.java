@@ -135,8 +135,33 @@ class PlotPanelTest {
   }
 
   private static PlayerStatus paused(long timeUs, double rateEps) {
+    return status(timeUs, rateEps, 0);
+  }
+
+  private static PlayerStatus status(long timeUs, double rateEps, long runUpUs) {
     return new PlayerStatus(
-        State.PAUSED, timeUs, timeUs, 1, 1, 1, 0, "", 0, 0, 0, rateEps, 0, 1, 0, "");
+        State.PAUSED, timeUs, timeUs, 1, 1, 1, 0, "", 0, 0, 0, rateEps, 0, 1, runUpUs, "");
+  }
+
+  private List<String> labels() {
+    return plots().lookupAll(".label").stream().map(label -> ((Label) label).getText()).toList();
+  }
+
+  @Test
+  void valuesOfARunUpAreNotDrawnBeforeItsEnd() {
+    viewer = ViewerHarness.withBlob();
+    plot(PlotField.EVENT_RATE);
+    viewer.waitFor("the lane", () -> plots().lookup(".plot-lane") != null);
+    viewer.run(
+        () -> {
+          long nanos = System.nanoTime() + 1_000_000_000;
+          plots().reset(new InertialFeed());
+          plots().update(paused(1_000_000, 111), nanos);
+          plots().update(status(900_000, 222, 50_000), nanos + 200_000_000);
+          assertTrue(labels().stream().anyMatch(text -> text.contains("111")), labels()::toString);
+          plots().update(status(950_000, 333, 0), nanos + 400_000_000);
+          assertTrue(labels().stream().anyMatch(text -> text.contains("333")), labels()::toString);
+        });
   }
 
   @Test
@@ -153,9 +178,7 @@ class PlotPanelTest {
           plots().update(paused(1_000_100, 222), nanos + 1_000_000);
           plots().update(paused(1_000_100, 222), nanos + 40_000_000);
           plots().update(paused(1_000_100, 222), nanos + 200_000_000);
-          List<String> values =
-              plots().lookupAll(".label").stream().map(label -> ((Label) label).getText()).toList();
-          assertTrue(values.stream().anyMatch(text -> text.contains("222")), values.toString());
+          assertTrue(labels().stream().anyMatch(text -> text.contains("222")), labels()::toString);
         });
   }
 
