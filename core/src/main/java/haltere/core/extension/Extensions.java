@@ -1,6 +1,7 @@
 package haltere.core.extension;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.MalformedURLException;
 import java.net.URL;
 import java.net.URLClassLoader;
@@ -132,6 +133,8 @@ public final class Extensions {
               .filter(Files::isRegularFile)
               .sorted()
               .toList();
+    } catch (UncheckedIOException unreadable) {
+      throw unreadable.getCause();
     }
     for (Path jar : jars) {
       if (OPENED.add(jar.toRealPath())) {

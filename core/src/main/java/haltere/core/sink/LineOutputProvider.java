@@ -27,6 +27,14 @@ public interface LineOutputProvider {
   String description();
 
   /**
+   * Refuses addresses that this transport cannot use, before any is opened.
+   *
+   * @param address host and port
+   * @throws IllegalArgumentException with a line for users if it cannot be used
+   */
+  default void check(LineAddress address) {}
+
+  /**
    * Opens an output.
    *
    * @param address host and port

@@ -33,16 +33,18 @@ public final class LineOutputs {
    *
    * @param address such as {@code tcp://127.0.0.1:5555}
    * @return its parts
-   * @throws IllegalArgumentException with a line for users if it is invalid or its transport is
-   *     missing
+   * @throws IllegalArgumentException with a line for users if it is invalid, its transport is
+   *     missing or cannot use it
    */
   public static LineAddress check(String address) {
     LineAddress parts = LineAddress.parse(address);
     Map<String, LineOutputProvider> all = all();
-    if (!all.containsKey(parts.scheme())) {
+    LineOutputProvider provider = all.get(parts.scheme());
+    if (provider == null) {
       throw new IllegalArgumentException(
           address + ": there is no " + parts.scheme() + "://; there are " + all.keySet());
     }
+    provider.check(parts);
     return parts;
   }
 

@@ -165,6 +165,14 @@ class FaultsTest {
     assertSame(undisturbedBatch(), done);
   }
 
+  @Test
+  void folderOfExtensionsThatCannotBeListedIsNamed() throws IOException {
+    Path jars = Files.createDirectory(folder.resolve("jars"));
+    Map<String, ?> faulty = Map.of("FAULTS_FOLDER", jars, "FAULTS_LIST_ERROR", 1);
+    FaultyProgram.run(faulty, notes, "filters", "--extensions", jars)
+        .saysOf(jars.toString(), "Input/output error");
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {"FAULTS_FULL_AFTER", "FAULTS_SYNC_ERROR", "FAULTS_RENAME_ERROR", "FAULTS_SLOW_US"})

@@ -18,9 +18,6 @@ final class UdpLines implements LineOutput {
   private volatile long lost;
 
   UdpLines(LineAddress address) throws IOException {
-    if (address.port() == 0) {
-      throw new IOException(address + ": datagrams need the port of their receiver");
-    }
     this.address = address;
     target = new InetSocketAddress(address.host(), address.port());
     if (target.isUnresolved()) {

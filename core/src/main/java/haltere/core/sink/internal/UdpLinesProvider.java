@@ -21,6 +21,13 @@ public final class UdpLinesProvider implements LineOutputProvider {
   }
 
   @Override
+  public void check(LineAddress address) {
+    if (address.port() == 0) {
+      throw new IllegalArgumentException(address + ": datagrams need the port of their receiver");
+    }
+  }
+
+  @Override
   public LineOutput open(LineAddress address) throws IOException {
     return new UdpLines(address);
   }

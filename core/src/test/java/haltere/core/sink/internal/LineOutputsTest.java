@@ -177,7 +177,7 @@ class LineOutputsTest {
           new String(packet.getData(), 0, packet.getLength(), StandardCharsets.US_ASCII));
       assertEquals(0, output.lost());
     }
-    assertThrows(IOException.class, () -> LineOutputs.open("udp://127.0.0.1:0"));
+    assertThrows(IllegalArgumentException.class, () -> LineOutputs.check("udp://127.0.0.1:0"));
   }
 
   @Test
