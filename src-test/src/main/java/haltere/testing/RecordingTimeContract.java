@@ -3,9 +3,11 @@ package haltere.testing;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
 import haltere.core.format.ProgressListener;
+import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.TimeSegment;
@@ -18,6 +20,7 @@ import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -152,6 +155,50 @@ abstract class RecordingTimeContract extends TestedFormat {
       RecordingSummary summary = RecordingSummary.scan(reader, ProgressListener.NONE);
       assertEquals(segments, summary.segments());
       assertFalse(summary.timestampsMonotonic());
+    }
+  }
+
+  @Test
+  void eventsLateByAMillisecondGetTheNewestTimeAndStartNoSegment() throws IOException {
+    if (!clockCanGoBack()) {
+      return;
+    }
+    SplittableRandom random = new SplittableRandom(14);
+    List<EventPacket> written = new ArrayList<>();
+    EventPacket ordered = new EventPacket(0);
+    long newestUs = 1_000_000;
+    for (int i = 0; i < 300; i++) {
+      EventPacket piece = randomEvents(usualSensor(), 100 + i, 1 + random.nextInt(20));
+      long lateUs = i == 0 ? 0 : random.nextInt(1001);
+      piece = EventPackets.shifted(piece, newestUs - lateUs - piece.firstTimeUs());
+      written.add(piece);
+      for (int k = 0; k < piece.size(); k++) {
+        newestUs = Math.max(newestUs, piece.timeUs(k));
+        ordered.append(newestUs, piece.x(k), piece.y(k), piece.isOn(k));
+      }
+    }
+    Path file = file("late");
+    write(file, usualSensor(), written.toArray(EventPacket[]::new));
+    for (int packetEvents : new int[] {1, 7, 4096}) {
+      ReadOptions options = options(usualSensor()).withPacketEvents(packetEvents);
+      try (RecordingReader reader = format().open(file, options)) {
+        StreamRecorder stream = read(reader);
+        assertEquals(ordered, stream.events(), "packets of " + packetEvents);
+        assertEquals(List.of(), stream.notifications(Reset.class));
+        assertTrue(reader.violations().count(Violation.OUT_OF_ORDER) > 100);
+        assertEquals(0, reader.violations().count(Violation.CLOCK_WENT_BACK));
+        assertEquals(
+            List.of(new TimeSegment(ordered.firstTimeUs(), ordered.lastTimeUs())),
+            reader.segments());
+        for (int i = 0; i < 20; i++) {
+          long timeUs = ordered.timeUs(random.nextInt(ordered.size()));
+          reader.seek(0, timeUs);
+          assertEquals(
+              EventPackets.part(ordered, ordered.indexAtOrAfter(timeUs), ordered.size()),
+              read(reader).events(),
+              "from " + timeUs + " us");
+        }
+      }
     }
   }
 

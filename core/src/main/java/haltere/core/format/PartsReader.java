@@ -3,6 +3,7 @@ package haltere.core.format;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorSample;
+import haltere.core.format.internal.clock.EventOrder;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
@@ -60,6 +61,7 @@ final class PartsReader implements RecordingReader {
   /** Whether the stream has continued to the next part and nothing of it has been read. */
   private boolean entering;
 
+  private final EventOrder order = new EventOrder();
   private long lastUs = StreamNotification.NO_TIME_US;
 
   /** Packet to pass on after a notification of a clock restart; null if there is none. */
@@ -101,7 +103,9 @@ final class PartsReader implements RecordingReader {
     @Override
     public void packet(EventPacket packet) {
       given = true;
-      if (isBack(packet.firstTimeUs())) {
+      boolean isBack = isBack(packet.firstTimeUs());
+      order.raise(packet, 0);
+      if (isBack) {
         heldPacket = new EventPacket(packet.size());
         heldPacket.append(packet, 0, packet.size());
       } else {
@@ -125,8 +129,9 @@ final class PartsReader implements RecordingReader {
 
     /** Reports a clock restart if the first event of a part is before the last event. */
     private boolean isBack(long timeUs) {
-      boolean back = entering && timeUs < lastUs;
+      boolean back = entering && !goesOn(lastUs, timeUs);
       if (back) {
+        order.continueAfter(StreamNotification.NO_TIME_US);
         out.notified(new Reset(Reset.Cause.CLOCK_RESTARTED, lastUs, timeUs));
       }
       return back;
@@ -144,6 +149,9 @@ final class PartsReader implements RecordingReader {
         started = true;
         deliver(new StreamStarted(geometry(), folder.toString()));
       } else {
+        if (notification instanceof Reset) {
+          order.continueAfter(StreamNotification.NO_TIME_US);
+        }
         deliver(notification);
       }
     }
@@ -206,6 +214,10 @@ final class PartsReader implements RecordingReader {
     return false;
   }
 
+  private static boolean goesOn(long lastUs, long firstUs) {
+    return firstUs >= lastUs || EventOrder.isLate(lastUs, firstUs);
+  }
+
   private static TimeSegment span(List<Piece> pieces) {
     return new TimeSegment(
         pieces.get(0).times.firstUs(), pieces.get(pieces.size() - 1).times.lastUs());
@@ -218,11 +230,11 @@ final class PartsReader implements RecordingReader {
         List<TimeSegment> stretches = parts.get(part).segments();
         for (int segment = 0; segment < stretches.size(); segment++) {
           TimeSegment times = stretches.get(segment);
-          boolean goesOn =
+          boolean isNext =
               segment == 0
                   && !joined.isEmpty()
-                  && times.firstUs() >= span(joined.get(joined.size() - 1)).lastUs();
-          if (!goesOn) {
+                  && goesOn(span(joined.get(joined.size() - 1)).lastUs(), times.firstUs());
+          if (!isNext) {
             joined.add(new ArrayList<>());
           }
           joined.get(joined.size() - 1).add(new Piece(part, segment, times));
@@ -245,6 +257,7 @@ final class PartsReader implements RecordingReader {
     }
     current = position.part;
     entering = false;
+    order.continueAfter(StreamNotification.NO_TIME_US);
     heldPacket = null;
     heldSample = null;
     if (ended) {

@@ -13,7 +13,9 @@ import java.util.Optional;
  * any header.
  *
  * <p>A backward jump of the recording's clock other than a wrap becomes a {@code
- * Reset(CLOCK_RESTARTED)}; the sections between such jumps are the recording's segments.
+ * Reset(CLOCK_RESTARTED)}; the sections between such jumps are the recording's segments. A step
+ * back by 1 ms or less is disorder instead: late events get the time of the newest one before them,
+ * and a {@link Violation#OUT_OF_ORDER} is counted.
  *
  * <p>Thread rule: one thread at a time.
  *

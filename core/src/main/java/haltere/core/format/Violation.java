@@ -11,6 +11,10 @@ public enum Violation {
       "event outside of the sensor was left out", "events outside of the sensor were left out"),
   /** A backward jump of the clock other than a wrap; the stream has a notification of it. */
   CLOCK_WENT_BACK("jump back of the clock", "jumps back of the clock"),
+  /** A step back by 1 ms or less; events before the newest time get that time. */
+  OUT_OF_ORDER(
+      "step back of the clock by 1 ms or less: late events got the time of the one before them",
+      "steps back of the clock by 1 ms or less: late events got the times of those before them"),
   /** The file ends within an event or a packet; the complete ones have been read. */
   CUT_OFF("the file ends in the middle of an event or packet"),
   /** Words that the format does not define; they are skipped. */
@@ -64,14 +68,20 @@ public enum Violation {
   }
 
   /**
-   * Whether it indicates damage, rather than data that is not read or a recording that began within
-   * the camera's stream.
+   * Whether it indicates damage, rather than a clock that goes back, data that is not read or a
+   * recording that began within the camera's stream.
    *
    * @return true for damage
    */
   public boolean isDamage() {
     return switch (this) {
-      case OTHER_DATA, NO_TIME_YET, MISSING_MESSAGE, INCOMPLETE_SAMPLE -> false;
+      case CLOCK_WENT_BACK,
+              OUT_OF_ORDER,
+              OTHER_DATA,
+              NO_TIME_YET,
+              MISSING_MESSAGE,
+              INCOMPLETE_SAMPLE ->
+          false;
       default -> true;
     };
   }

@@ -288,7 +288,7 @@ public final class RecordingJob {
    */
   public static Optional<RecordingProblem> damage(Path recording, ViolationCounts violations) {
     for (Violation kind : Violation.values()) {
-      if (kind.isDamage() && kind != Violation.CLOCK_WENT_BACK && violations.count(kind) > 0) {
+      if (kind.isDamage() && violations.count(kind) > 0) {
         return Optional.of(
             new RecordingProblem(
                 recording,

@@ -126,6 +126,34 @@ class RecordingFolderTest {
   }
 
   @Test
+  void eventsOfAPartThatAreLateByAMillisecondGetTheNewestTime() throws IOException {
+    EventPacket first = EventPackets.uniform(SENSOR, 2, 1_000, 500, 7);
+    EventPacket second =
+        EventPackets.shifted(
+            EventPackets.uniform(SENSOR, 3, 1_000, 500, 7), first.lastTimeUs() - 500 - 600);
+    write(bag.resolve("part_1.mcap"), SENSOR, first);
+    write(bag.resolve("part_2.mcap"), SENSOR, second);
+    list("part_1.mcap", "part_2.mcap");
+    EventPacket ordered = EventPackets.part(first, 0, first.size());
+    for (int i = 0; i < second.size(); i++) {
+      long timeUs = Math.max(second.timeUs(i), first.lastTimeUs());
+      ordered.append(timeUs, second.x(i), second.y(i), second.isOn(i));
+    }
+    assertTrue(second.firstTimeUs() < first.lastTimeUs());
+
+    try (RecordingReader reader = Recordings.open(bag)) {
+      StreamRecorder got = all(reader);
+      assertEquals(ordered, got.events());
+      assertEquals(2, got.notifications().size(), "a start and an end: " + got.notifications());
+      assertEquals(
+          List.of(new TimeSegment(ordered.firstTimeUs(), ordered.lastTimeUs())), reader.segments());
+      reader.seek(first.lastTimeUs());
+      int from = ordered.indexAtOrAfter(first.lastTimeUs());
+      assertEquals(EventPackets.part(ordered, from, ordered.size()), all(reader).events());
+    }
+  }
+
+  @Test
   void seekInASplitBagEqualsThatInAWholeOne() throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 3, 20_000, 500, 7);
     cut(events, 0, 7_000, 14_000);

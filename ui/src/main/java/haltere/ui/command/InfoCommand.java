@@ -253,8 +253,7 @@ final class InfoCommand extends Subcommand {
       facts.read.ifPresent(
           read -> {
             line("peak rate", Quantities.rate(read.peakRateEps()) + "  (over 10 ms)");
-            String segments = "goes back: " + read.segments().size() + " segments";
-            line("clock", read.timestampsMonotonic() ? "never goes back" : segments);
+            line("clock", read.clockInWords());
           });
       line("zero", facts.clock.describe());
       facts.read.ifPresent(read -> line("gaps", gaps(read.gaps())));

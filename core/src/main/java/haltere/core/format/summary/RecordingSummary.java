@@ -35,7 +35,7 @@ import java.util.Set;
  * @param meanRateEps events per second over that duration, 0 if it is 0
  * @param peakRateEps maximum event rate in a bin of 10 ms, in events per second; the bins are
  *     contiguous from the first event of each segment
- * @param timestampsMonotonic whether the clock never goes back
+ * @param timestampsMonotonic whether no event of the file is earlier than the one before it
  * @param gaps losses that the recording itself reports, and silences of the whole sensor of at
  *     least {@link #SILENCE_US}; the first {@link #MAX_LISTED}
  * @param segments sections between which the clock goes back; the first {@link #MAX_LISTED}
@@ -75,6 +75,20 @@ public record RecordingSummary(
     gaps = List.copyOf(gaps);
     segments = List.copyOf(segments);
     warnings = List.copyOf(warnings);
+  }
+
+  /**
+   * Whether and how the clock goes back.
+   *
+   * @return a few words for users
+   */
+  public String clockInWords() {
+    if (timestampsMonotonic) {
+      return "never goes back";
+    }
+    return segments.size() > 1
+        ? "goes back: " + segments.size() + " segments"
+        : "goes back by 1 ms or less";
   }
 
   /**
@@ -227,7 +241,7 @@ public record RecordingSummary(
           durationS,
           durationUs == 0 ? 0 : events / durationS,
           peak * (1e6 / PEAK_US),
-          monotonic,
+          monotonic && reader.violations().count(Violation.OUT_OF_ORDER) == 0,
           gaps,
           segments,
           samples,

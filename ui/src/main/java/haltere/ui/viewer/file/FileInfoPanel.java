@@ -67,11 +67,7 @@ final class FileInfoPanel extends ScrollPane {
       line(
           "File bytes per event",
           Quantities.text("%.2f", facts.sizeBytes() / (double) summary.events()));
-      line(
-          "Clock",
-          summary.timestampsMonotonic()
-              ? "never goes back"
-              : "goes back, " + summary.segments().size() + " segments");
+      line("Clock", summary.clockInWords());
       line("Gaps", summary.gaps().isEmpty() ? "none" : String.valueOf(summary.gaps().size()));
     }
     facts.header().forEach(this::line);

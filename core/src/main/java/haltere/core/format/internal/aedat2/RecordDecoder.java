@@ -7,6 +7,7 @@ import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.clock.EventTimes;
 import haltere.core.format.internal.clock.WrappingClock;
 import haltere.core.format.internal.clock.WrappingTimes;
+import haltere.core.format.internal.decoding.StepBack;
 import haltere.core.format.internal.decoding.StreamDecoder;
 import java.nio.ByteBuffer;
 
@@ -114,7 +115,7 @@ final class RecordDecoder implements StreamDecoder {
       }
       long timeUs = clock.read(in.getInt(from + recordBytes - 4));
       if (!times.take(timeUs)) {
-        count(Violation.CLOCK_WENT_BACK, at + (long) i * recordBytes);
+        count(StepBack.kind(times), at + (long) i * recordBytes);
         countedTo = Math.max(countedTo, at + (i + 1L) * recordBytes);
         return i;
       }

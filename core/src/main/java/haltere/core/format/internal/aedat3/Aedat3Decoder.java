@@ -9,6 +9,7 @@ import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.clock.AscendingTimes;
 import haltere.core.format.internal.clock.EventTimes;
+import haltere.core.format.internal.decoding.StepBack;
 import haltere.core.format.internal.decoding.StreamDecoder;
 import java.nio.ByteBuffer;
 
@@ -136,7 +137,7 @@ final class Aedat3Decoder implements StreamDecoder {
       }
       long timeUs = turnUs + (time & Integer.MAX_VALUE);
       if (times.goesBack(timeUs)) {
-        violations.add(Violation.CLOCK_WENT_BACK, offset + (long) i * EVENT_BYTES);
+        violations.add(StepBack.kind(times), offset + (long) i * EVENT_BYTES);
         return i;
       }
       times.advance(timeUs);

@@ -14,6 +14,7 @@ import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.compression.FileWindow;
 import haltere.core.format.internal.compression.LittleEndian;
 import haltere.core.format.internal.decoding.EventCursor;
+import haltere.core.format.internal.decoding.StepBack;
 import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -252,7 +253,7 @@ final class Aedat4Cursor implements EventCursor {
     EventPacket decoded = slot.events();
     int from = (int) index;
     if (times.goesBack(decoded.timeUs(from))) {
-      violations.add(Violation.CLOCK_WENT_BACK, offset(index));
+      violations.add(StepBack.kind(times), offset(index));
       return true;
     }
     int to = Math.min(decoded.size(), from + maxEvents - out.size());
@@ -287,7 +288,7 @@ final class Aedat4Cursor implements EventCursor {
         continue;
       }
       if (times.goesBack(time)) {
-        violations.add(Violation.CLOCK_WENT_BACK, offset(index + i));
+        violations.add(StepBack.kind(times), offset(index + i));
         return i;
       }
       times.advance(time);

@@ -7,6 +7,7 @@ import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.clock.AscendingTimes;
 import haltere.core.format.internal.clock.EventTimes;
+import haltere.core.format.internal.decoding.StepBack;
 import haltere.core.format.internal.decoding.StreamDecoder;
 
 /**
@@ -43,7 +44,7 @@ abstract class MessageDecoder implements StreamDecoder {
       return true;
     }
     if (times.goesBack(timeUs)) {
-      violations.add(Violation.CLOCK_WENT_BACK, offset);
+      violations.add(StepBack.kind(times), offset);
       return false;
     }
     times.advance(timeUs);

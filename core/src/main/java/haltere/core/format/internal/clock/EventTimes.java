@@ -77,6 +77,15 @@ public abstract sealed class EventTimes permits AscendingTimes, WrappingTimes {
     forget();
   }
 
+  /**
+   * Whether the event with which the clock goes back is only late, see {@link EventOrder}.
+   *
+   * @return false for a restart
+   */
+  public final boolean isLate() {
+    return EventOrder.isLate(lastUs(), restartUs);
+  }
+
   /** Holds back an event with which the clock goes back. */
   final void hold(long timeUs) {
     restarted = true;

@@ -7,6 +7,7 @@ import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.clock.AscendingTimes;
 import haltere.core.format.internal.clock.EventTimes;
+import haltere.core.format.internal.decoding.StepBack;
 import haltere.core.format.internal.decoding.StreamDecoder;
 import java.nio.ByteBuffer;
 
@@ -125,7 +126,7 @@ final class CsvDecoder implements StreamDecoder {
       return true;
     }
     if (times.goesBack(exactRow.timeUs())) {
-      violations.add(Violation.CLOCK_WENT_BACK, offset);
+      violations.add(StepBack.kind(times), offset);
       return false;
     }
     times.advance(exactRow.timeUs());
@@ -133,7 +134,7 @@ final class CsvDecoder implements StreamDecoder {
     return true;
   }
 
-  /** A last row without a line feed is valid if it has all columns and time does not go back. */
+  /** A last row without a line feed is valid if it has all columns. */
   @Override
   public boolean decodeLast(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
     int length = in.remaining();
@@ -142,9 +143,10 @@ final class CsvDecoder implements StreamDecoder {
     }
     fill(in, in.position(), length);
     piece[length] = '\n';
-    boolean whole =
-        exactRow.parse(piece, 0) && exactRow.address() >= 0 && exactRow.timeUs() >= times.lastUs();
-    if (whole) {
+    boolean whole = exactRow.parse(piece, 0) && exactRow.address() >= 0;
+    if (whole && times.goesBack(exactRow.timeUs())) {
+      violations.add(StepBack.kind(times), offset);
+    } else if (whole) {
       times.advance(exactRow.timeUs());
       out.append(exactRow.timeUs(), exactRow.address());
       in.position(in.limit());

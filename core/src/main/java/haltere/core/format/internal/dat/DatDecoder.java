@@ -9,6 +9,7 @@ import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.clock.EventTimes;
 import haltere.core.format.internal.clock.WrappingClock;
 import haltere.core.format.internal.clock.WrappingTimes;
+import haltere.core.format.internal.decoding.StepBack;
 import haltere.core.format.internal.decoding.StreamDecoder;
 import java.nio.ByteBuffer;
 import java.nio.LongBuffer;
@@ -171,7 +172,7 @@ final class DatDecoder implements StreamDecoder {
       }
       long timeUs = clock.read(in.getInt(from) & UNSIGNED);
       if (!times.take(timeUs)) {
-        violations.add(Violation.CLOCK_WENT_BACK, at);
+        violations.add(StepBack.kind(times), at);
         return i;
       }
       out.append(timeUs, EventAddress.pack(x, y, word >>> xBits + yBits & 1));

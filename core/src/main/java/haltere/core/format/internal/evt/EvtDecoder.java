@@ -6,6 +6,7 @@ import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.clock.AscendingTimes;
 import haltere.core.format.internal.clock.EventTimes;
+import haltere.core.format.internal.decoding.StepBack;
 import haltere.core.format.internal.decoding.StreamDecoder;
 
 /**
@@ -49,7 +50,7 @@ abstract sealed class EvtDecoder implements StreamDecoder
     if (!times.goesBack(timeUs)) {
       return false;
     }
-    violations.add(Violation.CLOCK_WENT_BACK, offset);
+    violations.add(StepBack.kind(times), offset);
     return true;
   }
 

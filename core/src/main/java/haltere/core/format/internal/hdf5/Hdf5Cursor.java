@@ -11,6 +11,7 @@ import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.compression.LittleEndian;
 import haltere.core.format.internal.decoding.EventColumn;
 import haltere.core.format.internal.decoding.RowCursor;
+import haltere.core.format.internal.decoding.StepBack;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
@@ -128,7 +129,7 @@ final class Hdf5Cursor extends RowCursor {
     int done = isCommonLayout ? decodeCommon(out, available) : decodeAny(out, available);
     row += done;
     if (done < available) {
-      count(Violation.CLOCK_WENT_BACK, time.rows().offset(row));
+      count(StepBack.kind(times), time.rows().offset(row));
       counted = Math.max(counted, row + 1);
       return Stop.CLOCK_WENT_BACK;
     }

@@ -31,7 +31,7 @@ final class IndexFile {
   static final String ENDING = ".haltere-index";
 
   /** Changes with the layout of the file and of the state of cursors. */
-  private static final long MAGIC = 0x48616c_7465726501L;
+  private static final long MAGIC = 0x48616c_7465726502L;
 
   private static final int DIGEST_BYTES = 64 * 1024;
   private static final long MAX_BYTES = 256 << 20;

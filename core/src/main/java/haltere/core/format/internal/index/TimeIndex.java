@@ -3,7 +3,9 @@ package haltere.core.format.internal.index;
 import haltere.core.event.EventPacket;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.TimeSegment;
+import haltere.core.format.internal.clock.EventOrder;
 import haltere.core.format.internal.decoding.EventCursor;
+import haltere.core.stream.StreamNotification;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.EOFException;
@@ -53,7 +55,10 @@ public final class TimeIndex {
     long[] state = new long[cursor.stateLongs()];
     long segmentFirstUs = 0;
     boolean inSegment = false;
+    boolean isLate = false;
     int eventsInARow = 0;
+    int eventsSinceWaypoint = 0;
+    EventOrder order = new EventOrder();
     EventCursor.Stop stop;
     do {
       if (Thread.currentThread().isInterrupted()) {
@@ -65,29 +70,37 @@ public final class TimeIndex {
         eventsInARow = 0;
       }
       cursor.save(state, 0);
-      long lastUs = cursor.times().lastUs();
+      long lastUs = order.newestUs();
       long offset = cursor.positionBytes();
       packet.clear();
       stop = cursor.read(packet, SCAN_EVENTS);
+      order.raise(packet, 0);
       eventsInARow += packet.size();
       if (!packet.isEmpty()) {
         if (!inSegment) {
-          inSegment = true;
           segmentFirstUs = packet.firstTimeUs();
           index.startSegment(path, offset);
         }
-        index.addWaypoint(state, lastUs);
-      }
-      if (stop == EventCursor.Stop.CLOCK_WENT_BACK) {
-        if (inSegment) {
-          index.segments.add(new TimeSegment(segmentFirstUs, cursor.times().lastUs()));
+        // late events would have as many waypoints
+        if (!inSegment || !isLate || eventsSinceWaypoint >= SCAN_EVENTS) {
+          index.addWaypoint(state, lastUs);
+          eventsSinceWaypoint = 0;
         }
-        inSegment = false;
+        inSegment = true;
+        eventsSinceWaypoint += packet.size();
+      }
+      isLate = stop == EventCursor.Stop.CLOCK_WENT_BACK && order.isLate(cursor.times().restartUs());
+      if (stop == EventCursor.Stop.CLOCK_WENT_BACK) {
+        if (inSegment && !isLate) {
+          index.segments.add(new TimeSegment(segmentFirstUs, order.newestUs()));
+          inSegment = false;
+          order.continueAfter(StreamNotification.NO_TIME_US);
+        }
         cursor.times().acceptRestart();
       }
     } while (stop != EventCursor.Stop.END);
     if (inSegment) {
-      index.segments.add(new TimeSegment(segmentFirstUs, cursor.times().lastUs()));
+      index.segments.add(new TimeSegment(segmentFirstUs, order.newestUs()));
     }
     return index;
   }
@@ -164,7 +177,8 @@ public final class TimeIndex {
     boolean supported =
         cursor.visitPieces(
             (state, offset, firstUs, lastUs) -> {
-              boolean starts = waypoints == 0 || firstUs < open[1];
+              boolean starts =
+                  waypoints == 0 || firstUs < open[1] && !EventOrder.isLate(open[1], firstUs);
               if (starts) {
                 if (waypoints > 0) {
                   segments.add(new TimeSegment(open[0], open[1]));
@@ -172,8 +186,8 @@ public final class TimeIndex {
                 startSegment(path, offset);
                 open[0] = firstUs;
               }
-              addWaypoint(state, starts ? Long.MIN_VALUE : open[1]);
-              open[1] = lastUs;
+              addWaypoint(state, starts ? StreamNotification.NO_TIME_US : open[1]);
+              open[1] = starts ? lastUs : Math.max(open[1], lastUs);
             });
     if (supported && waypoints > 0) {
       segments.add(new TimeSegment(open[0], open[1]));
@@ -223,10 +237,14 @@ public final class TimeIndex {
    * @param cursor of the same recording
    * @param segment index of one of {@link #segments()}
    * @param timeUs microseconds
+   * @return time of the newest event of the segment before the waypoint, microseconds, or {@link
+   *     StreamNotification#NO_TIME_US} if there is none
    * @throws IOException if the file cannot be read
    */
-  public void seek(EventCursor cursor, int segment, long timeUs) throws IOException {
-    cursor.restore(states, waypoint(segment, timeUs) * stateLongs);
+  public long seek(EventCursor cursor, int segment, long timeUs) throws IOException {
+    int waypoint = waypoint(segment, timeUs);
+    cursor.restore(states, waypoint * stateLongs);
+    return lastsUs[waypoint];
   }
 
   /**

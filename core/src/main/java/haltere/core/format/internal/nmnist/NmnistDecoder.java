@@ -9,6 +9,7 @@ import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.clock.EventTimes;
 import haltere.core.format.internal.clock.WrappingClock;
 import haltere.core.format.internal.clock.WrappingTimes;
+import haltere.core.format.internal.decoding.StepBack;
 import haltere.core.format.internal.decoding.StreamDecoder;
 import java.nio.ByteBuffer;
 
@@ -116,7 +117,7 @@ final class NmnistDecoder implements StreamDecoder {
     int value = (word << 8 | in.get(position + 4) & 0xff) & TIME_MASK;
     long timeUs = clock.read(value + overflowUs);
     if (!times.take(timeUs)) {
-      violations.add(Violation.CLOCK_WENT_BACK, offset);
+      violations.add(StepBack.kind(times), offset);
       return false;
     }
     out.append(timeUs, EventAddress.pack(x, top - row, word >>> 15 & 1));

@@ -10,6 +10,7 @@ import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.decoding.EventColumn;
 import haltere.core.format.internal.decoding.RowCursor;
+import haltere.core.format.internal.decoding.StepBack;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
@@ -185,7 +186,7 @@ final class NpzCursor extends RowCursor {
       }
       if (times.goesBack(timeUs)) {
         row = pieceStart + i;
-        violations.add(Violation.CLOCK_WENT_BACK, offset(row));
+        violations.add(StepBack.kind(times), offset(row));
         violations.reached(offset(row) + 1);
         return Stop.CLOCK_WENT_BACK;
       }

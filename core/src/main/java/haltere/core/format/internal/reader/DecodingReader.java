@@ -224,7 +224,7 @@ public final class DecodingReader implements RecordingReader {
 
   private void deliverRestart(StreamHandler handler) {
     Reset reset =
-        new Reset(Reset.Cause.CLOCK_RESTARTED, cursor.times().lastUs(), cursor.times().restartUs());
+        new Reset(Reset.Cause.CLOCK_RESTARTED, buffer.newestUs(), cursor.times().restartUs());
     if (order != null) {
       order.restarted();
     }
@@ -322,14 +322,13 @@ public final class DecodingReader implements RecordingReader {
       state = ReaderState.BEFORE_START;
     }
     sought = true;
-    buffer.moved(false);
     long fromUs = timeUs;
     if (!segments.isEmpty() && segments.get(wanted).lastUs() < fromUs) {
       wanted++;
       fromUs = Long.MIN_VALUE;
     }
     if (wanted >= segments.size()) {
-      buffer.moved(true);
+      buffer.moved(StreamNotification.NO_TIME_US, true);
       seekSamplesOutsideOfEvents(segments.isEmpty(), timeUs);
       return;
     }
@@ -342,7 +341,7 @@ public final class DecodingReader implements RecordingReader {
         order.dropBefore(fromUs);
       }
     }
-    index.seek(cursor, wanted, fromUs);
+    buffer.moved(index.seek(cursor, wanted, fromUs), false);
     buffer.fillFrom(fromUs);
   }
 

@@ -1,7 +1,9 @@
 package haltere.core.format.internal.reader;
 
 import haltere.core.event.EventPacket;
+import haltere.core.format.internal.clock.EventOrder;
 import haltere.core.format.internal.decoding.EventCursor;
+import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 
 /**
@@ -18,6 +20,8 @@ final class PacketBuffer {
 
   /** Number of decoded events; a handler may change the packet that it receives. */
   private int decoded;
+
+  private final EventOrder order = new EventOrder();
 
   private int given;
   private long offset;
@@ -56,15 +60,31 @@ final class PacketBuffer {
     given = 0;
     offset = cursor.positionBytes();
     while (packet.size() < packetEvents && !restart && !atEnd) {
-      switch (cursor.read(packet, packetEvents)) {
-        case CLOCK_WENT_BACK -> restart = true;
-        case END -> atEnd = true;
-        default -> {
-          // a piece was read
+      EventCursor.Stop stop = read();
+      if (stop == EventCursor.Stop.END) {
+        atEnd = true;
+      } else if (stop == EventCursor.Stop.CLOCK_WENT_BACK) {
+        restart = !order.isLate(cursor.times().restartUs());
+        if (!restart) {
+          cursor.times().acceptRestart();
         }
       }
     }
     decoded = packet.size();
+  }
+
+  private EventCursor.Stop read() throws IOException {
+    int before = packet.size();
+    if (cursor.times().lastUs() >= order.newestUs()) {
+      EventCursor.Stop stop = cursor.read(packet, packetEvents);
+      order.raise(packet, before);
+      return stop;
+    }
+    piece.clear();
+    EventCursor.Stop stop = cursor.read(piece, packetEvents - before);
+    order.raise(piece, 0);
+    packet.append(piece, 0, piece.size());
+    return stop;
   }
 
   /** Decodes up to the first packet with an event at or after a time, and drops those before. */
@@ -99,14 +119,21 @@ final class PacketBuffer {
     return piece;
   }
 
+  /** Time of the last decoded event of the segment. */
+  long newestUs() {
+    return order.newestUs();
+  }
+
   /** Continues after the restart. */
   void acceptRestart() {
     restart = false;
+    order.continueAfter(StreamNotification.NO_TIME_US);
     cursor.times().acceptRestart();
   }
 
-  /** Discards the events after a seek of the cursor. */
-  void moved(boolean toEnd) {
+  /** Discards the events after a seek of the cursor to behind an event. */
+  void moved(long newestUs, boolean toEnd) {
+    order.continueAfter(newestUs);
     decoded = 0;
     given = 0;
     restart = false;

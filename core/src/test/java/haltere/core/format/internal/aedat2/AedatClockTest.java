@@ -111,29 +111,41 @@ class AedatClockTest {
 
   @Test
   void disorderedEventsAfterAWrapKeepTheWrapCount() throws IOException {
-    StreamRecorder recorder = read(MAX, MIN + 100, MIN + 90);
-    assertTimes(recorder, MAX, MAX + 101L, MAX + 91L);
-    assertEquals(List.of(restarted(MAX + 101L, MAX + 91L)), recorder.notifications(Reset.class));
+    StreamRecorder recorder = read(MAX, MIN + 100_000, MIN + 90_000);
+    assertTimes(recorder, MAX, MAX + 100_001L, MAX + 90_001L);
+    assertEquals(
+        List.of(restarted(MAX + 100_001L, MAX + 90_001L)), recorder.notifications(Reset.class));
   }
 
   @Test
   void lateEventsFromBeforeAWrapCauseNoJump() throws IOException {
-    StreamRecorder recorder = read(MAX, MIN, MAX - 3, MIN + 1);
-    assertTimes(recorder, MAX, MAX + 1L, MAX - 3L, MAX + 2L);
-    assertEquals(List.of(restarted(MAX + 1L, MAX - 3L)), recorder.notifications(Reset.class));
+    StreamRecorder recorder = read(MAX, MIN, MAX - 3000, MIN + 1);
+    assertTimes(recorder, MAX, MAX + 1L, MAX - 3000L, MAX + 2L);
+    assertEquals(List.of(restarted(MAX + 1L, MAX - 3000L)), recorder.notifications(Reset.class));
+  }
+
+  @Test
+  void eventsLateByAMillisecondDoNotRestartTheClockEvenAcrossAWrap() throws IOException {
+    StreamRecorder recorder = read(MAX - 50, MIN + 100, MAX - 40, MIN + 90, MIN + 110);
+    assertTimes(recorder, MAX - 50L, MAX + 101L, MAX + 101L, MAX + 101L, MAX + 111L);
+    assertEquals(List.of(), recorder.notifications(Reset.class));
   }
 
   @Test
   void everyRestartStartsASeekableSegment() throws IOException {
-    try (RecordingReader reader = Recordings.open(file(10, 20, 30, 5, 15, 25, 5))) {
+    try (RecordingReader reader =
+        Recordings.open(file(10_000, 20_000, 30_000, 5000, 15_000, 25_000, 5000))) {
       assertEquals(
-          List.of(new TimeSegment(10, 30), new TimeSegment(5, 25), new TimeSegment(5, 5)),
+          List.of(
+              new TimeSegment(10_000, 30_000),
+              new TimeSegment(5000, 25_000),
+              new TimeSegment(5000, 5000)),
           reader.segments());
-      reader.seek(1, 6);
+      reader.seek(1, 6000);
       StreamRecorder recorder = new StreamRecorder();
       reader.drainTo(recorder);
-      assertTimes(recorder, 15, 25, 5);
-      assertEquals(List.of(restarted(25, 5)), recorder.notifications(Reset.class));
+      assertTimes(recorder, 15_000, 25_000, 5000);
+      assertEquals(List.of(restarted(25_000, 5000)), recorder.notifications(Reset.class));
     }
   }
 

@@ -138,7 +138,7 @@ abstract class EvtContract extends RecordingFormatContract {
   @Test
   void descendingTimesWithinAWrapPeriodAreReadBack() throws IOException {
     List<EventPacket> packets = new ArrayList<>();
-    for (long startUs : new long[] {16_000_000, 15_999_000, 9_000_000, 100, 99}) {
+    for (long startUs : new long[] {16_000_000, 15_998_000, 9_000_000, 2000, 99}) {
       packets.add(EventPackets.uniform(GEN3, startUs, 50, startUs, 3));
     }
     Path file = folder.resolve("back.raw");
