@@ -163,6 +163,9 @@ public final class DecodingReader implements RecordingReader {
   @Override
   public List<String> remarks() {
     List<String> all = new ArrayList<>(remarks);
+    if (buffer.isUnordered()) {
+      all.add("the events are in another order than that of time; sort the file by time");
+    }
     if (order != null) {
       order.remark().ifPresent(all::add);
     }

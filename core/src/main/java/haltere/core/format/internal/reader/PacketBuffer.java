@@ -13,6 +13,12 @@ import java.io.IOException;
  * <p>Thread rule: one thread.
  */
 final class PacketBuffer {
+  /** Least number of events between two restarts of a clock on average. */
+  private static final int MIN_EVENTS_PER_RESTART = 100;
+
+  /** Restarts of a table in another order than that of time. */
+  private static final int MIN_RESTARTS = 100;
+
   private final EventCursor cursor;
   private final int packetEvents;
   private final EventPacket packet = new EventPacket(0);
@@ -25,6 +31,8 @@ final class PacketBuffer {
 
   private int given;
   private long offset;
+  private long events;
+  private long restarts;
   private boolean restart;
   private boolean atEnd;
 
@@ -71,6 +79,7 @@ final class PacketBuffer {
       }
     }
     decoded = packet.size();
+    events += decoded;
   }
 
   private EventCursor.Stop read() throws IOException {
@@ -119,6 +128,13 @@ final class PacketBuffer {
     return piece;
   }
 
+  /**
+   * Whether the clock goes back so often that the events are in another order than that of time.
+   */
+  boolean isUnordered() {
+    return restarts >= MIN_RESTARTS && events < restarts * MIN_EVENTS_PER_RESTART;
+  }
+
   /** Time of the last decoded event of the segment. */
   long newestUs() {
     return order.newestUs();
@@ -127,6 +143,7 @@ final class PacketBuffer {
   /** Continues after the restart. */
   void acceptRestart() {
     restart = false;
+    restarts++;
     order.continueAfter(StreamNotification.NO_TIME_US);
     cursor.times().acceptRestart();
   }

@@ -1,6 +1,7 @@
 package haltere.core.format.internal.csv;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -193,6 +194,39 @@ class CsvReadingTest extends RecordingFormatContract {
     try (RecordingReader reader = Recordings.open(file)) {
       assertEquals(new SensorGeometry(240, 180, Origin.TOP), reader.geometry());
       assertTrue(reader.remarks().toString().contains("--sensor"), reader.remarks().toString());
+    }
+  }
+
+  @Test
+  void tableInAnotherOrderThanThatOfTimeIsToBeSorted() throws IOException {
+    Path file = folder.resolve("by-pixel.csv");
+    StringBuilder rows = new StringBuilder("t_us,x,y,on\n");
+    for (int i = 0; i < 1000; i++) {
+      rows.append(i % 7 * 1_000_000 + i).append(',').append(i / 7).append(",3,1\n");
+    }
+    Files.writeString(file, rows);
+    try (RecordingReader reader = Recordings.open(file, options(DAVIS346))) {
+      reader.drainTo(new StreamRecorder());
+      assertTrue(reader.remarks().toString().contains("sort"), reader.remarks().toString());
+    }
+    Files.writeString(file, "t_us,x,y,on\n2000000,1,1,1\n5,1,1,1\n6,1,1,1\n");
+    try (RecordingReader reader = Recordings.open(file, options(DAVIS346))) {
+      reader.drainTo(new StreamRecorder());
+      assertFalse(reader.remarks().toString().contains("sort"), reader.remarks().toString());
+    }
+  }
+
+  @Test
+  void lastRowWithoutALineFeedMayBeLate() throws IOException {
+    Path file = folder.resolve("late.csv");
+    Files.writeString(file, "t_us,x,y,on\n2000000,1,1,1\n1999990,2,1,1");
+    try (RecordingReader reader = Recordings.open(file, options(DAVIS346))) {
+      StreamRecorder stream = new StreamRecorder();
+      reader.drainTo(stream);
+      assertEquals(2, stream.events().size());
+      assertEquals(2_000_000, stream.events().lastTimeUs());
+      assertEquals(1, reader.violations().count(Violation.OUT_OF_ORDER));
+      assertEquals(0, reader.violations().count(Violation.CUT_OFF));
     }
   }
 
