@@ -12,6 +12,7 @@ import haltere.core.format.RecordingWriter;
 import haltere.core.format.Support;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.decoding.ColumnGuess;
 import haltere.core.format.internal.decoding.EventCursor;
 import haltere.core.format.internal.decoding.FileCursor;
 import haltere.core.format.internal.decoding.SensorGuess;
@@ -90,7 +91,7 @@ public final class CsvFormat implements StreamedFormat {
                             + "t_us,x,y,on, and end each line with a line feed"));
     List<String> remarks = new ArrayList<>();
     if (!layout.named()) {
-      remarks.add("no line names the columns; they are read as " + layout.roles());
+      ColumnGuess.remark(layout.roles()).ifPresent(remarks::add);
     }
     Origin origin = SensorGuess.origin(Optional.empty(), options, remarks);
     SensorGeometry size = size(file, layout, options, remarks);

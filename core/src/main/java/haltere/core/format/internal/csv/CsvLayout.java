@@ -1,11 +1,13 @@
 package haltere.core.format.internal.csv;
 
+import haltere.core.format.internal.decoding.ColumnGuess;
 import haltere.core.format.internal.decoding.EventColumn;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 
 /**
  * Columns of a text table: by a row of names, else by the numbers.
@@ -234,71 +236,27 @@ record CsvLayout(
     return fraction ? 6 : largest >= MIN_NS ? -3 : 0;
   }
 
-  /**
-   * Columns by their numbers: the polarity has two values, the time never falls, column comes
-   * before row.
-   */
+  /** Columns by their numbers. */
   private static Optional<CsvLayout> bySight(Start start) {
-    List<String[]> rows = start.rows;
-    if (rows.isEmpty() || rows.get(0).length != 4) {
-      return Optional.empty();
-    }
-    boolean[] polarity = {true, true, true, true};
-    boolean[] ascends = {true, true, true, true};
-    boolean[] pixel = {true, true, true, true};
-    double[] last = new double[4];
-    double[] largest = new double[4];
-    java.util.Arrays.fill(last, Double.NEGATIVE_INFINITY);
-    for (String[] row : rows) {
-      if (row.length != 4) {
+    ColumnGuess guess = new ColumnGuess();
+    for (String[] row : start.rows) {
+      if (row.length != ColumnGuess.COLUMNS || !Stream.of(row).allMatch(CsvLayout::isNumber)) {
         return Optional.empty();
       }
-      for (int i = 0; i < 4; i++) {
-        if (!isNumber(row[i])) {
-          return Optional.empty();
-        }
-        double value = Double.parseDouble(row[i]);
-        polarity[i] &= value == 0 || value == 1 || value == -1;
-        ascends[i] &= value >= last[i];
-        pixel[i] &= value >= 0 && value <= 32767 && value == Math.rint(value);
-        last[i] = value;
-        largest[i] = Math.max(largest[i], Math.abs(value));
-      }
+      guess.add(Stream.of(row).mapToDouble(Double::parseDouble).toArray());
     }
-    int time = -1;
-    int sign = -1;
-    for (int i = 0; i < 4; i++) {
-      boolean likelier =
-          time < 0
-              || pixel[time] && !pixel[i]
-              || pixel[time] == pixel[i] && largest[i] > largest[time];
-      if (ascends[i] && likelier) {
-        time = i;
-      }
-    }
-    for (int i = 0; i < 4; i++) {
-      sign = polarity[i] && i != time ? i : sign;
-    }
-    if (time < 0 || sign < 0) {
-      return Optional.empty();
-    }
-    List<EventColumn> roles = new ArrayList<>();
-    for (int i = 0; i < 4; i++) {
-      EventColumn rest = roles.contains(EventColumn.X) ? EventColumn.Y : EventColumn.X;
-      roles.add(i == time ? EventColumn.TIME : i == sign ? EventColumn.POLARITY : rest);
-      if (i != time && i != sign && !pixel[i]) {
-        return Optional.empty();
-      }
-    }
-    return Optional.of(
-        new CsvLayout(
-            roles,
-            timeScale(rows, time),
-            start.dataOffset,
-            false,
-            start.marked,
-            start.decimalCommas,
-            start.width,
-            start.height));
+    return guess
+        .columns()
+        .map(
+            roles ->
+                new CsvLayout(
+                    roles,
+                    timeScale(start.rows, roles.indexOf(EventColumn.TIME)),
+                    start.dataOffset,
+                    false,
+                    start.marked,
+                    start.decimalCommas,
+                    start.width,
+                    start.height));
   }
 }

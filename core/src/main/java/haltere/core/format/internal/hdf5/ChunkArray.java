@@ -42,7 +42,7 @@ abstract class ChunkArray extends ChunkIndex {
       readHeader();
       isOpen = true;
     }
-    return block != ContainerFile.NOWHERE && chunk >= 0 && findInBlock(chunk);
+    return block != ContainerFile.NOWHERE && chunk >= 0 && findInBlock(dataset.chunkNumber(chunk));
   }
 
   final void check(Metadata head, boolean isPossible) throws IOException {

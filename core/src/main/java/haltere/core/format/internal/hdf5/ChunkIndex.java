@@ -27,9 +27,9 @@ abstract class ChunkIndex {
   }
 
   /**
-   * Finds a chunk.
+   * Finds a chunk of the dataset's stripe.
    *
-   * @param chunk number of it, from 0
+   * @param chunk number of it in the order of rows, from 0
    * @return false if there is none
    * @throws IOException if the index is damaged or the file cannot be read
    */
@@ -58,7 +58,8 @@ abstract class ChunkIndex {
     }
 
     @Override
-    boolean find(long chunk) {
+    boolean find(long chunkOfRows) {
+      long chunk = dataset.chunkNumber(chunkOfRows);
       boolean single = dataset.kind() == Dataset.StorageLayout.SINGLE_CHUNK;
       if (dataset.position() == ContainerFile.NOWHERE
           || single && chunk > 0

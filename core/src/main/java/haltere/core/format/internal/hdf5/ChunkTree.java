@@ -2,15 +2,18 @@ package haltere.core.format.internal.hdf5;
 
 import java.io.IOException;
 
-/** The index of most files: a tree whose leaves list chunks by their first row. */
+/** The index of most files: a tree whose leaves list chunks by their first row and column. */
 final class ChunkTree extends ChunkIndex {
   private static final int MAX_DEPTH = 32;
 
   private final ContainerFile file;
   private final Dataset dataset;
-  private final int otherDimensions;
+  private final int dimensions;
 
-  /** Entries of the leaf read last: row, position, size, filters of each chunk. */
+  /** First column of the chunks of the stripe. */
+  private final long column;
+
+  /** Entries of the leaf read last: row or -1, position, size, filters of each chunk. */
   private long[] leaf = {};
 
   private int leafChunks;
@@ -18,7 +21,8 @@ final class ChunkTree extends ChunkIndex {
   ChunkTree(ContainerFile file, Dataset dataset) {
     this.file = file;
     this.dataset = dataset;
-    otherDimensions = dataset.dimensions().length;
+    dimensions = dataset.dimensions().length;
+    column = (long) dataset.stripe().number() * dataset.columnsTogether();
   }
 
   @Override
@@ -39,7 +43,7 @@ final class ChunkTree extends ChunkIndex {
         throw head.problem("an index of chunks that does not end");
       }
       above = level;
-      int keyBytes = 8 + 8 * (otherDimensions + 1);
+      int keyBytes = 8 + 8 * (dimensions + 1);
       Metadata entries =
           file.at(
               position + 8 + 2L * file.offsetBytes(),
@@ -53,20 +57,27 @@ final class ChunkTree extends ChunkIndex {
     return false;
   }
 
-  /** The last child that starts at or before a row. */
+  /** The last child that starts at or before a row of the stripe. */
   private long child(Metadata entries, int used, long row) throws IOException {
     long found = ContainerFile.NOWHERE;
     for (int i = 0; i < used; i++) {
       entries.skip(8);
       long first = entries.number(8);
-      entries.skip(8L * otherDimensions);
+      long firstColumn = column(entries);
       long position = entries.position();
-      if (first > row) {
+      if (first > row || first == row && firstColumn > column) {
         break;
       }
       found = position;
     }
     return found;
+  }
+
+  /** Reads the other numbers of a key: the column in a table, 0 in a list. */
+  private long column(Metadata entries) throws IOException {
+    long first = entries.number(8);
+    entries.skip(8L * (dimensions - 1));
+    return first;
   }
 
   private void readLeaf(Metadata entries, int used) throws IOException {
@@ -76,8 +87,7 @@ final class ChunkTree extends ChunkIndex {
       long size = entries.u4();
       long skipped = entries.u4();
       long row = entries.number(8);
-      entries.skip(8L * otherDimensions);
-      leaf[4 * i] = row;
+      leaf[4 * i] = column(entries) == column ? row : -1;
       leaf[4 * i + 1] = entries.position();
       leaf[4 * i + 2] = size;
       leaf[4 * i + 3] = skipped;

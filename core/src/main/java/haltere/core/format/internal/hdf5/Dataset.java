@@ -19,6 +19,7 @@ import java.util.Optional;
  * @param inHeader bytes in the header itself
  * @param rowBytes size of a row of a chunk; that of an element except for tables
  * @param chunkRows rows in a chunk
+ * @param stripe columns of a table in its chunks
  * @param index parameters of the index of the chunks
  * @param filters steps of the compression of chunks
  */
@@ -32,6 +33,7 @@ record Dataset(
     byte[] inHeader,
     int rowBytes,
     long chunkRows,
+    Stripe stripe,
     Index index,
     List<FilterStep> filters) {
   private static final long MAX_CHUNK_BYTES = 0xffffffffL;
@@ -62,6 +64,17 @@ record Dataset(
   }
 
   /**
+   * Columns of a table that are stored in chunks of their own.
+   *
+   * @param number of the stripe, from 0
+   * @param count of stripes
+   */
+  record Stripe(int number, int count) {
+    /** All columns. */
+    static final Stripe ALL = new Stripe(0, 1);
+  }
+
+  /**
    * Compressed size and skipped filters of a single chunk; else parameters of the index.
    *
    * @param size compressed bytes of a single chunk
@@ -89,7 +102,8 @@ record Dataset(
     }
     int kind = layout.u1();
     Dataset dataset =
-        new Dataset(name, type, dimensions, null, 0, 0, NONE, 0, 0, new Index(0, 0), filters);
+        new Dataset(
+            name, type, dimensions, null, 0, 0, NONE, 0, 0, Stripe.ALL, new Index(0, 0), filters);
     return switch (kind) {
       case 0 -> dataset.inHeader(layout);
       case 1 -> {
@@ -124,8 +138,35 @@ record Dataset(
         content,
         row,
         rowsInChunk,
+        stripe,
         index,
         filters);
+  }
+
+  private Dataset with(Stripe newStripe, Index newIndex) {
+    return new Dataset(
+        name,
+        type,
+        dimensions,
+        kind,
+        position,
+        bytes,
+        inHeader,
+        rowBytes,
+        chunkRows,
+        newStripe,
+        newIndex,
+        filters);
+  }
+
+  /** Number of columns that are stored together. */
+  int columnsTogether() {
+    return rowBytes / type.bytes();
+  }
+
+  /** The dataset with the chunks of a column. */
+  Dataset ofColumn(int column) {
+    return with(new Stripe(column / columnsTogether(), stripe.count()), index);
   }
 
   /** Bytes of a row of one or more elements. */
@@ -163,15 +204,18 @@ record Dataset(
       throw layout.problem("chunks of " + (rank - 1) + " dimensions in " + name);
     }
     long row = type.bytes();
-    if (rank == 3 && lengths[1] >= dimensions[1] && lengths[1] <= MAX_TABLE_COLUMNS) {
+    int stripes = 1;
+    if (rank == 3 && lengths[1] >= 1 && Math.max(lengths[1], dimensions[1]) <= MAX_TABLE_COLUMNS) {
       row = lengths[1] * type.bytes();
+      stripes = (int) ((dimensions[1] + lengths[1] - 1) / lengths[1]);
     } else if (rank != 2) {
-      throw layout.unknown("a table whose chunks do not hold whole rows (" + name + ")");
+      throw layout.unknown("a table of more than " + MAX_TABLE_COLUMNS + " columns (" + name + ")");
     }
     if (lengths[0] < 1 || lengths[0] > MAX_CHUNK_BYTES / Math.max(1, row)) {
       throw layout.problem("chunks of " + lengths[0] + " rows in " + name);
     }
-    return with(newKind, newPlace, 0, NONE, (int) row, lengths[0]);
+    return with(newKind, newPlace, 0, NONE, (int) row, lengths[0])
+        .with(new Stripe(0, Math.max(1, stripes)), index);
   }
 
   private Dataset chunks(Metadata layout, ContainerFile file) throws IOException {
@@ -208,18 +252,7 @@ record Dataset(
       default -> throw layout.unknown("a table that can grow both ways (" + name + ")");
     }
     Dataset found = chunked(layout, newKind, layout.position(), lengths, rank);
-    return new Dataset(
-        name,
-        type,
-        dimensions,
-        newKind,
-        found.position,
-        0,
-        NONE,
-        found.rowBytes,
-        found.chunkRows,
-        newIndex,
-        filters);
+    return found.with(found.stripe, newIndex);
   }
 
   /** Claimed number of rows. */
@@ -239,6 +272,11 @@ record Dataset(
 
   boolean isChunked() {
     return kind != StorageLayout.RUN && kind != StorageLayout.IN_HEADER;
+  }
+
+  /** Number of a chunk of the stripe among those of all, which lie side by side. */
+  long chunkNumber(long chunkOfRows) {
+    return chunkOfRows * stripe.count() + stripe.number();
   }
 
   /** Bytes of a decompressed chunk. */

@@ -4,17 +4,20 @@ import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.internal.compression.DamagedPacketException;
+import haltere.core.format.internal.decoding.ColumnGuess;
 import haltere.core.format.internal.decoding.EventColumn;
 import haltere.core.format.internal.decoding.RowCursor;
 import haltere.core.format.internal.decoding.SensorGuess;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import java.util.stream.DoubleStream;
 
 /**
  * Finds the events of a file: datasets in one group that are named as columns of events, or a
@@ -138,73 +141,62 @@ final class EventSearch {
         .sum();
   }
 
-  /**
-   * Tables hold t, x, y, p, or x, y, t, p: times have fractions, or ascend, or are the larger
-   * numbers.
-   */
+  /** Columns of a table without names, by their first numbers; none if they are no events. */
   private Map<EventColumn, EventTable.StoredColumn> tableColumns(Dataset dataset)
       throws IOException {
-    ColumnSample one = sample(EventTable.StoredColumn.of(dataset, 0));
-    ColumnSample other = sample(EventTable.StoredColumn.of(dataset, 2));
-    requireComplete(one, "its columns");
-    boolean timesFirst =
-        one.hasFractions() != other.hasFractions()
-            ? one.hasFractions()
-            : one.isAscending() == other.isAscending()
-                ? one.largest() > other.largest()
-                : one.isAscending();
+    List<Start> starts = new ArrayList<>();
+    for (int i = 0; i < ColumnGuess.COLUMNS; i++) {
+      starts.add(start(EventTable.StoredColumn.of(dataset, i)));
+      requireComplete(starts.get(i), "its columns");
+    }
+    List<double[]> numbers = starts.stream().map(Start::numbers).toList();
+    List<EventColumn> guessed = ColumnGuess.of(numbers, dataset.rows());
     Map<EventColumn, EventTable.StoredColumn> columns = EventTable.noColumns();
-    EventColumn[] order =
-        timesFirst
-            ? new EventColumn[] {
-              EventColumn.TIME, EventColumn.X, EventColumn.Y, EventColumn.POLARITY
-            }
-            : new EventColumn[] {
-              EventColumn.X, EventColumn.Y, EventColumn.TIME, EventColumn.POLARITY
-            };
-    for (int i = 0; i < order.length; i++) {
-      columns.put(order[i], EventTable.StoredColumn.of(dataset, i));
+    for (int i = 0; i < guessed.size(); i++) {
+      columns.put(guessed.get(i), EventTable.StoredColumn.of(dataset, i));
     }
     return columns;
   }
 
-  /** Properties of the first numbers of a column; cut if the file ended within them. */
-  private record ColumnSample(
-      double largest, boolean hasFractions, boolean isAscending, boolean isCutOff) {}
+  /** The first numbers of a column; cut if the file ended within them. */
+  private record Start(double[] numbers, boolean isCutOff) {
+    /** Those that are numbers. */
+    DoubleStream valid() {
+      return DoubleStream.of(numbers)
+          .filter(value -> RowCursor.rounded(value) != RowCursor.NO_NUMBER);
+    }
 
-  private ColumnSample sample(EventTable.StoredColumn column) throws IOException {
-    double largest = 0;
-    double last = Double.NEGATIVE_INFINITY;
-    boolean fractions = false;
-    boolean ascending = true;
+    double largest() {
+      return valid().map(Math::abs).max().orElse(0);
+    }
+
+    boolean hasFractions() {
+      return valid().anyMatch(value -> Math.abs(value - Math.rint(value)) > FRACTION_TOLERANCE);
+    }
+  }
+
+  private Start start(EventTable.StoredColumn column) throws IOException {
+    int wanted = (int) Math.min(PROBE_ROWS, column.dataset().rows());
+    double[] numbers = new double[wanted];
+    int row = 0;
+    boolean isCutOff = false;
     try (ChunkDecompressor decompressor = new ChunkDecompressor()) {
-      NumberColumn numbers =
+      NumberColumn rows =
           new NumberColumn(new DatasetRows(file, column.dataset(), decompressor), column);
-      long wanted = Math.min(PROBE_ROWS, column.dataset().rows());
-      for (long row = 0; row < wanted; ) {
-        int count = (int) Math.min(wanted - row, numbers.load(row));
-        if (count <= 0) {
-          return new ColumnSample(largest, fractions, ascending, true);
-        }
+      while (row < wanted && !isCutOff) {
+        int count = (int) Math.min(wanted - row, rows.load(row));
+        isCutOff = count <= 0;
         for (int i = 0; i < count; i++) {
-          double value = numbers.real(i);
-          if (RowCursor.rounded(value) == RowCursor.NO_NUMBER) {
-            continue;
-          }
-          fractions |= Math.abs(value - Math.rint(value)) > FRACTION_TOLERANCE;
-          largest = Math.max(largest, Math.abs(value));
-          ascending &= value >= last;
-          last = value;
+          numbers[row++] = rows.real(i);
         }
-        row += count;
       }
     } catch (DamagedPacketException damaged) {
       // the rows read up to here are used
     }
-    return new ColumnSample(largest, fractions, ascending, false);
+    return new Start(Arrays.copyOf(numbers, row), isCutOff);
   }
 
-  private void requireComplete(ColumnSample sample, String what) throws RecordingProblem {
+  private void requireComplete(Start sample, String what) throws RecordingProblem {
     if (sample.isCutOff() && file.isCutOff()) {
       throw new RecordingProblem(
           file.bytes().path(),
@@ -230,7 +222,7 @@ final class EventSearch {
     if (EventColumn.timeScale(time.name()).isPresent()) {
       return EventColumn.timeScale(time.name()).getAsInt();
     }
-    ColumnSample sample = sample(time);
+    Start sample = start(time);
     if (time.type().kind() == 'f' && !sample.hasFractions()) {
       requireComplete(sample, "the unit of its times");
     }

@@ -6,8 +6,10 @@ import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.internal.decoding.EventColumn;
 import java.io.IOException;
+import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -60,9 +62,16 @@ record EventTable(
           path.substring(path.lastIndexOf('/') + 1), dataset, 0, dataset.type());
     }
 
+    /** Number of the column in a table. */
+    int number() {
+      return dataset.stripe().number() * dataset.columnsTogether() + offset / type.bytes();
+    }
+
     /** A column of a table without names. */
     static StoredColumn of(Dataset table, int column) {
-      return new StoredColumn("", table, column * table.type().bytes(), table.type());
+      int inRow = column % table.columnsTogether();
+      return new StoredColumn(
+          "", table.ofColumn(column), inRow * table.type().bytes(), table.type());
     }
   }
 
@@ -70,6 +79,15 @@ record EventTable(
   static EventTable of(RecordingFile bytes) throws IOException {
     ContainerFile container = ContainerFile.open(bytes);
     return new EventSearch(container).table();
+  }
+
+  /** Contents of the columns of a table without names, in their order; else empty. */
+  List<EventColumn> guessed() {
+    return columns.entrySet().stream()
+        .filter(column -> column.getValue().name().isEmpty())
+        .sorted(Comparator.comparingInt(column -> column.getValue().number()))
+        .map(Map.Entry::getKey)
+        .toList();
   }
 
   /** Datasets of the columns, each once. */

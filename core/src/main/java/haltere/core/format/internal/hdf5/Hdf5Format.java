@@ -13,6 +13,7 @@ import haltere.core.format.Support;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.decoding.ColumnGuess;
 import haltere.core.format.internal.decoding.SensorGuess;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
@@ -73,6 +74,7 @@ public final class Hdf5Format implements RecordingFormat {
   private RecordingReader open(RecordingFile file, ReadOptions options) throws IOException {
     EventTable table = EventTable.of(file);
     List<String> remarks = new ArrayList<>();
+    ColumnGuess.remark(table.guessed()).ifPresent(remarks::add);
     Origin origin = SensorGuess.origin(table.origin(), options, remarks);
     ViolationCounts found = new ViolationCounts();
     if (table.inconsistent()) {

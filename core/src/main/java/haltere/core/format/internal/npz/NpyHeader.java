@@ -1,5 +1,6 @@
 package haltere.core.format.internal.npz;
 
+import haltere.core.format.internal.decoding.ColumnGuess;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -8,14 +9,18 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The header of a NumPy array: type and number of its elements.
+ * The header of a NumPy array: type and number of its elements. The rows of a table of four columns
+ * are its elements, with a field for each column.
  *
- * @param fields of an element; one without a name unless the array is structured
+ * @param fields of an element; those of a table have no names, nor has the only one of a plain
+ *     array
  * @param itemBytes size of an element
  * @param shape lengths of its dimensions; they may be wrong
  * @param dataOffset bytes of the header
+ * @param isByColumns whether each column of a table is stored as a whole
  */
-record NpyHeader(List<NpyField> fields, int itemBytes, List<Long> shape, int dataOffset) {
+record NpyHeader(
+    List<NpyField> fields, int itemBytes, List<Long> shape, int dataOffset, boolean isByColumns) {
   /** Maximum length of a header. */
   static final int MAX_BYTES = 64 * 1024;
 
@@ -26,6 +31,7 @@ record NpyHeader(List<NpyField> fields, int itemBytes, List<Long> shape, int dat
       Pattern.compile(
           "\\(\\s*'([^']*)'\\s*,\\s*'([^']*)'\\s*,?\\s*(\\(\\s*\\d*\\s*,?\\s*\\))?\\s*\\)");
   private static final Pattern TYPE = Pattern.compile("([<>|=]?)([a-zA-Z?])(\\d{0,6})");
+  private static final Pattern BY_COLUMNS = Pattern.compile("'fortran_order'\\s*:\\s*True");
   private static final Pattern SHAPE = Pattern.compile("'shape'\\s*:\\s*\\(([\\d,\\sL]*)\\)");
 
   /**
@@ -84,7 +90,36 @@ record NpyHeader(List<NpyField> fields, int itemBytes, List<Long> shape, int dat
     if (fields.isEmpty() || lengths.isEmpty() || itemBytes < 1) {
       return Optional.empty();
     }
-    return Optional.of(new NpyHeader(fields, itemBytes, lengths.get(), start + (int) length));
+    int dataOffset = start + (int) length;
+    NpyHeader header = new NpyHeader(fields, itemBytes, lengths.get(), dataOffset, false);
+    return Optional.of(
+        fields.get(0).name().isEmpty() && lengths.get().size() == 2
+            ? header.asTable(BY_COLUMNS.matcher(text).find())
+            : header);
+  }
+
+  /** Four columns as fields; the array itself if it has not as many. */
+  private NpyHeader asTable(boolean isTransposed) {
+    boolean isUpright = shape.get(1) == ColumnGuess.COLUMNS;
+    if (!isUpright && shape.get(0) != ColumnGuess.COLUMNS) {
+      return this;
+    }
+    NpyField any = fields.get(0);
+    List<NpyField> columns = new ArrayList<>();
+    for (int i = 0; i < ColumnGuess.COLUMNS; i++) {
+      columns.add(new NpyField("", any.kind(), any.bytes(), i * any.bytes(), any.bigEndian()));
+    }
+    return new NpyHeader(
+        columns,
+        ColumnGuess.COLUMNS * itemBytes,
+        List.of(shape.get(isUpright ? 0 : 1)),
+        dataOffset,
+        isUpright == isTransposed);
+  }
+
+  /** Whether it is a table of columns without names. */
+  boolean isTable() {
+    return fields.size() == ColumnGuess.COLUMNS && fields.get(0).name().isEmpty();
   }
 
   private static List<NpyField> fields(String description) {

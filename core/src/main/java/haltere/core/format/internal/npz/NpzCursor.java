@@ -25,8 +25,9 @@ final class NpzCursor extends RowCursor {
   /** A column, its bytes and the current piece of them. */
   private static final class NpzColumn {
     final NpyHeader.NpyField field;
-    final int itemBytes;
-    final int dataOffset;
+    final int stride;
+    final int offset;
+    final long start;
     final ArrayBytes bytes;
     final byte[] piece;
     final ByteBuffer values;
@@ -34,27 +35,28 @@ final class NpzCursor extends RowCursor {
 
     NpzColumn(NpzLayout.ArrayColumn column, RecordingFile file, int pieceRows) {
       field = column.field();
-      itemBytes = column.array().header().itemBytes();
-      dataOffset = column.array().header().dataOffset();
+      stride = column.stride();
+      offset = column.offset();
+      start = column.start();
       bytes = column.array().open(file);
-      piece = new byte[pieceRows * itemBytes];
+      piece = new byte[pieceRows * stride];
       values = NpzLayout.order(ByteBuffer.wrap(piece), field);
       numbers = new long[pieceRows];
     }
 
     /** Reads rows as integers; returns their number. */
     int read(long row, int rows, int scale) throws IOException {
-      int length = bytes.read(dataOffset + row * itemBytes, piece, rows * itemBytes);
-      int count = length / itemBytes;
+      int length = bytes.read(start + row * stride, piece, rows * stride);
+      int count = length / stride;
       if (field.kind() == 'f') {
         double factor = Math.pow(10, Math.abs(scale));
         for (int i = 0; i < count; i++) {
-          double value = real(values, i * itemBytes + field.offset(), field.bytes());
+          double value = real(values, i * stride + offset, field.bytes());
           numbers[i] = rounded(scale < 0 ? value / factor : value * factor);
         }
       } else {
         for (int i = 0; i < count; i++) {
-          numbers[i] = scaled(whole(values, i * itemBytes + field.offset(), field), scale);
+          numbers[i] = scaled(whole(values, i * stride + offset, field), scale);
         }
       }
       return count;
@@ -88,10 +90,7 @@ final class NpzCursor extends RowCursor {
     height = geometry.height();
     fromTop = geometry.origin() == Origin.TOP;
     int largest =
-        layout.columns().values().stream()
-            .mapToInt(column -> column.array().header().itemBytes())
-            .max()
-            .orElse(1);
+        layout.columns().values().stream().mapToInt(NpzLayout.ArrayColumn::stride).max().orElse(1);
     pieceRows = Math.max(1, Math.min(PIECE_ROWS, MAX_PIECE_BYTES / largest));
     time = part(EventColumn.TIME);
     x = part(EventColumn.X);
@@ -217,7 +216,7 @@ final class NpzCursor extends RowCursor {
   /** File offset of the time of a row; for compressed arrays, its offset in the array. */
   private long offset(long ofRow) {
     NpzLayout.Array array = layout.columns().get(EventColumn.TIME).array();
-    long bytes = array.header().dataOffset() + ofRow * array.header().itemBytes();
+    long bytes = time.start + ofRow * time.stride;
     return array.method() == 0 ? array.offset() + bytes : bytes;
   }
 

@@ -13,6 +13,7 @@ import haltere.core.format.Support;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.decoding.ColumnGuess;
 import haltere.core.format.internal.decoding.SensorGuess;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
@@ -25,8 +26,8 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * NumPy: arrays t, x, y, p in a {@code .npz}, or one structured array with such fields, alone or in
- * a {@code .npz}; read both ways, written as four arrays.
+ * NumPy: arrays t, x, y, p in a {@code .npz}, or one structured array with such fields or a table
+ * of such columns, alone or in a {@code .npz}; written as four arrays.
  */
 public final class NpzFormat implements RecordingFormat {
   private static final int MAX_SIDE = 1 << 15;
@@ -41,7 +42,7 @@ public final class NpzFormat implements RecordingFormat {
 
   @Override
   public String description() {
-    return "NumPy arrays t, x, y, p, or a structured one (.npz, .npy)";
+    return "NumPy arrays t, x, y, p, a structured one, or a table (.npz, .npy)";
   }
 
   @Override
@@ -86,6 +87,7 @@ public final class NpzFormat implements RecordingFormat {
     if (layout.cutOff()) {
       found.add(Violation.CUT_OFF, file.size());
     }
+    ColumnGuess.remark(layout.guessed()).ifPresent(remarks::add);
     SensorGeometry geometry;
     Origin origin = SensorGuess.origin(layout.origin(), options, remarks);
     if (layout.sensor().isPresent()) {

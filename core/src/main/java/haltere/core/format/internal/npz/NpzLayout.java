@@ -4,6 +4,7 @@ import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
+import haltere.core.format.internal.decoding.ColumnGuess;
 import haltere.core.format.internal.decoding.EventColumn;
 import haltere.core.format.internal.decoding.RowCursor;
 import java.io.IOException;
@@ -20,6 +21,7 @@ import java.util.stream.Stream;
  * Columns of the events.
  *
  * @param columns by content; at least times, columns and rows
+ * @param guessed contents of the columns of a table without names, in their order; else empty
  * @param rows events that all columns claim
  * @param inconsistent whether columns claim different numbers, or more than their file can contain
  * @param cutOff whether the file is truncated
@@ -29,6 +31,7 @@ import java.util.stream.Stream;
  */
 record NpzLayout(
     Map<EventColumn, ArrayColumn> columns,
+    List<EventColumn> guessed,
     long rows,
     boolean inconsistent,
     boolean cutOff,
@@ -41,6 +44,10 @@ record NpzLayout(
 
   private static final int PROBE_ROWS = 4096;
   private static final int PROBE_BYTES = 1 << 20;
+
+  /** More than any file has. */
+  private static final long MAX_ROWS = 1L << 50;
+
   private static final double MIN_NS = 1e17;
 
   /**
@@ -49,7 +56,37 @@ record NpzLayout(
    * @param array its array
    * @param field its field in an element
    */
-  record ArrayColumn(Array array, NpyHeader.NpyField field) {}
+  record ArrayColumn(Array array, NpyHeader.NpyField field) {
+    /** Offset of its first element in the array. */
+    long start() {
+      NpyHeader header = array.header();
+      long before = header.isByColumns() ? Math.min(header.rows(), MAX_ROWS) : 0;
+      return header.dataOffset() + field.offset() * before;
+    }
+
+    /** Bytes of an element. */
+    int stride() {
+      return array.header().isByColumns() ? field.bytes() : array.header().itemBytes();
+    }
+
+    /** Offset of the number in an element. */
+    int offset() {
+      return array.header().isByColumns() ? 0 : field.offset();
+    }
+
+    /** Number of its first rows that tell what it is. */
+    int probedRows() {
+      int probed = Math.max(1, Math.min(PROBE_ROWS, PROBE_BYTES / stride()));
+      return (int) Math.min(array.header().rows(), probed);
+    }
+
+    /** The number in a buffer that begins with one of the column. */
+    double number(ByteBuffer values, int at) {
+      return field.kind() == 'f'
+          ? NpzCursor.real(values, at, field.bytes())
+          : NpzCursor.whole(values, at, field);
+    }
+  }
 
   /**
    * An array of a file.
@@ -93,13 +130,15 @@ record NpzLayout(
         }
       }
     }
+    List<EventColumn> guessed = isComplete(columns) ? List.of() : table(file, arrays, columns);
     for (EventColumn needed : List.of(EventColumn.TIME, EventColumn.X, EventColumn.Y)) {
       if (!columns.containsKey(needed)) {
         throw new RecordingProblem(
             file.path(),
             "its arrays "
                 + arrays.stream().map(Array::name).toList()
-                + " are not events: expected are t, x, y and p, as arrays or as fields of one");
+                + " are not events: expected are t, x, y and p, as arrays or as fields or columns of"
+                + " one");
       }
     }
     if (listed.isEmpty() && !columns.containsKey(EventColumn.POLARITY)) {
@@ -120,12 +159,64 @@ record NpzLayout(
     Optional<Long> rowsUp = single(file, arrays, ROWS_UP);
     return new NpzLayout(
         columns,
+        guessed,
         rows,
         inconsistent || rows != maxRows,
         listed.isEmpty(),
         rowsUp.isPresent() ? 0 : timeScale(file, columns.get(EventColumn.TIME), listed.isEmpty()),
         sensor(file, arrays),
         rowsUp.map(up -> up == 1 ? Origin.BOTTOM : Origin.TOP));
+  }
+
+  private static boolean isComplete(Map<EventColumn, ArrayColumn> columns) {
+    return columns.keySet().containsAll(List.of(EventColumn.TIME, EventColumn.X, EventColumn.Y));
+  }
+
+  /** Adds the columns of a table of events, and returns their contents; none without one. */
+  private static List<EventColumn> table(
+      RecordingFile file, List<Array> arrays, Map<EventColumn, ArrayColumn> columns)
+      throws IOException {
+    for (Array array : arrays) {
+      List<NpyHeader.NpyField> fields = array.header().fields();
+      if (!array.header().isTable() || !fields.get(0).isNumber()) {
+        continue;
+      }
+      List<double[]> numbers = new ArrayList<>();
+      for (NpyHeader.NpyField field : fields) {
+        ArrayColumn column = new ArrayColumn(array, field);
+        double[] start = start(file, column);
+        if (start.length < column.probedRows()) {
+          throw new RecordingProblem(
+              file.path(), file.size(), "the file ends before its columns are known");
+        }
+        numbers.add(start);
+      }
+      List<EventColumn> found = ColumnGuess.of(numbers, array.header().rows());
+      if (!found.isEmpty()) {
+        columns.clear();
+        for (int i = 0; i < found.size(); i++) {
+          columns.put(found.get(i), new ArrayColumn(array, fields.get(i)));
+        }
+        return found;
+      }
+    }
+    return List.of();
+  }
+
+  /** The first numbers of a column. */
+  private static double[] start(RecordingFile file, ArrayColumn column) throws IOException {
+    int stride = column.stride();
+    byte[] start = new byte[column.probedRows() * stride];
+    ArrayBytes bytes = column.array().open(file);
+    int length = bytes.read(column.start(), start, start.length);
+    bytes.close();
+    ByteBuffer values = order(ByteBuffer.wrap(start), column.field());
+    int offset = column.offset();
+    double[] numbers = new double[length / stride];
+    for (int i = 0; i < numbers.length; i++) {
+      numbers[i] = column.number(values, i * stride + offset);
+    }
+    return numbers;
   }
 
   /** Rejects unreadable polarities, without which all events would be ON. */
@@ -191,28 +282,16 @@ record NpzLayout(
     if (EventColumn.timeScale(name).isPresent()) {
       return EventColumn.timeScale(name).getAsInt();
     }
-    int itemBytes = time.array().header().itemBytes();
-    byte[] start = new byte[Math.max(1, Math.min(PROBE_ROWS, PROBE_BYTES / itemBytes)) * itemBytes];
-    ArrayBytes bytes = time.array().open(file);
-    int length = bytes.read(time.array().header().dataOffset(), start, start.length);
-    bytes.close();
+    double[] start = start(file, time);
     double largest = 0;
     boolean fraction = false;
-    ByteBuffer values = order(ByteBuffer.wrap(start), time.field());
-    for (int at = 0; at + itemBytes <= length; at += itemBytes) {
-      double value =
-          time.field().kind() == 'f'
-              ? NpzCursor.real(values, at + time.field().offset(), time.field().bytes())
-              : NpzCursor.whole(values, at + time.field().offset(), time.field());
-      if (RowCursor.rounded(value) == RowCursor.NO_NUMBER) {
-        continue;
+    for (double value : start) {
+      if (RowCursor.rounded(value) != RowCursor.NO_NUMBER) {
+        fraction |= value != Math.rint(value);
+        largest = Math.max(largest, Math.abs(value));
       }
-      fraction |= value != Math.rint(value);
-      largest = Math.max(largest, Math.abs(value));
     }
-    long lookedAt = length / itemBytes;
-    long wanted = Math.min(start.length / itemBytes, time.array().header().rows());
-    if (cutOff && !fraction && time.field().kind() == 'f' && lookedAt < wanted) {
+    if (cutOff && !fraction && time.field().kind() == 'f' && start.length < time.probedRows()) {
       throw new RecordingProblem(
           file.path(), file.size(), "the file ends before the unit of its times is known");
     }

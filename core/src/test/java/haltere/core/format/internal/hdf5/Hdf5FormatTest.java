@@ -130,6 +130,10 @@ class Hdf5FormatTest extends RecordingFormatContract {
         "fields-nanoseconds",
         "table-txyp",
         "table-xytp-seconds",
+        "table-by-columns",
+        "table-pairs-of-columns",
+        "new-table-three-columns",
+        "new-growing-table-by-columns",
         "seconds-big-endian-truth",
         "nanoseconds-user-block");
   }
@@ -218,6 +222,8 @@ class Hdf5FormatTest extends RecordingFormatContract {
         "old-deflate-shuffle-fletcher32",
         "new-growing",
         "new-array-lzf",
+        "table-pairs-of-columns",
+        "new-growing-table-by-columns",
         "blosc-zstd",
         "blosc-lz4",
         "lz4",

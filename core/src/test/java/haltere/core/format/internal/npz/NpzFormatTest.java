@@ -29,11 +29,14 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.SplittableRandom;
 import java.util.zip.CRC32;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** NumPy's files keep the contract of all formats, whatever the types of their arrays. */
 class NpzFormatTest extends RecordingFormatContract {
@@ -160,6 +163,87 @@ class NpzFormatTest extends RecordingFormatContract {
     arrays.put("y", array("'<f4'", size + ",", y.flip()));
     arrays.put("timestamps", array(seconds ? "'>f8'" : "'>i8'", size + ",", t.flip()));
     return arrays;
+  }
+
+  /** A table whose columns hold, in the order of the letters, times, pixels and signs. */
+  private static byte[] table(EventPacket events, String order, boolean isByColumns, String head) {
+    ByteBuffer numbers = buffer(32 * events.size(), ByteOrder.LITTLE_ENDIAN);
+    for (int k = 0; k < 4 * events.size(); k++) {
+      int i = isByColumns ? k % events.size() : k / 4;
+      char column = order.charAt(isByColumns ? k / events.size() : k % 4);
+      numbers.putDouble(
+          switch (column) {
+            case 't' -> events.timeUs(i) / 1e6;
+            case 'x' -> events.x(i);
+            case 'y' -> 259 - events.y(i);
+            default -> events.isOn(i) ? 1 : -1;
+          });
+    }
+    byte[] bytes = array("'<f8'", head, numbers.flip());
+    String text = new String(bytes, StandardCharsets.ISO_8859_1);
+    return isByColumns
+        ? text.replace("r': False, ", "r': True,  ").getBytes(StandardCharsets.ISO_8859_1)
+        : bytes;
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"txyp", "xytp", "xypt"})
+  void tableWithoutNamesIsReadInAnyOrderAndLayout(String order) throws IOException {
+    EventPacket events = EventPackets.uniform(SENSOR, 5, 9_000, 1_000_000, 40);
+    int rows = events.size();
+    Map<String, byte[]> tables =
+        Map.of(
+            "upright.npy", table(events, order, false, rows + ", 4"),
+            "by-columns.npy", table(events, order, true, rows + ", 4"),
+            "packed.npz", zipped(Map.of("events", table(events, order, false, rows + ", 4"))),
+            "packed-by-columns.npz", zipped(Map.of("e", table(events, order, true, rows + ", 4"))));
+    for (Map.Entry<String, byte[]> table : tables.entrySet()) {
+      Path file = Files.write(folder.resolve(table.getKey()), table.getValue());
+      try (RecordingReader reader = Recordings.open(file)) {
+        assertEquals(events, read(reader).events(), table.getKey());
+        assertTrue(reader.remarks().toString().contains("TIME"), reader.remarks().toString());
+        assertEquals(List.of(), reader.violations().describe());
+        reader.seek(events.timeUs(5_000));
+        int first = events.indexAtOrAfter(events.timeUs(5_000));
+        assertEquals(EventPackets.part(events, first, rows), read(reader).events());
+      }
+    }
+  }
+
+  @Test
+  void tableThatIsCutOffHasNoInventedEvents() throws IOException {
+    EventPacket events = EventPackets.uniform(SENSOR, 5, 9_000, 1_000_000, 40);
+    for (boolean isByColumns : new boolean[] {false, true}) {
+      byte[] whole = table(events, "txyp", isByColumns, "9000, 4");
+      Path file = folder.resolve("cut.npy");
+      Files.write(file, Arrays.copyOf(whole, whole.length - 8 * 100));
+      try (RecordingReader reader = Recordings.open(file)) {
+        EventPacket got = read(reader).events();
+        assertEquals(isByColumns ? 8_900 : 8_975, got.size());
+        assertEquals(EventPackets.part(events, 0, got.size()), got);
+        assertTrue(reader.violations().count(Violation.IMPOSSIBLE_LENGTH) > 0);
+      }
+      Files.write(file, table(events, "txyp", isByColumns, "900000000000000000, 4"));
+      if (isByColumns) {
+        assertThrows(RecordingProblem.class, () -> Recordings.open(file).close());
+      } else {
+        try (RecordingReader reader = Recordings.open(file)) {
+          assertEquals(events, read(reader).events());
+        }
+      }
+    }
+  }
+
+  @Test
+  void tableOfOtherNumbersIsNoRecording() throws IOException {
+    ByteBuffer numbers = buffer(32 * 100, ByteOrder.LITTLE_ENDIAN);
+    SplittableRandom random = new SplittableRandom(1);
+    while (numbers.hasRemaining()) {
+      numbers.putDouble(random.nextDouble());
+    }
+    Path file = folder.resolve("other.npy");
+    Files.write(file, array("'<f8'", "100, 4", numbers.flip()));
+    assertThrows(RecordingProblem.class, () -> Recordings.open(file).close());
   }
 
   @Test

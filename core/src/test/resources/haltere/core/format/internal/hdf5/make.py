@@ -35,6 +35,10 @@ with f('rows-without-numbers') as h:
     for k,v in dict(t=[5,np.nan,7,np.inf,1e300,9],x=np.arange(6),y=[1,1,1,1,1,np.nan],p=np.ones(6,np.uint8)).items(): h['events/'+k]=v
 with f('table-txyp') as h: h.create_dataset('events',data=np.stack([t,x,y,p],axis=1).astype(np.uint32),chunks=(100,4),maxshape=(None,4),compression='gzip')
 with f('table-xytp-seconds') as h: h.create_dataset('davis/left/events',data=np.stack([x,y,t/1e6,p*2.0-1],axis=1),chunks=(100,4),compression='gzip')
+with f('table-by-columns') as h: h.create_dataset('events',data=np.stack([t,x,y,p],axis=1).astype(np.uint32),chunks=(100,1),compression='gzip')
+with f('table-pairs-of-columns') as h: h.create_dataset('events',data=np.stack([x,y,p,t],axis=1).astype(np.uint32),chunks=(40,2),maxshape=(None,4),compression='gzip')
+with f('new-table-three-columns',libver='latest') as h: h.create_dataset('events',data=np.stack([t,x,y,p],axis=1).astype(np.uint32),chunks=(70,3),compression='lzf')
+with f('new-growing-table-by-columns',libver='latest') as h: h.create_dataset('events',data=np.stack([t,x,y,p],axis=1).astype(np.uint32),chunks=(9,1),maxshape=(None,4))
 with f('seconds-big-endian-truth') as h:
     h['events/xs']=x.astype('i2'); h['events/ys']=y.astype('>i2'); h['events/ts']=t/1e6; h['events/ps']=p.astype(bool)
     h['images/image000']=np.zeros((3,3))
