@@ -144,12 +144,12 @@ final class EventSearch {
   /** Columns of a table without names, by their first numbers; none if they are no events. */
   private Map<EventColumn, EventTable.StoredColumn> tableColumns(Dataset dataset)
       throws IOException {
-    List<Start> starts = new ArrayList<>();
+    List<ColumnSample> starts = new ArrayList<>();
     for (int i = 0; i < ColumnGuess.COLUMNS; i++) {
       starts.add(start(EventTable.StoredColumn.of(dataset, i)));
       requireComplete(starts.get(i), "its columns");
     }
-    List<double[]> numbers = starts.stream().map(Start::numbers).toList();
+    List<double[]> numbers = starts.stream().map(ColumnSample::numbers).toList();
     List<EventColumn> guessed = ColumnGuess.of(numbers, dataset.rows());
     Map<EventColumn, EventTable.StoredColumn> columns = EventTable.noColumns();
     for (int i = 0; i < guessed.size(); i++) {
@@ -159,7 +159,7 @@ final class EventSearch {
   }
 
   /** The first numbers of a column; cut if the file ended within them. */
-  private record Start(double[] numbers, boolean isCutOff) {
+  private record ColumnSample(double[] numbers, boolean isCutOff) {
     /** Those that are numbers. */
     DoubleStream valid() {
       return DoubleStream.of(numbers)
@@ -175,7 +175,7 @@ final class EventSearch {
     }
   }
 
-  private Start start(EventTable.StoredColumn column) throws IOException {
+  private ColumnSample start(EventTable.StoredColumn column) throws IOException {
     int wanted = (int) Math.min(PROBE_ROWS, column.dataset().rows());
     double[] numbers = new double[wanted];
     int row = 0;
@@ -193,10 +193,10 @@ final class EventSearch {
     } catch (DamagedPacketException damaged) {
       // the rows read up to here are used
     }
-    return new Start(Arrays.copyOf(numbers, row), isCutOff);
+    return new ColumnSample(Arrays.copyOf(numbers, row), isCutOff);
   }
 
-  private void requireComplete(Start sample, String what) throws RecordingProblem {
+  private void requireComplete(ColumnSample sample, String what) throws RecordingProblem {
     if (sample.isCutOff() && file.isCutOff()) {
       throw new RecordingProblem(
           file.bytes().path(),
@@ -222,7 +222,7 @@ final class EventSearch {
     if (EventColumn.timeScale(time.name()).isPresent()) {
       return EventColumn.timeScale(time.name()).getAsInt();
     }
-    Start sample = start(time);
+    ColumnSample sample = start(time);
     if (time.type().kind() == 'f' && !sample.hasFractions()) {
       requireComplete(sample, "the unit of its times");
     }
