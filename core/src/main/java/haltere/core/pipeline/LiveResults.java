@@ -27,8 +27,8 @@ import java.util.function.Predicate;
  * Sends the results of a running chain's filters, and the notifications of the stream, as {@link
  * LiveMessages}. A separate thread writes and sends the results; if it is too slow, the newest are
  * dropped and counted, and receivers are notified at their position. The chain is never blocked.
- * Outlets whose results are not {@link CsvSink#isFlat flat} are left out; stages that are added and
- * removed while it runs are followed.
+ * Without a receiver, messages are only numbered. Outlets whose results are not {@link
+ * CsvSink#isFlat flat} are left out; stages that are added and removed while it runs are followed.
  *
  * <p>Add it to a pipeline or a player as a sink after the chain.
  *
@@ -150,6 +150,9 @@ public final class LiveResults implements StreamHandler, Closeable {
     number++;
     if (failure != null) {
       lost.incrementAndGet();
+      return;
+    }
+    if (output.receivers() == 0) {
       return;
     }
     if (unreported > 0 && waiting.remainingCapacity() > 1) {

@@ -24,6 +24,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -219,6 +220,27 @@ class LiveResultsTest {
     }
     assertEquals(1002, whole + missing);
     assertEquals(results.lost(), missing);
+  }
+
+  @Test
+  void withoutReceiversMessagesAreNumberedButNeitherSentNorLost() throws IOException {
+    AtomicInteger receivers = new AtomicInteger();
+    Kept output =
+        new Kept(false) {
+          @Override
+          public int receivers() {
+            return receivers.get();
+          }
+        };
+    FilterChain chain = new FilterChain(SENSOR);
+    chain.add("every-event", new EveryEvent());
+    LiveResults results = LiveResults.open(chain, output, Clock.systemUTC(), 2);
+    chain.process(events(0, 1000));
+    receivers.set(1);
+    chain.process(events(1000, 1));
+    results.close();
+    assertEquals(0, results.lost());
+    assertEquals(List.of(1001L), parsed(output).stream().map(line -> line.get("number")).toList());
   }
 
   @Test

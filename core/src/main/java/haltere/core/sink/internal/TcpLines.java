@@ -118,7 +118,11 @@ final class TcpLines implements LineOutput {
 
   @Override
   public int receivers() {
-    return (int) receivers.stream().filter(TcpReceiver::receives).count();
+    int count = 0;
+    for (TcpReceiver receiver : receivers) {
+      count += receiver.receives() ? 1 : 0;
+    }
+    return count;
   }
 
   @Override
