@@ -101,7 +101,8 @@ public final class Batch {
    *     run is replaced, or removed if nothing failed
    * @param listener receives the progress
    * @return the report
-   * @throws RecordingProblem if a result exists and none may
+   * @throws RecordingProblem if a result exists before the run and none may, or if the folder of
+   *     the results cannot be written to
    * @throws InterruptedIOException if the thread was interrupted; results that are complete stay
    * @throws IOException if the file of failures cannot be written
    */
@@ -113,6 +114,10 @@ public final class Batch {
       }
     }
     Files.createDirectories(options.folder());
+    if (!Files.isWritable(options.folder())) {
+      throw new RecordingProblem(
+          options.folder(), "no results can be written there; choose another folder");
+    }
     Run run = new Run(items, listener);
     run.await();
     BatchReport report = run.report();
@@ -240,14 +245,14 @@ public final class Batch {
       Path path = folder(item);
       RecordingProgress progress = new RecordingProgress(item.bytes());
       Optional<Map<?, ?>> earlier = ResultFolder.done(path);
-      if (options.existing() == BatchOptions.Existing.REFUSE) {
-        requireNoResult(path, earlier);
-      }
-      if (options.existing() == BatchOptions.Existing.RESUME
+      if (options.existing() != BatchOptions.Existing.OVERWRITE
           && results.isValid(item, path, earlier)) {
         progress.finish();
         update(() -> kept++);
         return;
+      }
+      if (options.existing() == BatchOptions.Existing.REFUSE) {
+        requireNoResult(path, earlier);
       }
       Optional<ResultFolder> taken = ResultFolder.take(path);
       if (taken.isEmpty()) {

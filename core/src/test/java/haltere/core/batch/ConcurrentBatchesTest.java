@@ -2,11 +2,13 @@ package haltere.core.batch;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingProblem;
 import haltere.core.pipeline.RecordingJob;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -19,7 +21,11 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** Batches that write to one folder at the same time. */
 class ConcurrentBatchesTest {
@@ -59,9 +65,18 @@ class ConcurrentBatchesTest {
   private BatchReport run(
       List<BatchItem> items, BatchOptions.Existing existing, RecordingJob.ChainFactory chain)
       throws IOException {
+    return run(folder.resolve("results"), items, existing, chain);
+  }
+
+  private static BatchReport run(
+      Path results,
+      List<BatchItem> items,
+      BatchOptions.Existing existing,
+      RecordingJob.ChainFactory chain)
+      throws IOException {
     BatchOptions options =
         new BatchOptions(
-            folder.resolve("results"),
+            results,
             1,
             existing,
             ReadOptions.DEFAULT.withSensor(SENSOR),
@@ -73,7 +88,8 @@ class ConcurrentBatchesTest {
   }
 
   /** Runs a second batch over the second recording while the first batch is at the first one. */
-  private BatchReport runWithAnother(BatchOptions.Existing existing) throws IOException {
+  private BatchReport runWithAnother(
+      BatchOptions.Existing existing, RecordingJob.ChainFactory others) throws IOException {
     List<BatchItem> items = recordings(2);
     AtomicBoolean started = new AtomicBoolean();
     return run(
@@ -81,16 +97,23 @@ class ConcurrentBatchesTest {
         existing,
         sensor -> {
           if (sensor.width() == SENSOR.width() && started.compareAndSet(false, true)) {
-            BatchReport second = run(items.subList(1, 2), existing, FilterChain::new);
+            BatchReport second = run(items.subList(1, 2), existing, others);
             assertEquals(1, second.done());
           }
           return new FilterChain(sensor);
         });
   }
 
+  private static FilterChain anotherChain(SensorGeometry sensor) {
+    FilterChain chain = new FilterChain(sensor);
+    chain.add("nested", new FilterChain(sensor));
+    return chain;
+  }
+
   @Test
-  void resultOfAnotherBatchIsNotReplacedUnasked() throws IOException {
-    BatchReport report = runWithAnother(BatchOptions.Existing.REFUSE);
+  void resultOfAnotherChainIsNotReplacedUnasked() throws IOException {
+    BatchReport report =
+        runWithAnother(BatchOptions.Existing.REFUSE, ConcurrentBatchesTest::anotherChain);
     assertEquals(1, report.done());
     assertEquals(1, report.failures().size());
     String cause = report.failures().get(0).cause();
@@ -98,9 +121,12 @@ class ConcurrentBatchesTest {
     assertTrue(Files.exists(folder.resolve("results/1.csv/done.json")));
   }
 
-  @Test
-  void resultOfAnotherBatchIsKept() throws IOException {
-    BatchReport report = runWithAnother(BatchOptions.Existing.RESUME);
+  @ParameterizedTest
+  @EnumSource(
+      value = BatchOptions.Existing.class,
+      names = {"REFUSE", "RESUME"})
+  void resultOfAnotherBatchIsKept(BatchOptions.Existing existing) throws IOException {
+    BatchReport report = runWithAnother(existing, FilterChain::new);
     assertEquals(1, report.done());
     assertEquals(1, report.kept());
     assertEquals(List.of(), report.failures());
@@ -133,6 +159,18 @@ class ConcurrentBatchesTest {
               .peek(file -> assertEquals("done.json", file.getFileName().toString()))
               .count());
     }
+  }
+
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void folderThatCannotBeWrittenToIsRefusedOnceAndNotForEachRecording() throws IOException {
+    List<BatchItem> items = recordings(2);
+    Path results = folder.resolve("missing/../results");
+    RecordingProblem problem =
+        assertThrows(
+            RecordingProblem.class,
+            () -> run(results, items, BatchOptions.Existing.REFUSE, FilterChain::new));
+    assertTrue(problem.getMessage().contains("no results can be written there"));
   }
 
   @Test
