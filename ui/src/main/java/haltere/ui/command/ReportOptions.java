@@ -1,15 +1,18 @@
 package haltere.ui.command;
 
+import haltere.core.chain.Outlet;
 import haltere.core.format.AtomicFile;
 import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.pipeline.internal.Checksums;
 import haltere.ui.command.report.ReportPage;
 import haltere.ui.command.report.RunReport;
+import haltere.ui.plot.PlotField;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import picocli.CommandLine.Option;
 
 /** The option of commands that write a report. */
@@ -31,6 +34,14 @@ final class ReportOptions extends OptionGroup {
     }
     gathered = new RunReport();
     return gathered.watching(job);
+  }
+
+  /** Plots columns of results that no filter of the chain publishes, if a report is requested. */
+  void plot(Outlet<?> results, String... columns) {
+    if (gathered != null) {
+      Stream.of(columns)
+          .forEach(column -> gathered.plot(new PlotField("", results.name(), column), results));
+    }
   }
 
   /** Writes the report of an observed job, if one is requested. */

@@ -5,12 +5,12 @@ import haltere.core.chain.ChainStage;
 import haltere.core.chain.ConfigurableFilter;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Filters;
+import haltere.core.chain.Outlet;
 import haltere.core.event.SensorGeometry;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.pipeline.ResultFiles;
 import haltere.core.sink.TableMetadata;
-import haltere.core.sink.TableSink;
 import haltere.filters.object.ObjectTrack;
 import haltere.filters.object.ObjectTrackerFilter;
 import haltere.filters.object.ObjectTrackerSettings;
@@ -185,18 +185,15 @@ final class TrackCommand extends Subcommand {
 
   private JobResults tables(FilterChain chain) throws IOException {
     TableMetadata metadata = provenance(file).chain(chain);
-    ObjectTrackerFilter objects = last(chain, ObjectTrackerFilter.class);
+    boolean isWithout = last(chain, ObjectTrackerFilter.class) == null;
     KalmanTracksFilter clusters = last(chain, KalmanTracksFilter.class);
-    if (objects == null && clusters != null) {
+    if (isWithout && clusters != null) {
       return ResultFiles.open(writing::begin, metadata, files -> trackClusters(clusters, files));
     }
-    ObjectTrackerFilter tracker =
-        objects == null
-            ? new ObjectTrackerFilter(chain.geometry(), ObjectTrackerSettings.defaults())
-            : objects;
-    if (objects == null) {
-      chain.add(OBJECTS, tracker);
+    if (isWithout) {
+      chain.add(Filters.named(OBJECTS));
     }
+    ObjectTrackerFilter tracker = last(chain, ObjectTrackerFilter.class);
     tracker.apply(assigned(ObjectTrackerSettings.class, tracker.settings(), "reportRateHz"));
     return ResultFiles.open(
         writing::begin, metadata, files -> trackObjects(tracker, chain.geometry(), files));
@@ -211,7 +208,7 @@ final class TrackCommand extends Subcommand {
     }
     Function<ObjectTrack, Optional<PlanePoint>> onRoad = road.objects(geometry);
     objects.apply(road.motion(geometry));
-    TableSink<RoadColumns.OfObject> table = files.table(out, RoadColumns.OfObject.class);
+    Outlet<RoadColumns.OfObject> rows = onRoad(files, RoadColumns.OfObject.class);
     Consumer<PlanePoint> counter = counter(road, files);
     files.subscribe(
         objects.tracks(),
@@ -219,7 +216,7 @@ final class TrackCommand extends Subcommand {
           Optional<PlanePoint> point = onRoad.apply(track);
           if (point.isPresent()) {
             RoadColumns columns = RoadColumns.of(point.get(), road.lanes());
-            table.accept(new RoadColumns.OfObject(track, columns));
+            rows.publish(new RoadColumns.OfObject(track, columns));
             counter.accept(point.get());
           }
         });
@@ -236,16 +233,24 @@ final class TrackCommand extends Subcommand {
       files.write(tracks.points(), out);
       return;
     }
-    TableSink<RoadColumns.OfTrack> table = files.table(out, RoadColumns.OfTrack.class);
+    Outlet<RoadColumns.OfTrack> rows = onRoad(files, RoadColumns.OfTrack.class);
     // A track's position in the picture is published before its position on the road.
     TrackPoint[] inPicture = new TrackPoint[1];
     files.subscribe(tracks.points(), point -> inPicture[0] = point);
     files.subscribe(
         tracks.roadPoints(),
         point ->
-            table.accept(
+            rows.publish(
                 new RoadColumns.OfTrack(inPicture[0], RoadColumns.of(point, road.lanes()))));
     files.subscribe(tracks.roadPoints(), counter(road, files));
+  }
+
+  /** Results on the road, which go to the table and the report. */
+  private <R extends Record> Outlet<R> onRoad(ResultFiles files, Class<R> type) throws IOException {
+    Outlet<R> rows = new Outlet<>("road", type);
+    files.write(rows, out);
+    reporting.plot(rows, "x_m", "y_m", "speed_km_h");
+    return rows;
   }
 
   private Consumer<PlanePoint> counter(RoadFile road, ResultFiles files) throws IOException {

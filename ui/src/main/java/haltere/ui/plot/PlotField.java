@@ -79,8 +79,13 @@ public record PlotField(String stage, String outlet, String column) {
    */
   public Optional<Outlet.Subscription> listen(
       FilterChain chain, boolean inRunUps, SampleQueue.SampleConsumer consumer) {
-    Optional<Outlet<?>> found = find(chain);
-    Optional<PlotRow> type = found.flatMap(outlet -> PlotRow.of(outlet.type()));
+    return find(chain).flatMap(outlet -> listen(outlet, inRunUps, consumer));
+  }
+
+  /** Subscribes to the numbers of an outlet, as to those of a chain. */
+  public Optional<Outlet.Subscription> listen(
+      Outlet<?> published, boolean inRunUps, SampleQueue.SampleConsumer consumer) {
+    Optional<PlotRow> type = PlotRow.of(published.type());
     int at = type.map(row -> row.index(column)).orElse(-1);
     if (at < 0) {
       return Optional.empty();
@@ -91,7 +96,7 @@ public record PlotField(String stage, String outlet, String column) {
           Record now = (Record) result;
           consumer.take(row.timeUs(now), row.key(now), row.value(now, at));
         };
-    return found.map(outlet -> inRunUps ? outlet.follow(listener) : outlet.subscribe(listener));
+    return Optional.of(inRunUps ? published.follow(listener) : published.subscribe(listener));
   }
 
   /** The field as text, such as "cluster-tracker / clusters / x_px". */

@@ -57,7 +57,7 @@ public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
         estimates/q_vxvx
       """;
 
-  /** Default plots of a report for any publishing filter, lanes as above. */
+  /** Default plots of a report for any publishing filter, with names as above. */
   private static final List<List<String>> MAIN =
       List.of(
           List.of(
@@ -89,21 +89,21 @@ public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
   }
 
   /**
-   * The lanes that a report plots, in the order of the stages: the main results, else the first two
-   * columns of each stage.
+   * The fields that a report plots, in the order of the stages: the main results, else the first
+   * two columns of each stage.
    */
-  public static List<List<PlotField>> main(List<PlotField> offered) {
-    List<List<PlotField>> lanes = new ArrayList<>();
+  public static List<PlotField> main(List<PlotField> offered) {
+    List<PlotField> plotted = new ArrayList<>();
     for (String stage : offered.stream().map(PlotField::stage).distinct().toList()) {
       List<PlotField> fields = offered.stream().filter(each -> each.stage().equals(stage)).toList();
-      lanes.addAll(
+      plotted.addAll(
           MAIN.stream()
-              .map(names -> lanes(stage, names))
-              .filter(main -> main.stream().allMatch(fields::containsAll))
+              .map(names -> names.stream().map(name -> field(stage, name)).toList())
+              .filter(fields::containsAll)
               .findFirst()
-              .orElseGet(() -> fields.stream().limit(2).map(List::of).toList()));
+              .orElseGet(() -> fields.stream().limit(2).toList()));
     }
-    return lanes;
+    return plotted;
   }
 
   private static List<List<PlotField>> lanes(String stage, List<String> names) {

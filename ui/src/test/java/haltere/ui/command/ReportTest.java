@@ -26,6 +26,8 @@ import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.xml.sax.InputSource;
 
 class ReportTest {
@@ -158,6 +160,21 @@ class ReportTest {
     String run = page("run", dots, "--chain", chain, "--overwrite");
     assertTrue(run.contains("correlationUs = 7000"));
     assertTrue(run.contains("refractory"));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"--road", "--preset=original --road"})
+  void tracksOnARoadArePlottedInMetresToo(String options) throws Exception {
+    Path cars = scene("cars.aedat", "road", "4");
+    Path road = folder.resolve("road.json");
+    Files.writeString(road, "{\"bridgeHeightM\": 5, \"nearestM\": 6}");
+    List<Object> command =
+        new ArrayList<>(List.of("track", cars, "--out", folder.resolve("t.csv")));
+    command.addAll(List.of(options.split(" ")));
+    command.add(road);
+    String page = page(command.toArray());
+    assertPlots(page, "road: x", "road: y", "road: speed");
+    assertTrue(page.contains(">speed (km/h)<"), "the unit");
   }
 
   @Test

@@ -109,8 +109,8 @@ public record FolderReport(Path folder, RecordingJob.ChainFactory chains, ReadOp
           ChainTable.rows(chain).stream().map(cells -> cells.subList(0, 3)).toList());
       page.section("Means of each recording");
       if (isText) {
-        for (List<PlotField> lane : PlotSet.main(PlotField.of(chain))) {
-          addMeans(page, lane.get(0), done);
+        for (PlotField field : PlotSet.main(PlotField.of(chain))) {
+          addMeans(page, field, done);
         }
       } else {
         page.sentence("No command reads Parquet back: a batch with --format csv shows the means.");

@@ -1,10 +1,10 @@
 package haltere.ui.command.report;
 
+import haltere.core.chain.Outlet;
 import haltere.filters.orientation.OrientationEstimate;
 import haltere.filters.orientation.OrientationSettings;
 import haltere.ui.command.results.OrientationRow;
 import haltere.ui.plot.PlotField;
-import haltere.ui.plot.PlotRow;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiConsumer;
@@ -12,21 +12,16 @@ import java.util.stream.Stream;
 
 /** Report of orientations: position, axis and deviation of each body over time. */
 public final class OrientReport implements BiConsumer<String, OrientationEstimate> {
-  private static final PlotRow ROW = PlotRow.of(OrientationRow.class).orElseThrow();
-
+  private final Outlet<OrientationRow> rows = new Outlet<>("orientation", OrientationRow.class);
   private final List<ReportCurves> curves =
       Stream.of("x_m", "y_m", "z_m", "ux", "uy", "uz", "sd_axis_rad")
-          .map(column -> new ReportCurves(List.of(new PlotField("", "orientation", column))))
+          .map(column -> new PlotField("", rows.name(), column))
+          .map(field -> new ReportCurves(field, rows, timeUs -> timeUs))
           .toList();
 
   @Override
   public void accept(String object, OrientationEstimate now) {
-    OrientationRow row = OrientationRow.of(object, now);
-    for (ReportCurves curve : curves) {
-      PlotField field = curve.fields().get(0);
-      double value = ROW.value(row, ROW.index(field.column()));
-      curve.take(field, now.timeUs(), object, value);
-    }
+    rows.publish(OrientationRow.of(object, now));
   }
 
   /** Adds to a page the inputs by name, the estimator's settings, lines of text and the plots. */

@@ -1,18 +1,21 @@
 package haltere.ui.command.report;
 
+import haltere.core.chain.Outlet;
 import haltere.core.format.summary.TimeBins;
 import haltere.core.sink.internal.SvgPlot;
 import haltere.ui.plot.PlotField;
 import java.util.ArrayDeque;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Deque;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
+import java.util.function.IntToDoubleFunction;
+import java.util.function.LongUnaryOperator;
 import java.util.stream.IntStream;
 
 /**
- * Curves of a lane over a whole stream in bounded memory: minima and maxima in time bins, and the
+ * Curves of a field over a whole stream in bounded memory: minima and maxima in time bins, and the
  * newest samples.
  */
 final class ReportCurves {
@@ -46,17 +49,20 @@ final class ReportCurves {
     }
 
     double[] timesS() {
-      return IntStream.range(0, bins.size())
-          .filter(bin -> bins.count(bin) > 0)
-          .mapToDouble(bin -> (baseUs + (bin + 0.5) * bins.binUs()) * 1e-6)
-          .toArray();
+      return each(bin -> (baseUs + (bin + 0.5) * bins.binUs()) * 1e-6);
     }
 
-    double[] edge(boolean low) {
-      return IntStream.range(0, bins.size())
-          .filter(bin -> bins.count(bin) > 0)
-          .mapToDouble(bin -> low ? bins.min(bin) : bins.max(bin))
-          .toArray();
+    double[] each(IntToDoubleFunction ofBin) {
+      IntStream filled = IntStream.range(0, bins.size()).filter(bin -> bins.count(bin) > 0);
+      return filled.mapToDouble(ofBin).toArray();
+    }
+
+    double[] newestTimesS() {
+      return newest.stream().mapToDouble(sample -> sample.timeUs * 1e-6).toArray();
+    }
+
+    double[] newestValues() {
+      return newest.stream().mapToDouble(Sample::value).toArray();
     }
 
     boolean isDense() {
@@ -64,26 +70,18 @@ final class ReportCurves {
     }
   }
 
-  private final List<PlotField> fields;
+  private final PlotField field;
   private final Map<String, ReportCurve> traces = new LinkedHashMap<>();
 
-  /** Curves of nothing yet. */
-  ReportCurves(List<PlotField> fields) {
-    this.fields = fields;
+  /** Curves of a field of results, to which they subscribe, over other times than those of rows. */
+  ReportCurves(PlotField field, Outlet<?> results, LongUnaryOperator plotUs) {
+    this.field = field;
+    field.listen(results, false, (us, key, value) -> take(plotUs.applyAsLong(us), key, value));
   }
 
-  List<PlotField> fields() {
-    return fields;
-  }
-
-  /** Takes a sample; times ascend; one that is not a number is left out. */
-  void take(PlotField field, long timeUs, String key, double value) {
-    String name =
-        fields.size() == 1
-            ? key
-            : field.outlet() + " " + field.label() + (key.isEmpty() ? "" : ", " + key);
-    if (Double.isFinite(value) && (traces.size() < MAX_CURVES || traces.containsKey(name))) {
-      traces.computeIfAbsent(name, absent -> new ReportCurve()).add(timeUs, value);
+  private void take(long timeUs, String key, double value) {
+    if (Double.isFinite(value) && (traces.size() < MAX_CURVES || traces.containsKey(key))) {
+      traces.computeIfAbsent(key, absent -> new ReportCurve()).add(timeUs, value);
     }
   }
 
@@ -95,30 +93,25 @@ final class ReportCurves {
     if (traces.isEmpty()) {
       return;
     }
-    PlotField first = fields.get(0);
-    String label = first.label() + (first.unit().isEmpty() ? "" : " (" + first.unit() + ")");
-    String title = first.title();
-    List<ReportCurve> all = List.copyOf(traces.values());
-    double[] allTimes = join(all.stream().map(trace -> trace.timesS()).toList());
+    String label = field.label() + (field.unit().isEmpty() ? "" : " (" + field.unit() + ")");
+    String title = field.title();
     SvgPlot whole =
         SvgPlot.around(
-            allTimes,
-            join(all.stream().map(trace -> trace.edge(true)).toList()),
-            join(all.stream().map(trace -> trace.edge(false)).toList()));
+            join(ReportCurve::timesS),
+            join(trace -> trace.each(trace.bins::min)),
+            join(trace -> trace.each(trace.bins::max)));
     Map<String, String> colours = colours();
     traces.forEach(
         (key, trace) -> {
-          double[] low = trace.edge(true);
-          double[] high = trace.edge(false);
-          double[] middle =
-              IntStream.range(0, low.length).mapToDouble(i -> (low[i] + high[i]) / 2).toArray();
+          TimeBins bins = trace.bins;
           double[] times = trace.timesS();
-          whole.band("", colours.get(key), times, low, high);
+          double[] middle = trace.each(bin -> (bins.min(bin) + bins.max(bin)) / 2);
+          whole.band("", colours.get(key), times, trace.each(bins::min), trace.each(bins::max));
           whole.line("", colours.get(key), times, middle);
         });
     Map<String, String> legend =
         traces.size() <= MAX_NAMED && !traces.containsKey("") ? colours : Map.of();
-    boolean dense = all.stream().anyMatch(ReportCurve::isDense);
+    boolean dense = traces.values().stream().anyMatch(ReportCurve::isDense);
     page.plot(whole.draw(title, timeLabel, label), legend, dense ? BANDS : "");
     if (dense) {
       String text = title + ", last " + NEWEST + " samples";
@@ -133,21 +126,14 @@ final class ReportCurves {
   }
 
   private SvgPlot closeUp(Map<String, String> colours) {
-    List<double[]> times = new ArrayList<>();
-    List<double[]> values = new ArrayList<>();
-    for (ReportCurve trace : traces.values()) {
-      times.add(trace.newest.stream().mapToDouble(now -> now.timeUs * 1e-6).toArray());
-      values.add(trace.newest.stream().mapToDouble(Sample::value).toArray());
-    }
-    SvgPlot plot = SvgPlot.around(join(times), join(values));
-    int number = 0;
-    for (String key : traces.keySet()) {
-      plot.line("", colours.get(key), times.get(number), values.get(number++));
-    }
+    SvgPlot plot = SvgPlot.around(join(ReportCurve::newestTimesS), join(ReportCurve::newestValues));
+    traces.forEach(
+        (key, trace) ->
+            plot.line("", colours.get(key), trace.newestTimesS(), trace.newestValues()));
     return plot;
   }
 
-  private static double[] join(List<double[]> parts) {
-    return parts.stream().flatMapToDouble(java.util.Arrays::stream).toArray();
+  private double[] join(Function<ReportCurve, double[]> part) {
+    return traces.values().stream().map(part).flatMapToDouble(Arrays::stream).toArray();
   }
 }

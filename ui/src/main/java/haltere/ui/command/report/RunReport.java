@@ -2,6 +2,7 @@ package haltere.ui.command.report;
 
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
+import haltere.core.chain.Outlet;
 import haltere.core.format.summary.EventRate;
 import haltere.core.format.summary.TimeBins;
 import haltere.core.pipeline.JobReport;
@@ -59,19 +60,17 @@ public final class RunReport implements JobResults {
     chain = filters;
     sheet = new ContactSheet(filters);
     objects = ObjectTable.of(filters);
-    for (List<PlotField> lane : PlotSet.main(PlotField.of(filters))) {
-      ReportCurves plotted = new ReportCurves(lane);
-      curves.add(plotted);
-      for (PlotField field : lane) {
-        // time since the first event, which continues where the clock restarts
-        field.listen(
-            filters,
-            false,
-            (timeUs, key, value) ->
-                plotted.take(field, rate.elapsedUs() + timeUs - rate.lastUs(), key, value));
-      }
+    for (PlotField field : PlotSet.main(PlotField.of(filters))) {
+      plot(field, field.find(filters).orElseThrow());
     }
     return this;
+  }
+
+  /**
+   * Plots a field of results over the time since the first event, also where the clock restarts.
+   */
+  public void plot(PlotField field, Outlet<?> results) {
+    curves.add(new ReportCurves(field, results, us -> rate.elapsedUs() + us - rate.lastUs()));
   }
 
   @Override
