@@ -60,7 +60,7 @@ public record Parameter(
    */
   public static String text(Object value) {
     double size = value instanceof Double number ? Math.abs(number) : Double.NaN;
-    if (size == 0 || size >= 1e-6 && size < 1e15) {
+    if (size == 0 || size >= 1e-6 && size <= 0x1p53) {
       return new BigDecimal(value.toString()).stripTrailingZeros().toPlainString();
     }
     return value instanceof Enum<?> constant

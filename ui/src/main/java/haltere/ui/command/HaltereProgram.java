@@ -12,10 +12,8 @@ import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.regex.Pattern;
@@ -36,20 +34,17 @@ import picocli.CommandLine.UnmatchedArgumentException;
  */
 public final class HaltereProgram {
   /** Commands by task, the most common ones first. */
-  private static final Map<String, List<String>> GROUPS = groups();
+  private static final List<Group> GROUPS =
+      List.of(
+          new Group("View and inspect", "view", "info"),
+          new Group("Work on recordings", "wings", "track", "orient", "run", "batch", "convert"),
+          new Group("Make recordings", "devices", "record", "simulate", "scenes"),
+          new Group("More", "filters", "example", "bench", "completion"));
 
   private static final List<String> COMMANDS =
-      GROUPS.values().stream().flatMap(List::stream).toList();
+      GROUPS.stream().flatMap(group -> Stream.of(group.commands)).toList();
 
-  private static Map<String, List<String>> groups() {
-    Map<String, List<String>> groups = new LinkedHashMap<>();
-    groups.put("View and inspect", List.of("view", "info"));
-    groups.put(
-        "Work on recordings", List.of("wings", "track", "orient", "run", "batch", "convert"));
-    groups.put("Make recordings", List.of("devices", "record", "simulate", "scenes"));
-    groups.put("More", List.of("filters", "example", "bench", "completion"));
-    return groups;
-  }
+  private record Group(String title, String... commands) {}
 
   /** Values of an option, which users type in lower case. */
   private static final Pattern CHOICES =
@@ -136,6 +131,7 @@ public final class HaltereProgram {
     return program
         .setExpandAtFiles(false)
         .setCaseInsensitiveEnumValuesAllowed(true)
+        .registerConverter(Path.class, HaltereProgram::path)
         .setColorScheme(Help.defaultColorScheme(coloured ? Ansi.ON : Ansi.OFF))
         .setOut(new java.io.PrintWriter(surroundings.out(), true))
         .setErr(new java.io.PrintWriter(surroundings.err(), true))
@@ -143,6 +139,13 @@ public final class HaltereProgram {
         .setExecutionStrategy(HaltereProgram::executed)
         .setExecutionExceptionHandler(
             (problem, command, parsed) -> failed(problem, isDebug(command)));
+  }
+
+  private static Path path(String name) {
+    if (name.isEmpty()) {
+      throw new CommandLine.TypeConversionException("the name of a file is empty");
+    }
+    return Path.of(name);
   }
 
   /** Commands in groups, each with the first sentence of its description. */
@@ -153,17 +156,15 @@ public final class HaltereProgram {
     Help.TextTable table =
         Help.TextTable.forColumnWidths(
             help.colorScheme(), COMMAND_COLUMN, HELP_WIDTH - COMMAND_COLUMN);
-    GROUPS.forEach(
-        (group, names) -> {
-          table.addRowValues(help.colorScheme().text("@|bold " + group + ":|@"));
-          for (String name : names) {
-            Help command = help.subcommands().get(name);
-            String[] description = command.commandSpec().usageMessage().description();
-            table.addRowValues(
-                help.colorScheme().commandText("  " + name),
-                help.colorScheme().text(description[0]));
-          }
-        });
+    for (Group group : GROUPS) {
+      table.addRowValues(help.colorScheme().text("@|bold " + group.title + ":|@"));
+      for (String name : group.commands) {
+        Help command = help.subcommands().get(name);
+        String[] description = command.commandSpec().usageMessage().description();
+        table.addRowValues(
+            help.colorScheme().commandText("  " + name), help.colorScheme().text(description[0]));
+      }
+    }
     return table.toString();
   }
 

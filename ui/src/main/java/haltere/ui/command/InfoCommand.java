@@ -80,9 +80,7 @@ final class InfoCommand extends Subcommand {
         return status; // the reader has closed the pipe
       }
       try {
-        if (!describe(file, objects)) {
-          status = FAILED;
-        }
+        status = describe(file, objects) ? status : FAILED;
       } catch (IOException problem) {
         if (files.size() == 1 || Failures.isInterruption(problem)) {
           throw problem;

@@ -216,6 +216,14 @@ class BadInputTest {
     assertNothingWritten();
   }
 
+  @Test
+  void emptyNameOfAFileIsAWrongArgumentAndNotTheCurrentFolder() {
+    String why = "the name of a file is empty";
+    assertWrongArguments(CommandRun.of("info", ""), "FILE", why);
+    assertWrongArguments(CommandRun.of("track", good, "--out", ""), "--out", why);
+    assertWrongArguments(CommandRun.of("run", good, "--chain", ""), "--chain", why);
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"346", "346x", "x260", "0x260", "346x-1", "346*260", "40000x1", ""})
   void invalidSensorSizeIsAWrongArgument(String size) {

@@ -30,6 +30,13 @@ class ScenesCommandTest {
   }
 
   @Test
+  void wideRangesAreListedWithoutExponents() {
+    CommandRun run = CommandRun.of("scenes", "fly");
+    assertTrue(run.out().contains("-9007199254740991 to 9007199254740991"), run.out());
+    assertTrue(run.out().contains("0 to 4000000000000000 us"), run.out());
+  }
+
+  @Test
   void unknownSceneIsAWrongArgument() {
     CommandRun run = CommandRun.of("scenes", "unicorn");
     assertEquals(2, run.status());
