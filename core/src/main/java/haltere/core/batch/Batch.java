@@ -14,7 +14,6 @@ import haltere.core.pipeline.internal.Provenance;
 import haltere.core.stream.internal.Daemon;
 import java.io.IOException;
 import java.io.InterruptedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -140,7 +139,6 @@ public final class Batch {
   private static void writeFailures(List<BatchFailure> failures, Path file) throws IOException {
     if (failures.isEmpty()) {
       Files.deleteIfExists(file);
-      Files.deleteIfExists(file.resolveSibling(file.getFileName() + AtomicFile.PART));
       return;
     }
     List<Object> entries = new ArrayList<>();
@@ -152,12 +150,7 @@ public final class Batch {
       entry.put("cause", failure.cause());
       entries.add(entry);
     }
-    try (AtomicFile atomic = AtomicFile.staged(file)) {
-      String text = Json.write(Map.of("failed", entries)) + "\n";
-      atomic.stream().write(text.getBytes(StandardCharsets.UTF_8));
-      atomic.commit();
-    }
-    AtomicFile.place(file);
+    AtomicFile.write(file, Json.write(Map.of("failed", entries)) + "\n", true);
   }
 
   /** One run over the recordings. */

@@ -162,6 +162,18 @@ class ConcurrentBatchesTest {
   }
 
   @Test
+  void failuresThatAnotherBatchIsWritingAreLeftAlone() throws IOException {
+    Path results = Files.createDirectory(folder.resolve("results"));
+    Path another = Files.writeString(results.resolve("failed.json.part"), "of another batch");
+    Path damaged = Files.writeString(folder.resolve("damaged.aedat4"), "#!AER-DAT4.0\r\n");
+    BatchItem item = new BatchItem(damaged, "damaged.aedat4", Files.size(damaged));
+    BatchReport report = run(List.of(item), BatchOptions.Existing.REFUSE, FilterChain::new);
+    assertEquals(1, report.failures().size());
+    assertTrue(Files.readString(results.resolve("failed.json")).contains("damaged.aedat4"));
+    assertEquals("of another batch", Files.readString(another));
+  }
+
+  @Test
   @DisabledOnOs(OS.WINDOWS)
   void folderThatCannotBeWrittenToIsRefusedOnceAndNotForEachRecording() throws IOException {
     List<BatchItem> items = recordings(2);
