@@ -42,7 +42,8 @@ public final class LineOutputs {
     LineOutputProvider provider = all.get(parts.scheme());
     if (provider == null) {
       throw new IllegalArgumentException(
-          address + ": there is no " + parts.scheme() + "://; there are " + all.keySet());
+          "%s: there is no %s://; there are %s"
+              .formatted(address, parts.scheme(), String.join(", ", all.keySet())));
     }
     provider.check(parts);
     return parts;

@@ -84,7 +84,10 @@ public final class SimulatedCameraProvider implements CameraProvider {
     if (provider == null || !info.id().startsWith(PREFIX)) {
       throw new CameraProblem(
           CameraProblem.Kind.NOT_FOUND,
-          "there is no simulated camera " + info.id() + "; there are " + Scenes.all().keySet());
+          "there is no simulated camera "
+              + info.id()
+              + "; there are "
+              + String.join(", ", Scenes.all().keySet()));
     }
     Scene<?> scene = provider.create(List.of());
     return maker.make(info(provider, scene.geometry()), scene, options);

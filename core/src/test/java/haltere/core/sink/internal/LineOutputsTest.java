@@ -65,7 +65,7 @@ class LineOutputsTest {
     String said =
         assertThrows(IllegalArgumentException.class, () -> LineOutputs.check("pigeon://a:5"))
             .getMessage();
-    assertTrue(said.contains("there is no pigeon://"), said);
+    assertEquals("pigeon://a:5: there is no pigeon://; there are tcp, udp, zmq", said);
   }
 
   @Test

@@ -103,7 +103,12 @@ public final class Hdf5Tables implements RecordingTables {
     for (String name : names.subList(0, required)) {
       if (!there.containsKey(name)) {
         throw problem(
-            "the table " + table + " has no column " + name + "; it has " + there.keySet());
+            "the table "
+                + table
+                + " has no column "
+                + name
+                + "; it has "
+                + String.join(", ", there.keySet()));
       }
     }
     contents.check(name -> names.stream().anyMatch(column -> name.equals(table + "/" + column)));
