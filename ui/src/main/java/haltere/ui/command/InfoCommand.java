@@ -166,7 +166,7 @@ final class InfoCommand extends Subcommand {
               ? RecordingSummary.scan(reader, bar, rates)
               : RecordingSummary.scan(reader, bar, rates, sheet);
       if (picture != null && read.events() > 0) {
-        Pictures.write(picture, sheet.draw());
+        Pictures.write(picture, sheet.draw().orElseThrow());
       }
       RecordingOutline found = new RecordingOutline(read.events(), read.firstUs(), read.lastUs());
       return new Facts(clock, metadata, found, read.durationS(), Optional.of(read));

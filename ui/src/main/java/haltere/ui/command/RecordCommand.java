@@ -102,7 +102,8 @@ final class RecordCommand extends Subcommand {
       all.forEach(this::printFiles);
       throw problem;
     }
-    return summary(all);
+    summary(all);
+    return OK;
   }
 
   private static void close(List<Recorded> all) throws IOException {
@@ -175,25 +176,18 @@ final class RecordCommand extends Subcommand {
         : ChainFile.read(chainFile, geometry, this::warning);
   }
 
-  private int summary(List<Recorded> all) throws IOException {
-    int status = OK;
+  private void summary(List<Recorded> all) throws IOException {
     for (Recorded recorded : all) {
       recorded.run().summary();
       if (recorded.recorder().parts().isEmpty() && recorded.recorder().endedEarly().isEmpty()) {
-        error(recorded.camera().info().id() + " sent no events; nothing was recorded");
-        status = FAILED;
+        reportFailure(recorded.camera().info().id() + " sent no events; nothing was recorded");
       }
       for (SessionRecorder.Part part : recorded.recorder().parts()) {
         printPart(part);
       }
-      Optional<String> early = RecordingWritingOptions.endedEarly(recorded.recorder());
-      if (early.isPresent()) {
-        error(early.get());
-        status = FAILED;
-      }
+      RecordingWritingOptions.endedEarly(recorded.recorder()).ifPresent(this::reportFailure);
     }
     relate(all);
-    return status;
   }
 
   private void printPart(SessionRecorder.Part part) throws IOException {

@@ -17,6 +17,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * Pictures of a stream at up to eight moments. The moments are at equal distances, however long the
@@ -162,18 +163,18 @@ public final class ContactSheet implements StreamHandler {
 
   /**
    * The pictures with their times since the start, row by row; a stream that is too short for one
-   * has a picture of its end.
+   * has a picture of its end, and one without events none.
    */
-  public BufferedImage draw() {
-    if (panels.isEmpty()) {
+  public Optional<BufferedImage> draw() {
+    if (panels.isEmpty() && events > 0) {
       add();
     }
     List<BufferedImage> pictures = new ArrayList<>();
-    int distance = (panels.size() + PANELS - 1) / PANELS;
+    int distance = Math.max(1, (panels.size() + PANELS - 1) / PANELS);
     for (int i = (panels.size() - 1) % distance / 2; i < panels.size(); i += distance) {
       pictures.add(finished(panels.get(i)));
     }
-    return join(pictures, PANEL_PX);
+    return pictures.isEmpty() ? Optional.empty() : Optional.of(join(pictures, PANEL_PX));
   }
 
   private BufferedImage finished(Panel panel) {

@@ -262,6 +262,13 @@ class ReportTest {
   }
 
   @Test
+  void recordingWithoutEventsHasNoPictureInItsReport() throws Exception {
+    Path table = Files.writeString(folder.resolve("empty.csv"), "t,x,y,p\n");
+    String page = page("track", table, "--sensor", "8x8", "--out", folder.resolve("t.csv"));
+    assertTrue(page.contains("No events.") && !page.contains("<img"));
+  }
+
+  @Test
   void recordingsWithoutEventsHaveNoPicturesInTheReportOfABatch() throws Exception {
     Path table = Files.writeString(folder.resolve("empty.csv"), "t,x,y,p\n");
     Path out = folder.resolve("out");

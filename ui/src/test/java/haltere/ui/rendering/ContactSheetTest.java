@@ -18,6 +18,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -39,7 +40,7 @@ class ContactSheetTest {
             public void packet(EventPacket packet) {
               sheet.packet(packet);
               if (!toItsEnd && drawn[0] == null && packet.lastTimeUs() > DECIDED_US) {
-                drawn[0] = sheet.draw();
+                drawn[0] = sheet.draw().orElseThrow();
               }
             }
 
@@ -49,7 +50,7 @@ class ContactSheetTest {
             }
           };
       Pipeline.run(blob, chain, List.of(sink), new PipelineCounters());
-      return toItsEnd ? sheet.draw() : drawn[0];
+      return toItsEnd ? sheet.draw().orElseThrow() : drawn[0];
     }
   }
 
@@ -72,6 +73,12 @@ class ContactSheetTest {
     assertTrue(hasObject(sheet(1_000_000, true)), "known at the end");
   }
 
+  @Test
+  void withoutEventsThereIsNoPicture() {
+    ContactSheet sheet = new ContactSheet(new FilterChain(BlobSource.GEOMETRY));
+    assertEquals(Optional.empty(), sheet.draw());
+  }
+
   @ParameterizedTest
   @ValueSource(
       longs = {47_000, 81_000, 96_000, 131_000, 170_000, 350_000, 730_000, 1_100_000, 2_900_000})
@@ -85,7 +92,7 @@ class ContactSheetTest {
       packet.append(us, (int) (210 * us / lengthUs), 0, true);
       sheet.packet(packet);
     }
-    List<Integer> columns = lastColumns(sheet.draw());
+    List<Integer> columns = lastColumns(sheet.draw().orElseThrow());
     assertTrue(columns.size() >= 5 && columns.size() <= 8, columns + " moments");
     int distance = columns.get(1) - columns.get(0);
     for (int i = 1; i < columns.size(); i++) {

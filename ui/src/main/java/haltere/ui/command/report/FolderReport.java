@@ -118,10 +118,7 @@ public record FolderReport(Path folder, RecordingJob.ChainFactory chains, ReadOp
       page.section("Pictures of events and results, from the first second");
       for (BatchItem item : done.subList(0, Math.min(MAX_PICTURES, done.size()))) {
         page.text(List.of(item.name()));
-        Optional<BufferedImage> sheet = pictures(item);
-        sheet.ifPresentOrElse(
-            drawn -> page.picture(drawn, item.name() + " at moments of its first second"),
-            () -> page.sentence("No events."));
+        page.picture(pictures(item), item.name() + " at moments of its first second");
       }
       page.folded("The chain as a file", List.of(ChainFile.write(chain).strip()));
     }
@@ -158,7 +155,7 @@ public record FolderReport(Path folder, RecordingJob.ChainFactory chains, ReadOp
         // up to a second of events
       }
       runner.notified(new EndOfStream(runner.lastUs()));
-      return seen.maxHz() > 0 ? Optional.of(sheet.draw()) : Optional.empty();
+      return sheet.draw();
     }
   }
 

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
@@ -120,8 +121,12 @@ public final class ReportPage {
     body.append("<p>").append(SvgPlot.escaped(text)).append("</p>\n");
   }
 
-  /** Adds a picture with its alternative text. */
-  void picture(BufferedImage picture, String text) {
+  /** Adds a picture with its alternative text, or says that there are no events for one. */
+  void picture(Optional<BufferedImage> drawn, String text) {
+    drawn.ifPresentOrElse(picture -> add(picture, text), () -> sentence("No events."));
+  }
+
+  private void add(BufferedImage picture, String text) {
     body.append("<img alt=\"").append(SvgPlot.escaped(text)).append("\" width=\"");
     body.append(picture.getWidth()).append("\" src=\"data:image/png;base64,");
     body.append(Base64.getEncoder().encodeToString(Pictures.png(picture))).append("\">\n");
