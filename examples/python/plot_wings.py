@@ -10,6 +10,7 @@ Requires matplotlib, and pyarrow for Parquet. The cells (# %%) run one by one in
 # %% Read the table
 import argparse
 import csv
+import io
 
 import matplotlib
 
@@ -23,13 +24,16 @@ parser.add_argument("--from", dest="start", type=float, default=0, help="seconds
 parser.add_argument("--to", dest="end", type=float, default=float("inf"), help="seconds after the first row")
 options = parser.parse_args()
 
-if options.wings.endswith(".parquet"):
-    import pyarrow.parquet
+try:
+    with open(options.wings, "rb") as file:
+        if options.wings.endswith(".parquet"):
+            import pyarrow.parquet
 
-    rows = pyarrow.parquet.read_table(options.wings).to_pylist()
-else:
-    with open(options.wings, newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
+            rows = pyarrow.parquet.read_table(file).to_pylist()
+        else:
+            rows = list(csv.DictReader(io.TextIOWrapper(file, encoding="utf-8", newline="")))
+except (OSError, ValueError) as problem:
+    parser.exit(1, f"{options.wings} cannot be read: {problem}\n")
 if not rows or not {"t_us", "edge", "angle_rad", "amplitude_rad", "frequency_hz"} <= rows[0].keys():
     parser.error(f"{options.wings} is no table of `haltere wings`, or has no rows")
 first_us = min(int(row["t_us"]) for row in rows)
@@ -52,5 +56,8 @@ for axis, (column, label) in zip(axes, panels):
     axis.grid(alpha=0.3)
 axes[0].legend(loc="upper right")
 axes[-1].set_xlabel("time after the first row (s)")
-figure.savefig(options.picture, dpi=120)
+try:
+    figure.savefig(options.picture, dpi=120)
+except (OSError, ValueError) as problem:
+    parser.exit(1, f"{options.picture} cannot be written: {problem}\n")
 print(f"wrote {options.picture}: {sum(len(points) for points in wings.values())} rows")

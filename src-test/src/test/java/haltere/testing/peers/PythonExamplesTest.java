@@ -142,6 +142,24 @@ class PythonExamplesTest {
   }
 
   @Test
+  void plotWingsExampleNamesAFileThatItCannotUseInOneLine() throws IOException {
+    PythonPrograms script =
+        PythonPrograms.exampleOrSkip("plot_wings.py", folder, "matplotlib", "pyarrow");
+    Path damaged = Files.writeString(folder.resolve("damaged.parquet"), "PAR1");
+    for (Path table :
+        List.of(folder.resolve("none.csv"), folder.resolve("none.parquet"), damaged)) {
+      assertEquals(Optional.empty(), script.run(table.toString(), "picture.png"));
+      String errors = script.errors();
+      assertTrue(errors.startsWith(table + " cannot be read: "), errors);
+      assertEquals(1, errors.strip().lines().count(), errors);
+    }
+    batch("csv");
+    String table = out.resolve("fly.aedat/wing-tracker.wings.csv").toString();
+    assertEquals(Optional.empty(), script.run(table, "picture.wmv"));
+    assertTrue(script.errors().startsWith("picture.wmv cannot be written: "), script::errors);
+  }
+
+  @Test
   @EnabledOnOs(OS.LINUX)
   void examplesRunByTheirNamesAsInTheDocuments() {
     for (String name : List.of("batch_to_nwb.py", "plot_wings.py")) {
