@@ -19,12 +19,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
@@ -97,7 +99,8 @@ public final class Batch {
    *
    * @param items recordings of different names
    * @param failed name of the file of failures, below the folder of the results; one of an earlier
-   *     run is replaced, or removed if nothing failed
+   *     run is replaced, or removed if nothing failed; of another run at the same time, the
+   *     failures of recordings that this run left to it are kept
    * @param listener receives the progress
    * @return the report
    * @throws RecordingProblem if a result exists before the run and none may, or if the folder of
@@ -120,7 +123,8 @@ public final class Batch {
     Run run = new Run(items, listener);
     run.await();
     BatchReport report = run.report();
-    writeFailures(report.failures(), options.folder().resolve(failed));
+    Path file = options.folder().resolve(failed);
+    writeFailures(report.failures(), failuresElsewhere(file, run.elsewhere), file);
     return report;
   }
 
@@ -136,12 +140,34 @@ public final class Batch {
     return options.folder().resolve(item.name());
   }
 
-  private static void writeFailures(List<BatchFailure> failures, Path file) throws IOException {
-    if (failures.isEmpty()) {
+  /** Failures that another run has listed of recordings that it had taken during this run. */
+  private List<Map<?, ?>> failuresElsewhere(Path file, Set<String> elsewhere) {
+    List<Map<?, ?>> failures = new ArrayList<>();
+    try {
+      if (Json.read(file) instanceof Map<?, ?> listed
+          && listed.get("failed") instanceof List<?> entries) {
+        for (Object entry : entries) {
+          if (entry instanceof Map<?, ?> failure
+              && failure.get("recording") instanceof String name
+              && elsewhere.contains(name)
+              && ResultFolder.done(options.folder().resolve(name)).isEmpty()) {
+            failures.add(failure);
+          }
+        }
+      }
+    } catch (IOException ignored) {
+      // no other run has failed
+    }
+    return failures;
+  }
+
+  private static void writeFailures(
+      List<BatchFailure> failures, List<Map<?, ?>> elsewhere, Path file) throws IOException {
+    if (failures.isEmpty() && elsewhere.isEmpty()) {
       Files.deleteIfExists(file);
       return;
     }
-    List<Object> entries = new ArrayList<>();
+    List<Map<?, ?>> entries = new ArrayList<>(elsewhere);
     for (BatchFailure failure : failures) {
       Map<String, Object> entry = new LinkedHashMap<>();
       entry.put("recording", failure.item().name());
@@ -150,6 +176,7 @@ public final class Batch {
       entry.put("cause", failure.cause());
       entries.add(entry);
     }
+    entries.sort(Comparator.comparing(entry -> (String) entry.get("recording")));
     AtomicFile.write(file, Json.write(Map.of("failed", entries)) + "\n", true);
   }
 
@@ -162,7 +189,7 @@ public final class Batch {
     private long doneBytes;
     private int done;
     private int kept;
-    private int elsewhere;
+    private final Set<String> elsewhere = new HashSet<>();
     private long events;
     private long bytes;
     private long rows;
@@ -250,7 +277,7 @@ public final class Batch {
       Optional<ResultFolder> taken = ResultFolder.take(path);
       if (taken.isEmpty()) {
         progress.finish();
-        update(() -> elsewhere++);
+        update(() -> elsewhere.add(item.name()));
         return;
       }
       ResultFolder folder = taken.get();
@@ -322,7 +349,7 @@ public final class Batch {
 
     synchronized BatchReport report() {
       failures.sort(Comparator.comparing(failure -> failure.item().name()));
-      return new BatchReport(done, kept, elsewhere, failures, events, bytes, rows);
+      return new BatchReport(done, kept, elsewhere.size(), failures, events, bytes, rows);
     }
 
     /** Bytes of one recording. */

@@ -13,6 +13,7 @@ import haltere.core.pipeline.RecordingJob;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Set;
@@ -171,6 +172,26 @@ class ConcurrentBatchesTest {
     assertEquals(1, report.failures().size());
     assertTrue(Files.readString(results.resolve("failed.json")).contains("damaged.aedat4"));
     assertEquals("of another batch", Files.readString(another));
+  }
+
+  @Test
+  void failuresOfAnotherBatchAreKeptOnlyOfRecordingsThatItHadTaken() throws IOException {
+    Path damaged = Files.writeString(folder.resolve("damaged.aedat4"), "#!AER-DAT4.0\r\n");
+    List<BatchItem> items = new ArrayList<>(recordings(3));
+    items.set(2, new BatchItem(damaged, "0-damaged", Files.size(damaged)));
+    Path results = Files.createDirectory(folder.resolve("results"));
+    Path failed = results.resolve("failed.json");
+    Files.writeString(
+        failed, "{\"failed\": [{\"recording\": \"0.csv\"}, {\"recording\": \"1.csv\"}]}");
+    ResultFolder taken = ResultFolder.take(results.resolve("1.csv")).orElseThrow();
+    BatchReport report = run(items, BatchOptions.Existing.REFUSE, FilterChain::new);
+    taken.close();
+    assertEquals(1, report.elsewhere());
+    assertEquals(1, report.failures().size());
+    String listed = Files.readString(failed);
+    assertFalse(listed.contains("0.csv"), listed);
+    assertTrue(listed.indexOf("0-damaged") > 0, listed);
+    assertTrue(listed.indexOf("1.csv") > listed.indexOf("0-damaged"), "sorted by their names");
   }
 
   @Test
