@@ -35,10 +35,11 @@ final class ChunkDecompressor implements Closeable {
    * @param in the compressed chunk at its start
    * @param length compressed bytes
    * @param out receives the chunk at its start
-   * @param wanted expected number of bytes
+   * @param wanted bytes of a whole chunk
+   * @return its number of bytes: fewer than wanted in the last chunk of events in ECF
    * @throws DamagedPacketException if it contradicts its compression
    */
-  void unpack(List<FilterStep> steps, long skipped, byte[] in, int length, byte[] out, int wanted)
+  int unpack(List<FilterStep> steps, long skipped, byte[] in, int length, byte[] out, int wanted)
       throws DamagedPacketException {
     byte[] from = in;
     int bytes = length;
@@ -59,12 +60,14 @@ final class ChunkDecompressor implements Closeable {
       bytes = undo(steps.get(i), from, bytes, to, i == last ? wanted : maxBytes);
       from = to;
     }
-    if (bytes != wanted) {
+    boolean mayBeShort = last < steps.size() && steps.get(last).number() == FilterStep.ECF;
+    if (bytes > wanted || bytes < wanted && !mayBeShort) {
       throw new DamagedPacketException("a chunk of " + bytes + " bytes instead of " + wanted);
     }
     if (from != out) {
-      System.arraycopy(from, 0, out, 0, wanted);
+      System.arraycopy(from, 0, out, 0, bytes);
     }
+    return bytes;
   }
 
   private static boolean isSkipped(long skipped, int step) {
@@ -100,6 +103,7 @@ final class ChunkDecompressor implements Closeable {
       case FilterStep.BLOSC -> blosc.unpack(in, length, out, maxBytes);
       case FilterStep.LZ4 -> lz4(in, length, out, maxBytes);
       case FilterStep.ZSTD -> zstd(in, 0, length, out, 0, maxBytes);
+      case FilterStep.ECF -> EcfBlock.unpack(in, length, out, maxBytes);
       default -> throw new DamagedPacketException("filter " + step.number());
     };
   }

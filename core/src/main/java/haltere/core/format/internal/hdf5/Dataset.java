@@ -290,7 +290,7 @@ record Dataset(
     long largest = 0;
     for (Dataset dataset : datasets) {
       for (FilterStep step : dataset.filters) {
-        Optional<String> obstacle = step.obstacle();
+        Optional<String> obstacle = step.obstacle(dataset.type().bytes());
         if (obstacle.isPresent()) {
           throw new RecordingProblem(
               container.bytes().path(), dataset.name() + " is compressed with " + obstacle.get());

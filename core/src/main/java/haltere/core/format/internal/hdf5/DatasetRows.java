@@ -102,9 +102,14 @@ final class DatasetRows {
     if (read(compressed, length, index.offset()) < length) {
       return;
     }
-    decompressor.unpack(dataset.filters(), index.skippedFilters(), compressed, length, data, bytes);
+    int unpacked =
+        decompressor.unpack(
+            dataset.filters(), index.skippedFilters(), compressed, length, data, bytes);
     start = first;
-    end = first + dataset.chunkRows();
+    end = first + unpacked / rowBytes;
+    if (row >= end) {
+      throw new DamagedPacketException("a chunk of too few rows");
+    }
   }
 
   /** Reads uncompressed rows, up to a number. */

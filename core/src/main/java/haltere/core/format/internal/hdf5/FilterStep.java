@@ -19,6 +19,7 @@ record FilterStep(int number, String name, int[] values) {
   static final int BLOSC = 32001;
   static final int LZ4 = 32004;
   static final int ZSTD = 32015;
+  static final int ECF = 36559;
 
   private static final int BLOSC_METHOD = 6;
   private static final int BLOSC_SNAPPY = 3;
@@ -63,6 +64,7 @@ record FilterStep(int number, String name, int[] values) {
       case BLOSC -> Optional.of("blosc" + bloscMethod());
       case LZ4 -> Optional.of("lz4");
       case ZSTD -> Optional.of("zstd");
+      case ECF -> Optional.of("ecf");
       default -> Optional.empty();
     };
   }
@@ -78,20 +80,22 @@ record FilterStep(int number, String name, int[] values) {
     return index < values.length ? values[index] : otherwise;
   }
 
-  /** Message for users about an unsupported filter; empty for supported ones. */
-  Optional<String> obstacle() {
+  /**
+   * Message for users about an unsupported filter; empty for supported ones.
+   *
+   * @param elementBytes size of the elements of its dataset
+   */
+  Optional<String> obstacle(int elementBytes) {
+    if (number == ECF && elementBytes != EcfBlock.EVENT_BYTES) {
+      return Optional.of("ECF, filter 36559, which is for events of 16 bytes; copy it again");
+    }
     if (number == BLOSC && value(BLOSC_METHOD, 0) == BLOSC_SNAPPY) {
       return Optional.of(
           "Snappy within Blosc, filter 32001, which is not supported; replace it with "
               + "h5repack -f GZIP=1 (HDF5 tools) where it is installed");
     }
     return switch (number) {
-      case DEFLATE, SHUFFLE, FLETCHER32, LZF, BLOSC, LZ4, ZSTD -> Optional.empty();
-      case 0x8ecf ->
-          Optional.of(
-              "Prophesee's ECF, filter 36559, which needs a native plugin; convert the "
-                  + "recording to RAW or DAT with Metavision, or remove the compression with "
-                  + "h5repack -f NONE where the plugin is installed");
+      case DEFLATE, SHUFFLE, FLETCHER32, LZF, BLOSC, LZ4, ZSTD, ECF -> Optional.empty();
       default ->
           Optional.of(
               known(number)

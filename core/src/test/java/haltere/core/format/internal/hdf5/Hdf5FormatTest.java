@@ -142,7 +142,8 @@ class Hdf5FormatTest extends RecordingFormatContract {
    * Files of other programs whose chunks are compressed by filters that are registered with HDF5.
    */
   static Stream<String> compressions() {
-    return Stream.of("blosc-zstd", "blosc-blosclz-bits", "blosc-lz4", "zstd", "lz4");
+    return Stream.of(
+        "blosc-zstd", "blosc-blosclz-bits", "blosc-lz4", "zstd", "lz4", "prophesee-ecf");
   }
 
   @ParameterizedTest
@@ -157,6 +158,25 @@ class Hdf5FormatTest extends RecordingFormatContract {
       assertEquals(
           name.equals("prophesee") ? 3 : 0, reader.violations().count(Violation.OTHER_DATA));
       assertEquals(0, reader.violations().count(Violation.CUT_OFF));
+    }
+  }
+
+  @Test
+  void eventsInAllEncodingsOfPropheseesCompressionAreRead() throws IOException {
+    EventPacket events = new EventPacket(10_000);
+    for (int i = 0; i < 10_000; i++) {
+      int row = i < 4000 ? i / 40 : i < 8000 ? i / 20 % 200 : i * 17 % 240;
+      int column = i < 4000 ? 5 + i % 20 : i * 37 % 320;
+      long timeUs = 1000 + i / 50 * 3L + i / 200 * 20L + i / 5000 * 12_345_678L;
+      events.append(timeUs, column, 259 - row, i / 150 % 2 == 1);
+    }
+    try (RecordingReader reader = Recordings.open(theirs("prophesee-ecf-rows"))) {
+      assertEquals(events, read(reader).events());
+      assertEquals("ecf", reader.compression().orElseThrow());
+      assertEquals(0, reader.violations().count(Violation.DAMAGED_PACKET));
+      reader.seek(events.timeUs(9_990));
+      int from = events.indexAtOrAfter(events.timeUs(9_990));
+      assertEquals(EventPackets.part(events, from, 10_000), read(reader).events());
     }
   }
 
@@ -228,6 +248,8 @@ class Hdf5FormatTest extends RecordingFormatContract {
         "blosc-lz4",
         "lz4",
         "prophesee",
+        "prophesee-ecf",
+        "prophesee-ecf-rows",
         "seconds-big-endian-truth"
       })
   void damageInFilesOfOtherProgramsIsReportedWithoutACrash(String name) throws IOException {

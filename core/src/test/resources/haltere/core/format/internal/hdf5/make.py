@@ -1,5 +1,8 @@
-"""Makes the files beside it, which Hdf5FormatTest reads: python make.py FOLDER (h5py 3.16, hdf5plugin 7.1)."""
-import h5py,numpy as np,hdf5plugin,os,sys
+"""Makes the files beside it, which Hdf5FormatTest reads: python make.py FOLDER ECF.so (h5py 3.16, hdf5plugin 7.1).
+
+ECF.so has size_t encode(EventCD *events, size_t count, uint8_t *to), which calls the encoder of prophesee-ai/hdf5_ecf.
+"""
+import ctypes,h5py,numpy as np,hdf5plugin,os,sys
 d=sys.argv[1]; n=300
 i=np.arange(n)
 t=(1000000+i*7+i//150*1000000).astype(np.int64); x=(i*31%346).astype(np.uint16); y=(i*17%260).astype(np.uint16); p=(i//3%2).astype(np.uint8)
@@ -27,6 +30,24 @@ def prophesee(h,**kw):
     h.create_dataset('EXT_TRIGGER/events',data=np.zeros(3,dtype=[('p','<i2'),('t','<i8'),('id','<i2')]))
     h.attrs['geometry']='346x260'; h.attrs['format']='HDF5'
 with f('prophesee') as h: prophesee(h,compression='gzip')
+def ecf(name,events,chunk):
+    # as Metavision writes it: the last chunk has fewer events
+    encode=ctypes.CDLL(sys.argv[2]).encode; encode.restype=ctypes.c_size_t
+    kind=np.dtype(dict(names=['x','y','p','t'],formats=['<u2','<u2','<i2','<i8'],offsets=[0,2,4,8],itemsize=16))
+    with f(name) as h:
+        c=h5py.h5p.create(h5py.h5p.DATASET_CREATE); c.set_chunk((chunk,)); c.set_filter(36559,h5py.h5z.FLAG_OPTIONAL,())
+        size=h5py.h5s.create_simple((len(events),),(h5py.h5s.UNLIMITED,))
+        d=h5py.h5d.create(h.create_group('CD').id,b'events',h5py.h5t.py_create(kind),size,c)
+        for i in range(0,len(events),chunk):
+            part=np.zeros(len(events[i:i+chunk]),dtype=kind); to=ctypes.create_string_buffer(100+12*len(part))
+            for k in 'xypt': part[k]=events[k][i:i+chunk]
+            length=encode(part.ctypes.data_as(ctypes.c_void_p),ctypes.c_size_t(len(part)),to); d.write_direct_chunk((i,),to.raw[:length],0)
+        h.attrs['geometry']='346x260'
+ecf('prophesee-ecf',a,128)
+j=np.arange(10000); b=np.zeros(10000,dtype=a.dtype)
+b['t']=1000+j//50*3+j//200*20+j//5000*12345678; b['p']=j//150%2
+b['y']=np.where(j<4000,j//40,np.where(j<8000,j//20%200,j*17%240)); b['x']=np.where(j<4000,5+j%20,j*37%320)
+ecf('prophesee-ecf-rows',b,4000)
 with f('fields-nanoseconds') as h:
     b=np.zeros(n,dtype=[('t_ns','<i8'),('x','<u2'),('y','<u2'),('p','i1')]); b['x']=x;b['y']=y;b['p']=p;b['t_ns']=t*1000
     h['events']=b; h.attrs['geometry']='346x260'
