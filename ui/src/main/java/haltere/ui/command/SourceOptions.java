@@ -25,7 +25,7 @@ class SourceOptions extends OptionGroup {
   @Option(
       names = "--topic",
       paramLabel = "NAME",
-      description = "Topic to read from a bag with several topics of events, such as /dvs/events.")
+      description = "Topic to read if a bag or HDF5 file has several, such as /dvs/events.")
   String topic;
 
   @Option(

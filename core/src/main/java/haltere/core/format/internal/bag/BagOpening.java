@@ -10,6 +10,7 @@ import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.compression.DamagedPacketException;
 import haltere.core.format.internal.decoding.SampleCursor;
 import haltere.core.format.internal.decoding.SensorGuess;
+import haltere.core.format.internal.decoding.Topics;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
 import java.time.Instant;
@@ -150,12 +151,8 @@ final class BagOpening {
       return;
     }
     if (options.topic().isPresent()) {
-      List<BagTopic> events = topics.ofEvents();
       throw new RecordingProblem(
-          file.path(),
-          "it has no topic of events named "
-              + options.topic().get()
-              + (events.isEmpty() ? "" : "; there are " + names(events)));
+          file.path(), Topics.missing(options.topic().get(), names(topics.ofEvents())));
     }
     throw new RecordingProblem(
         file.path(),
@@ -169,20 +166,14 @@ final class BagOpening {
                         .collect(Collectors.joining(", "))));
   }
 
-  private static String names(List<BagTopic> topics) {
-    return topics.stream().map(BagTopic::name).distinct().collect(Collectors.joining(", "));
+  private static List<String> names(List<BagTopic> topics) {
+    return topics.stream().map(BagTopic::name).distinct().toList();
   }
 
   private void remarkOnTopics(BagTopic chosen) {
     List<BagTopic> others =
         topics.ofEvents().stream().filter(topic -> !topic.name().equals(chosen.name())).toList();
-    if (!others.isEmpty()) {
-      remarks.add(
-          "the events of topic "
-              + chosen.name()
-              + " are read; --topic chooses another: "
-              + names(others));
-    }
+    Topics.remark(chosen.name(), names(others)).ifPresent(remarks::add);
   }
 
   private void remarkOnTime(First first) {

@@ -8,6 +8,7 @@ import haltere.core.format.internal.decoding.ColumnGuess;
 import haltere.core.format.internal.decoding.EventColumn;
 import haltere.core.format.internal.decoding.RowCursor;
 import haltere.core.format.internal.decoding.SensorGuess;
+import haltere.core.format.internal.decoding.Topics;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -21,9 +22,11 @@ import java.util.stream.DoubleStream;
 
 /**
  * Finds the events of a file: datasets in one group that are named as columns of events, or a
- * dataset whose elements have such names, or a table of four columns.
+ * dataset whose elements have such names, or a table of four columns. The group or the dataset is a
+ * topic; a file may have several, such as those of two cameras.
  */
 final class EventSearch {
+  private static final String TRIGGERS = "EXT_TRIGGER/";
   private static final int PROBE_ROWS = 4096;
   private static final int MAX_SIDE = 32768;
   private static final double MIN_NS = 1e17;
@@ -32,9 +35,15 @@ final class EventSearch {
   private final ContainerFile file;
   private final FileContents contents;
   private final List<Dataset> datasets;
+  private final Optional<String> wanted;
 
-  EventSearch(ContainerFile file) throws IOException {
+  /** Topics with events, that which is read first. */
+  private final List<String> topics = new ArrayList<>();
+
+  /** Searches for a topic, or for the first one. */
+  EventSearch(ContainerFile file, Optional<String> wanted) throws IOException {
     this.file = file;
+    this.wanted = wanted;
     contents = FileContents.of(file);
     datasets = new ArrayList<>(contents.datasets());
   }
@@ -53,6 +62,7 @@ final class EventSearch {
         new EventTable(
             file,
             columns,
+            List.copyOf(topics),
             rows,
             rows != maxRows,
             0,
@@ -67,6 +77,7 @@ final class EventSearch {
     return new EventTable(
         file,
         columns,
+        found.topics(),
         rows,
         rows != maxRows,
         scale,
@@ -82,7 +93,42 @@ final class EventSearch {
   }
 
   private Map<EventColumn, EventTable.StoredColumn> columns() throws IOException {
+    Map<EventColumn, EventTable.StoredColumn> chosen = EventTable.noColumns();
     for (Dataset dataset : datasets) {
+      String topic = topic(dataset);
+      boolean isWanted = chosen.isEmpty() && wanted.orElse(topic).equals(topic);
+      if (topics.contains(topic) || dataset.name().startsWith(TRIGGERS)) {
+        continue;
+      }
+      Map<EventColumn, EventTable.StoredColumn> columns = columns(dataset, isWanted);
+      if (columns.keySet().containsAll(List.of(EventColumn.TIME, EventColumn.X, EventColumn.Y))) {
+        topics.add(isWanted ? 0 : topics.size(), topic);
+        if (isWanted) {
+          contents.check(name -> isColumnBeside(dataset, name));
+          chosen = columns;
+        }
+      }
+    }
+    if (!chosen.isEmpty()) {
+      return chosen;
+    }
+    if (wanted.isPresent() && !topics.isEmpty()) {
+      throw new RecordingProblem(file.bytes().path(), Topics.missing(wanted.get(), topics));
+    }
+    throw contents.lacks(
+        "are no events: t, x, y and p are wanted, as lists in one group or as fields of one list");
+  }
+
+  /** Group of columns, or the path of a dataset with all of them. */
+  private static String topic(Dataset dataset) {
+    boolean isColumn = dataset.isList() && dataset.type().kind() != 'c';
+    return isColumn ? folder(dataset).replaceFirst("/$", "") : dataset.name();
+  }
+
+  /** Columns in a dataset or beside it; of one that cannot be read, none unless it is needed. */
+  private Map<EventColumn, EventTable.StoredColumn> columns(Dataset dataset, boolean isNeeded)
+      throws IOException {
+    try {
       Map<EventColumn, EventTable.StoredColumn> columns = EventTable.noColumns();
       if (dataset.isList() && dataset.type().kind() == 'c') {
         for (ElementType.Member member : dataset.type().members()) {
@@ -99,16 +145,13 @@ final class EventSearch {
       } else if (dataset.columns() == 4 && dataset.type().isNumber()) {
         columns = tableColumns(dataset);
       }
-      if (columns.containsKey(EventColumn.TIME)
-          && columns.containsKey(EventColumn.X)
-          && columns.containsKey(EventColumn.Y)
-          && !isTriggers(dataset)) {
-        contents.check(name -> isColumnBeside(dataset, name));
-        return columns;
+      return columns;
+    } catch (RecordingProblem unreadable) {
+      if (isNeeded) {
+        throw unreadable;
       }
+      return EventTable.noColumns();
     }
-    throw contents.lacks(
-        "are no events: t, x, y and p are wanted, as lists in one group or as fields of one list");
   }
 
   private static void put(
@@ -130,13 +173,9 @@ final class EventSearch {
     return dataset.name().substring(0, dataset.name().lastIndexOf('/') + 1);
   }
 
-  private static boolean isTriggers(Dataset dataset) {
-    return dataset.name().startsWith("EXT_TRIGGER/");
-  }
-
   private long otherRows() {
     return datasets.stream()
-        .filter(dataset -> dataset.name().equals("EXT_TRIGGER/events"))
+        .filter(dataset -> dataset.name().equals(TRIGGERS + "events"))
         .mapToLong(dataset -> Math.min(dataset.rows(), file.bytes().size()))
         .sum();
   }

@@ -20,6 +20,7 @@ import java.util.stream.Collectors;
  *
  * @param container the file
  * @param columns by content; at least times, columns and rows
+ * @param topics of the file, that of the events first
  * @param rows events that all columns claim
  * @param inconsistent whether columns claim different numbers
  * @param timeScale power of ten of the times' unit in microseconds
@@ -31,6 +32,7 @@ import java.util.stream.Collectors;
 record EventTable(
     ContainerFile container,
     Map<EventColumn, StoredColumn> columns,
+    List<String> topics,
     long rows,
     boolean inconsistent,
     int timeScale,
@@ -75,10 +77,10 @@ record EventTable(
     }
   }
 
-  /** Finds the events of a file. */
-  static EventTable of(RecordingFile bytes) throws IOException {
+  /** Finds the events of a file: those of a topic, or the first ones. */
+  static EventTable of(RecordingFile bytes, Optional<String> topic) throws IOException {
     ContainerFile container = ContainerFile.open(bytes);
-    return new EventSearch(container).table();
+    return new EventSearch(container, topic).table();
   }
 
   /** Contents of the columns of a table without names, in their order; else empty. */

@@ -15,6 +15,7 @@ import haltere.core.format.ViolationCounts;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.decoding.ColumnGuess;
 import haltere.core.format.internal.decoding.SensorGuess;
+import haltere.core.format.internal.decoding.Topics;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -72,8 +73,10 @@ public final class Hdf5Format implements RecordingFormat {
   }
 
   private RecordingReader open(RecordingFile file, ReadOptions options) throws IOException {
-    EventTable table = EventTable.of(file);
+    EventTable table = EventTable.of(file, options.topic());
     List<String> remarks = new ArrayList<>();
+    Topics.remark(table.topics().get(0), table.topics().subList(1, table.topics().size()))
+        .ifPresent(remarks::add);
     ColumnGuess.remark(table.guessed()).ifPresent(remarks::add);
     Origin origin = SensorGuess.origin(table.origin(), options, remarks);
     ViolationCounts found = new ViolationCounts();

@@ -181,6 +181,29 @@ class Hdf5FormatTest extends RecordingFormatContract {
   }
 
   @Test
+  void eachCameraOfAFileOfTwoIsATopicAndTheOtherIsNamed() throws IOException {
+    Path file = theirs("two-cameras");
+    EventPacket events = theirEvents();
+    try (RecordingReader reader = Recordings.open(file)) {
+      assertEquals(events, read(reader).events());
+      String remarks = reader.remarks().toString();
+      assertTrue(remarks.contains("cameras/left are read"), remarks);
+      assertTrue(remarks.contains("--topic chooses another: cameras/right"), remarks);
+    }
+    ReadOptions right = ReadOptions.DEFAULT.withTopic("cameras/right");
+    try (RecordingReader reader = Recordings.open(file, right)) {
+      assertEquals(EventPackets.part(events, 7, THEIRS), read(reader).events());
+    }
+    RecordingProblem missing =
+        assertThrows(
+            RecordingProblem.class,
+            () -> Recordings.open(file, ReadOptions.DEFAULT.withTopic("imu/events")).close());
+    assertTrue(
+        missing.getMessage().endsWith("; there are cameras/left, cameras/right"),
+        missing.getMessage());
+  }
+
+  @Test
   void rowsWithoutNumbersAreSkippedAndCounted() throws IOException {
     EventPacket events = new EventPacket(2);
     events.append(5, 0, 478, true);

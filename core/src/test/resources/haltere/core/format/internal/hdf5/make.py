@@ -60,6 +60,10 @@ with f('table-by-columns') as h: h.create_dataset('events',data=np.stack([t,x,y,
 with f('table-pairs-of-columns') as h: h.create_dataset('events',data=np.stack([x,y,p,t],axis=1).astype(np.uint32),chunks=(40,2),maxshape=(None,4),compression='gzip')
 with f('new-table-three-columns',libver='latest') as h: h.create_dataset('events',data=np.stack([t,x,y,p],axis=1).astype(np.uint32),chunks=(70,3),compression='lzf')
 with f('new-growing-table-by-columns',libver='latest') as h: h.create_dataset('events',data=np.stack([t,x,y,p],axis=1).astype(np.uint32),chunks=(9,1),maxshape=(None,4))
+with f('two-cameras') as h:
+    for side,k in (('right',7),('left',0)):
+        g=h.create_group('cameras/'+side); g['t']=t[k:]; g['x']=x[k:]; g['y']=y[k:]; g['p']=p[k:]
+    h['imu/events']=np.zeros((5,4))+.5
 with f('seconds-big-endian-truth') as h:
     h['events/xs']=x.astype('i2'); h['events/ys']=y.astype('>i2'); h['events/ts']=t/1e6; h['events/ps']=p.astype(bool)
     h['images/image000']=np.zeros((3,3))

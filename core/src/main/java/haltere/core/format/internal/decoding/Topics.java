@@ -1,0 +1,39 @@
+package haltere.core.format.internal.decoding;
+
+import java.util.List;
+import java.util.Optional;
+
+/** Lines for users on recordings with several streams of events, of which one is read. */
+public final class Topics {
+  private Topics() {}
+
+  /**
+   * Names those that are not read.
+   *
+   * @param chosen the one that is read
+   * @param others the others with events
+   * @return a line, or empty without others
+   */
+  public static Optional<String> remark(String chosen, List<String> others) {
+    return others.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            "the events of topic "
+                + chosen
+                + " are read; --topic chooses another: "
+                + String.join(", ", others));
+  }
+
+  /**
+   * Says that there is none of a name.
+   *
+   * @param wanted the name
+   * @param there the topics with events
+   * @return a line
+   */
+  public static String missing(String wanted, List<String> there) {
+    return "it has no topic of events named "
+        + wanted
+        + (there.isEmpty() ? "" : "; there are " + String.join(", ", there));
+  }
+}
