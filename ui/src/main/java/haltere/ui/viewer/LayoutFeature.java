@@ -33,7 +33,7 @@ final class LayoutFeature implements ViewerFeature {
     Set<String> names = layouts.keySet();
     ViewerActions actions = window.actions();
     actions.add("keep-layout", () -> Windows.askName(window.stage(), "layout", names, this::keep));
-    actions.add("layout-picture", this::hideOrRestorePanels);
+    actions.add("picture-alone", this::hideOrRestorePanels);
     offer();
   }
 

@@ -64,14 +64,14 @@ class LayoutTest {
     run("show-file-information");
     viewer.waitFor("panels", () -> isInWindow("plots") && isInWindow("file-info"));
     viewer.run(() -> viewer.window.feature(LayoutFeature.class).keep("Wings"));
-    run("layout-picture");
+    run("picture-alone");
     viewer.waitFor("the picture alone", () -> !isInWindow("plots") && !isInWindow("file-info"));
     run("layout-Wings");
     viewer.waitFor("the panels again", () -> isInWindow("plots") && isInWindow("file-info"));
     settings.save();
     viewer.close();
     viewer = new ViewerHarness(UserSettings.load(folder));
-    run("layout-picture");
+    run("picture-alone");
     run("layout-Wings");
     viewer.waitFor("the panels of before", () -> isInWindow("plots") && isInWindow("file-info"));
     run("remove-layout-Wings");
@@ -98,6 +98,22 @@ class LayoutTest {
   private Object hasPlots(String layout) {
     UserSettings settings = viewer.window.context().settings();
     return viewer.onFx(() -> ((Map<?, ?>) settings.map("layouts").get(layout)).get("panel.plots"));
+  }
+
+  /** The start with such a layout failed, as the name was that of a command too. */
+  @Test
+  void layoutMayBeNamedAsACommandOfItsMenu() throws Exception {
+    UserSettings settings = UserSettings.load(folder);
+    viewer = new ViewerHarness(settings);
+    run("show-plots");
+    viewer.run(() -> viewer.window.feature(LayoutFeature.class).keep("picture"));
+    settings.save();
+    viewer.close();
+    viewer = new ViewerHarness(UserSettings.load(folder));
+    run("picture-alone");
+    viewer.waitFor("the picture alone", () -> !isInWindow("plots"));
+    run("layout-picture");
+    viewer.waitFor("the layout of this name", () -> isInWindow("plots"));
   }
 
   private void saveAs(String name) {
@@ -140,9 +156,9 @@ class LayoutTest {
     viewer = ViewerHarness.withBlob();
     run("plots-apart");
     viewer.waitFor("plots elsewhere", () -> viewer.isThere("plots") && !isInWindow("plots"));
-    run("layout-picture");
+    run("picture-alone");
     viewer.waitFor("the picture alone", () -> !viewer.isThere("plots"));
-    run("layout-picture");
+    run("picture-alone");
     viewer.waitFor("their window", () -> viewer.isThere("plots") && !isInWindow("plots"));
   }
 
@@ -157,9 +173,9 @@ class LayoutTest {
     for (int selected = 0; selected < order.size(); selected++) {
       int tab = selected;
       viewer.run(() -> side().getSelectionModel().select(tab));
-      run("layout-picture");
+      run("picture-alone");
       viewer.waitFor("no panels", () -> !isInWindow("side-tabs"));
-      run("layout-picture");
+      run("picture-alone");
       viewer.waitFor("the panels", () -> isInWindow("side-tabs"));
       viewer.waitFor("the panels in order", () -> tabs().equals(order));
       assertEquals(tab, viewer.onFx(() -> side().getSelectionModel().getSelectedIndex()));
@@ -173,19 +189,19 @@ class LayoutTest {
     viewer.waitFor("both pictures", () -> isInWindow("second-event-view") && secondChain() != null);
     FilterChain second = secondChain();
     double half = viewer.onFx(() -> viewer.node("event-view", Region.class).getWidth());
-    run("layout-picture");
+    run("picture-alone");
     viewer.waitFor(
         "the picture alone",
         () -> !isInWindow("second-event-view") && !viewer.isThere("first-chain-name"));
     viewer.waitFor(
         "its width", () -> viewer.node("event-view", Region.class).getWidth() > 1.5 * half);
-    run("layout-picture");
+    run("picture-alone");
     viewer.waitFor("the comparison", () -> isInWindow("second-event-view"));
     viewer.waitFor("its name", () -> viewer.isThere("first-chain-name"));
     assertSame(second, secondChain());
-    run("layout-picture");
+    run("picture-alone");
     run("compare");
-    run("layout-picture");
+    run("picture-alone");
     viewer.waitFor("no ended comparison", () -> !isInWindow("second-event-view"));
   }
 
@@ -200,9 +216,9 @@ class LayoutTest {
     run("show-file-information");
     viewer.waitFor("the panel", () -> tabs().size() == 2);
     viewer.run(() -> side().getSelectionModel().select(0));
-    run("layout-picture");
+    run("picture-alone");
     viewer.waitFor("the chain alone", () -> !isInWindow("side-tabs") && isInWindow("chain-panel"));
-    run("layout-picture");
+    run("picture-alone");
     viewer.waitFor("the tabs", () -> isInWindow("side-tabs"));
     assertEquals(0, viewer.onFx(() -> side().getSelectionModel().getSelectedIndex()));
     assertTrue(isInWindow("chain-panel"));
