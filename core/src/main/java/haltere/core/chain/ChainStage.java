@@ -4,6 +4,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorSample;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamNotification;
+import haltere.core.stream.internal.MachineFault;
 import java.util.Objects;
 
 /**
@@ -106,8 +107,8 @@ public final class ChainStage {
     long start = System.nanoTime();
     try {
       filter.process(packet);
-    } catch (RuntimeException thrown) {
-      throw thrown instanceof FilterFailure named ? named : new FilterFailure(this, thrown);
+    } catch (RuntimeException | Error thrown) {
+      throw failure(thrown);
     }
     busyNanos += System.nanoTime() - start;
     packets++;
@@ -123,17 +124,22 @@ public final class ChainStage {
     }
     try {
       filter.notified(notification);
-    } catch (RuntimeException thrown) {
-      throw thrown instanceof FilterFailure named ? named : new FilterFailure(this, thrown);
+    } catch (RuntimeException | Error thrown) {
+      throw failure(thrown);
     }
   }
 
   void sample(SensorSample sample) {
     try {
       filter.sample(sample);
-    } catch (RuntimeException thrown) {
-      throw thrown instanceof FilterFailure named ? named : new FilterFailure(this, thrown);
+    } catch (RuntimeException | Error thrown) {
+      throw failure(thrown);
     }
+  }
+
+  private FilterFailure failure(Throwable thrown) {
+    MachineFault.rethrow(thrown);
+    return thrown instanceof FilterFailure named ? named : new FilterFailure(this, thrown);
   }
 
   @Override

@@ -4,7 +4,7 @@ import haltere.core.stream.internal.Reason;
 import java.io.UncheckedIOException;
 
 /**
- * An exception of a filter while it worked on a packet, with the name of its stage.
+ * An exception or error of a filter while it worked on a packet, with the name of its stage.
  *
  * @since 0.1
  */
@@ -13,7 +13,7 @@ public final class FilterFailure extends RuntimeException {
 
   private final transient ChainStage stage;
 
-  FilterFailure(ChainStage stage, RuntimeException cause) {
+  FilterFailure(ChainStage stage, Throwable cause) {
     super(
         cause instanceof UncheckedIOException
             ? "results of filter " + stage.name() + " were lost: " + Reason.of(cause)

@@ -2,6 +2,7 @@ package haltere.core.chain;
 
 import haltere.core.extension.Extensions;
 import haltere.core.settings.SettingsProblem;
+import haltere.core.stream.internal.MachineFault;
 import java.util.Collections;
 import java.util.Map;
 import java.util.Objects;
@@ -79,7 +80,8 @@ public final class Filters {
   }
 
   /**
-   * Creates a filter; an exception of its constructor becomes a problem that names the filter.
+   * Creates a filter; an exception or error of its constructor becomes a problem that names the
+   * filter.
    *
    * @param provider of the filter
    * @param constructor creates it
@@ -90,7 +92,8 @@ public final class Filters {
       return constructor.get();
     } catch (ChainProblem | SettingsProblem problem) {
       throw problem;
-    } catch (RuntimeException thrown) {
+    } catch (RuntimeException | Error thrown) {
+      MachineFault.rethrow(thrown);
       String line = "the filter " + provider.name() + " cannot be created: " + thrown;
       throw (ChainProblem) new ChainProblem(line).initCause(thrown);
     }

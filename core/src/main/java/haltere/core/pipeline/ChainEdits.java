@@ -1,6 +1,7 @@
 package haltere.core.pipeline;
 
 import haltere.core.chain.FilterChain;
+import haltere.core.stream.internal.MachineFault;
 import haltere.core.stream.internal.Reason;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
@@ -28,7 +29,8 @@ final class ChainEdits {
       try {
         edit.change.accept(chain);
         edit.done.complete(null);
-      } catch (RuntimeException thrown) {
+      } catch (RuntimeException | Error thrown) {
+        MachineFault.rethrow(thrown);
         String why = Reason.of(thrown).lines().findFirst().orElse("");
         failures.accept("a change of the chain failed: " + why);
         edit.done.completeExceptionally(thrown);

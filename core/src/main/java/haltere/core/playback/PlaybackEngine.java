@@ -6,6 +6,7 @@ import haltere.core.pipeline.OnFailure;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.core.stream.Reset;
+import haltere.core.stream.internal.MachineFault;
 import haltere.core.stream.internal.Reason;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -145,7 +146,8 @@ final class PlaybackEngine {
       if (!later) {
         done.complete(null);
       }
-    } catch (IOException | RuntimeException thrown) {
+    } catch (IOException | RuntimeException | Error thrown) {
+      MachineFault.rethrow(thrown);
       board.setMessage(Reason.of(thrown));
       board.publish();
       done.completeExceptionally(thrown);

@@ -27,6 +27,7 @@ package haltere.core.playback;
  * @param runUpUs recording time of the rest of a run-up until the requested moment is displayed,
  *     microseconds; 0 without a run-up
  * @param message the last failure in one line, or empty
+ * @param failures number of failures since the start, which tells a repeated one from the last
  * @since 0.1
  */
 public record PlayerStatus(
@@ -45,7 +46,8 @@ public record PlayerStatus(
     long droppedEvents,
     long sliceUs,
     long runUpUs,
-    String message) {
+    String message,
+    long failures) {
   /** Real time by which playback may be late before it is {@link #late()}, microseconds. */
   public static final long LATE_US = 100_000;
 

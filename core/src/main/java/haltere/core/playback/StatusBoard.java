@@ -17,6 +17,7 @@ final class StatusBoard {
   private final PipelineCounters counters;
   private State state;
   private String message = "";
+  private long failures;
 
   // The displayed slice.
   private StepBackSearch.Position shown = new StepBackSearch.Position(0, 0);
@@ -61,6 +62,7 @@ final class StatusBoard {
   /** Sets the last failure, in one line. */
   void setMessage(String line) {
     message = line;
+    failures++;
   }
 
   /** Start of the displayed slice. */
@@ -129,6 +131,7 @@ final class StatusBoard {
                 + counters.get(Counter.EVENTS_LOST_BEFORE),
             shownLengthUs,
             runUpUs,
-            message);
+            message,
+            failures);
   }
 }

@@ -146,7 +146,8 @@ public record Parameter(
   }
 
   private SettingsProblem problem(String value, String valid) {
-    return new SettingsProblem("setting " + name + " is " + value + ", it must be " + valid);
+    String given = value.isBlank() ? "empty" : value;
+    return new SettingsProblem("setting " + name + " is " + given + ", it must be " + valid);
   }
 
   private String unitText() {

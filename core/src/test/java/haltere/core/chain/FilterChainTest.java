@@ -308,6 +308,28 @@ class FilterChainTest {
   }
 
   @Test
+  void lackOfMemoryIsNoFailureOfTheFilter() {
+    OutOfMemoryError lack = new OutOfMemoryError("Java heap space");
+    chain.add(
+        "hungry",
+        new EventFilter() {
+          @Override
+          public void process(EventPacket packet) {
+            throw lack;
+          }
+
+          @Override
+          public void reset() {
+            throw new StackOverflowError();
+          }
+        });
+    assertSame(lack, assertThrows(OutOfMemoryError.class, () -> chain.process(events(0, 1))));
+    Reset reset = new Reset(Reset.Cause.USER);
+    FilterFailure failure = assertThrows(FilterFailure.class, () -> chain.notified(reset));
+    assertEquals("filter hungry failed: java.lang.StackOverflowError", failure.getMessage());
+  }
+
+  @Test
   void settingsOfAnotherTypeAreRejected() {
     chain.apply(firstStage, EveryNthFilter.Settings.of(4));
     assertEquals(4, first.settings().n());

@@ -61,6 +61,46 @@ class EngineFailuresTest {
   }
 
   @Test
+  void filterWithAMissingLibraryIsDisabledAndAnsweredAgainWhenItFailsAgain() throws IOException {
+    EngineRig rig = new EngineRig(recording(even(8)), byTime(20));
+    ChainStage broken =
+        rig.chain.add(
+            "broken",
+            filter(
+                packet -> {
+                  throw new NoClassDefFoundError("org/example/Missing");
+                }));
+    rig.run();
+    assertFalse(broken.isEnabled());
+    assertEquals(1, rig.engine.status().failures());
+    String message = rig.engine.status().message();
+    assertEquals(
+        "filter broken failed: java.lang.NoClassDefFoundError: org/example/Missing;"
+            + " it is switched off",
+        message);
+    rig.ask(new PlaybackCommand.Edit(chain -> chain.setEnabled(broken, true), false));
+    rig.ask(new PlaybackCommand.Rewind());
+    rig.run();
+    assertEquals(message, rig.engine.status().message());
+    assertEquals(2, rig.engine.status().failures());
+  }
+
+  @Test
+  void changeThatFailsForALibraryEndsWithThatError() throws IOException {
+    EngineRig rig = new EngineRig(recording(even(8)), byTime(20));
+    CompletableFuture<Void> edit =
+        rig.ask(
+            new PlaybackCommand.Edit(
+                chain -> {
+                  throw new NoClassDefFoundError("org/example/Missing");
+                },
+                false));
+    assertThrows(CompletionException.class, edit::join);
+    rig.run();
+    assertEquals(8, rig.log.events);
+  }
+
+  @Test
   void notificationsReachAllFiltersDespiteAnException() throws IOException {
     EngineRig rig = new EngineRig(recording(even(8)), byTime(20).withPaused(true)).run();
     List<String> heard = new ArrayList<>();

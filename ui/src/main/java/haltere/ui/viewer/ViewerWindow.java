@@ -71,7 +71,7 @@ public final class ViewerWindow {
     PlaybackController playback = new PlaybackController(status::showError);
     ChainEditor editor = new ChainEditor(status::showError);
     ViewerActions actions = new ViewerActions();
-    actions.onRefusal(status::showError);
+    actions.onRefusal(status::showRefusal);
     ViewerMenu menu = new ViewerMenu(actions);
     DisplayControl display = new DisplayControl();
     ViewerPanels panels = new ViewerPanels(menu, playback, editor, status, display);

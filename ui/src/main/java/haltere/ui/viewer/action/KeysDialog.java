@@ -46,9 +46,8 @@ public final class KeysDialog {
     for (Map.Entry<String, String> other : OTHERS) {
       row = add(grid, row, other.getKey(), other.getValue());
     }
-    ScrollPane scroll = new ScrollPane(grid);
+    ScrollPane scroll = Controls.scrolling(grid);
     scroll.setPrefViewportHeight(520);
-    scroll.setFitToWidth(true);
     scroll.setFocusTraversable(true);
     scroll.setAccessibleText("Keys and their commands");
     Windows.showContent(owner, "Keys", scroll);

@@ -110,14 +110,13 @@ public final class ViewerActions {
   /** Does what an action stands for, or reports why it cannot be done now. */
   void run(ViewerAction action) {
     String obstacle = action.obstacle().get();
+    refusals.accept(obstacle.isEmpty() ? "" : action.label() + ": " + obstacle);
     if (obstacle.isEmpty()) {
       action.work().run();
-    } else {
-      refusals.accept(action.label() + ": " + obstacle);
     }
   }
 
-  /** Reports commands that could not be done, with the reason. */
+  /** Reports for each command why it cannot be done now; empty if it can. */
   public void onRefusal(Consumer<String> listener) {
     refusals = listener;
   }

@@ -45,10 +45,9 @@ final class CameraPanel extends ScrollPane {
   CameraPanel(BackgroundWork background) {
     this.background = background;
     setId("camera-panel");
-    setFitToWidth(true);
     getStyleClass().add("settings");
     content.setStyle("-fx-padding: 10;");
-    setContent(content);
+    Controls.scrolling(this, content);
     setCamera(Optional.empty());
   }
 
@@ -83,7 +82,6 @@ final class CameraPanel extends ScrollPane {
       String text =
           which == BiasSliders.Slider.BALANCE ? "Balance of ON and OFF" : Texts.title(name);
       Slider slider = Controls.slider("camera-slider-" + name, help(which), -1, 1);
-      slider.setValue(0);
       slider.setAccessibleText(text);
       slider.setBlockIncrement(0.05);
       slider
@@ -92,7 +90,7 @@ final class CameraPanel extends ScrollPane {
               (was, is) -> {
                 if (!showing) {
                   double value = is.doubleValue();
-                  send(() -> facet.set(which, value));
+                  send(() -> facet.set(which, value), problem::setText);
                 }
               });
       sliders.put(which, slider);
@@ -116,7 +114,7 @@ final class CameraPanel extends ScrollPane {
         event -> {
           String chosen = sets.getValue();
           if (chosen != null) {
-            send(() -> facet.apply(chosen));
+            send(() -> facet.apply(chosen), problem::setText);
           }
         });
     HBox line = Controls.row(6, new Label("Set"), Controls.growing(sets));
@@ -139,10 +137,6 @@ final class CameraPanel extends ScrollPane {
     }
   }
 
-  private void send(BackgroundWork.Action command) {
-    send(command, problem::setText);
-  }
-
   /**
    * Sends a command to the camera in the background; reports the reason of a refusal in one line.
    */
@@ -162,12 +156,10 @@ final class CameraPanel extends ScrollPane {
     Optional<Biases> biases = camera.flatMap(open -> open.facet(Biases.class));
     for (SettingField field : fields) {
       double value = biases.orElseThrow().get(field.parameter().name());
-      Object shown =
-          field.parameter().type() == double.class ? (Object) value : (Object) (long) value;
       boolean changed =
           !(field.parameter().defaultValue() instanceof Number number)
               || number.doubleValue() != value;
-      field.show(shown, changed);
+      field.show(field.parameter().convert(value), changed);
     }
     camera
         .flatMap(open -> open.facet(BiasSliders.class))

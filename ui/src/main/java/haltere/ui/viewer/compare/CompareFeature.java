@@ -85,9 +85,8 @@ public final class CompareFeature implements ViewerFeature {
     // as tall as the first picture's bar, so that both pictures have the same height
     ViewBar viewBar = window.panels().viewBar();
     bar.minHeightProperty().bind(viewBar.heightProperty());
-    BorderPane named = new BorderPane(view);
     VBox above = new VBox(bar, secondName);
-    named.setTop(above);
+    BorderPane named = new BorderPane(view, above, null, null, null);
     firstName.setMinWidth(0);
     secondName.setMinWidth(0);
     window.panels().addAbovePicture(firstName);

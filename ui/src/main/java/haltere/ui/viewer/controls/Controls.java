@@ -19,6 +19,8 @@ import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.Dragboard;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.input.TransferMode;
 import javafx.scene.layout.HBox;
@@ -242,6 +244,17 @@ public final class Controls {
                 taken.run();
               }
             });
+  }
+
+  /** Adds a listener to Escape in a field, which discards its entry. */
+  public static void onEscape(TextField entry, Runnable discarded) {
+    entry.addEventHandler(
+        KeyEvent.KEY_PRESSED,
+        event -> {
+          if (event.getCode() == KeyCode.ESCAPE) {
+            discarded.run();
+          }
+        });
   }
 
   /**

@@ -37,6 +37,8 @@ public final class SettingField extends VBox {
   private final Label name = new Label();
   private final String id;
 
+  private Object shown;
+
   /** Puts a value into the control, whose own listeners must not take it for a change. */
   private Consumer<Object> shower = value -> {};
 
@@ -119,6 +121,7 @@ public final class SettingField extends VBox {
     entry.setPrefColumnCount(columns);
     entry.getStyleClass().add(Styles.SMALL);
     Controls.onEntered(entry, () -> set(entry.getText()));
+    Controls.onEscape(entry, () -> show(shown, reset.isVisible()));
     return entry;
   }
 
@@ -160,6 +163,7 @@ public final class SettingField extends VBox {
   public void show(Object value, boolean changed) {
     reset.setVisible(changed);
     showProblem("");
+    shown = value;
     shower.accept(value);
   }
 

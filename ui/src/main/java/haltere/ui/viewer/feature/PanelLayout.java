@@ -122,7 +122,7 @@ public final class PanelLayout extends KeptPanes {
               made[0] = content.get();
             }
             if (position == Position.BELOW) {
-              showBelow(made[0], is);
+              showLast(left, made[0], is);
             } else {
               showBeside(made[0], is);
             }
@@ -180,10 +180,10 @@ public final class PanelLayout extends KeptPanes {
     }
   }
 
-  private void showBelow(Node panel, boolean show) {
-    left.getItems().remove(panel);
+  private static void showLast(SplitPane pane, Node panel, boolean show) {
+    pane.getItems().remove(panel);
     if (show) {
-      left.getItems().add(panel);
+      pane.getItems().add(panel);
     }
   }
 
@@ -203,9 +203,8 @@ public final class PanelLayout extends KeptPanes {
       row.getItems().add(events);
       left.getItems().add(0, row);
     }
-    row.getItems().remove(panel);
+    showLast(row, panel, show);
     if (show) {
-      row.getItems().add(panel);
       row.setDividerPositions(shares(row.getItems().size() - 1));
     }
     if (row.getItems().size() == 1) {

@@ -55,8 +55,9 @@ public final class StatusLine extends HBox {
   private long lostByCamera;
   private boolean silent;
   private String error = "";
+  private String refusal = "";
   private String details = "";
-  private String playerMessage = "";
+  private long playerFailures;
   private String source = "";
   private String activity = "";
   private PlayerStatus status;
@@ -84,7 +85,6 @@ public final class StatusLine extends HBox {
   public void showProblem(Throwable problem) {
     showError(Texts.oneLine(problem));
     details = Texts.details(problem);
-    showMessage();
   }
 
   /** Shows a problem until it is dismissed or another source is opened. */
@@ -93,6 +93,14 @@ public final class StatusLine extends HBox {
     // the line may be cut off
     details = line;
     showMessage();
+  }
+
+  /** Shows why a command cannot be run now, until the next command; empty for one that can be. */
+  public void showRefusal(String line) {
+    if (!line.isEmpty() || error.equals(refusal)) {
+      showError(line);
+    }
+    refusal = line;
   }
 
   /**
@@ -116,7 +124,7 @@ public final class StatusLine extends HBox {
   /** Shows the open source. */
   void setSource(String words) {
     source = words;
-    playerMessage = "";
+    playerFailures = 0;
     status = null;
     clearError();
   }
@@ -139,11 +147,9 @@ public final class StatusLine extends HBox {
       PlayerStatus newStatus, boolean isReverse, double framesPerSecond, long conflatedFrames) {
     status = newStatus;
     reverse = isReverse;
-    if (!status.message().equals(playerMessage)) {
-      playerMessage = status.message();
-      if (!playerMessage.isEmpty()) {
-        showError(playerMessage);
-      }
+    if (status.failures() != playerFailures) {
+      playerFailures = status.failures();
+      showError(status.message());
     }
     boolean timed = status.timeUs() != StreamNotification.NO_TIME_US;
     if (timed || !isReverse) {
@@ -186,8 +192,7 @@ public final class StatusLine extends HBox {
     message.setText(text);
     Controls.help(message, text);
     message.pseudoClassStateChanged(ERROR, isError);
-    Controls.show(isError, dismiss);
-    Controls.show(isError && !details.isEmpty(), more);
+    Controls.show(isError, dismiss, more);
   }
 
   private void showDetails() {

@@ -204,19 +204,15 @@ public final class ViewerPanels extends BorderPane {
     seekBar.update(now);
     boolean held = now.state() != State.PLAYING;
     if (held || nowNanos - numbersNanos >= NUMBERS_NANOS) {
-      showNumbers(open, now, nowNanos);
+      numbersNanos = nowNanos;
+      transport.update(now);
+      statusLine.update(
+          now,
+          playback.reverseProperty().get(),
+          meter.perSecond(nowNanos),
+          open.display().renderer().exchange().conflated());
+      chainPanel.update();
     }
     shownStatus = now;
-  }
-
-  private void showNumbers(ViewerSession open, PlayerStatus now, long nowNanos) {
-    transport.update(now);
-    statusLine.update(
-        now,
-        playback.reverseProperty().get(),
-        meter.perSecond(nowNanos),
-        open.display().renderer().exchange().conflated());
-    chainPanel.update();
-    numbersNanos = nowNanos;
   }
 }

@@ -33,9 +33,8 @@ final class FileInfoPanel extends ScrollPane {
 
   /** Shows a sentence in place of facts. */
   void say(String sentence) {
-    Label text = Controls.paragraph(sentence, Styles.TEXT_MUTED);
     grid.getChildren().clear();
-    grid.add(text, 0, 0, 2, 1);
+    grid.add(Controls.paragraph(sentence, Styles.TEXT_MUTED), 0, 0, 2, 1);
   }
 
   void show(RecordingFacts facts) {

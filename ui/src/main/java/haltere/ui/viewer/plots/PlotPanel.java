@@ -45,7 +45,8 @@ public final class PlotPanel extends BorderPane {
   private final VBox laneBox = new VBox();
   private final PlotTimeAxis axis = new PlotTimeAxis(window);
   private final MenuButton add = Controls.named(new MenuButton("Add plot"), "add-plot");
-  private final ToggleButton follow = Controls.toggle("plot-follow", Icons.PLAY, "");
+  private final ToggleButton follow =
+      Controls.toggle("plot-follow", Icons.PLAY, "Follow the newest values");
   private final Label span = Controls.label("", "status-number");
   private final Label empty =
       Controls.paragraph(
@@ -71,8 +72,6 @@ public final class PlotPanel extends BorderPane {
     feeds = new PlotFeeds(editor, this::offer);
     Controls.named(this, "plots", "plots");
     Controls.help(add, "What filters publish, over time");
-    Controls.help(follow, "Follow the newest values");
-    follow.setAccessibleText("Follow the newest values");
     follow.setSelected(true);
     follow.setOnAction(event -> setFollowing(follow.isSelected()));
     HBox head =

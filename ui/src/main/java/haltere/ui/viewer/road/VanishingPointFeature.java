@@ -35,12 +35,12 @@ public final class VanishingPointFeature implements ViewerFeature {
       return settings.road().view().vanishingPoint();
     }
 
-    KalmanTracksSettings vanishingAt(VanishingPoint point) {
+    KalmanTracksSettings vanishingAt(Point2D at) {
       return settings.with(
           "road.mapToRoad=true",
           "road.view.vanishingPoint.marked=true",
-          "road.view.vanishingPoint.xPx=" + point.xPx(),
-          "road.view.vanishingPoint.yPx=" + point.yPx());
+          "road.view.vanishingPoint.xPx=" + rounded(at.getX()),
+          "road.view.vanishingPoint.yPx=" + rounded(at.getY()));
     }
   }
 
@@ -81,13 +81,12 @@ public final class VanishingPointFeature implements ViewerFeature {
 
   private void mark(Tracks tracks, Point2D at) {
     try {
-      VanishingPoint point = VanishingPoint.at(rounded(at.getX()), rounded(at.getY()));
       window
           .editor()
           .apply(
               tracks.stage(),
               tracks.settings(),
-              tracks.vanishingAt(point),
+              tracks.vanishingAt(at),
               "Vanishing point",
               window.status()::showError);
     } catch (SettingsProblem problem) {

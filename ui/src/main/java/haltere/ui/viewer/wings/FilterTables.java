@@ -22,7 +22,6 @@ import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Hyperlink;
 import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
-import javafx.scene.input.KeyCode;
 import javafx.scene.layout.ColumnConstraints;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.GridPane;
@@ -189,12 +188,11 @@ final class FilterTables extends VBox {
     String id = Parameter.text(table) + "-" + row + "-" + column;
     TextField entry = Controls.entry(id, name(table, row, column), 6);
     entry.setOnAction(event -> take(entry, table, row, column));
-    entry.setOnKeyPressed(
-        event -> {
-          if (event.getCode() == KeyCode.ESCAPE) {
-            requestFocus();
-            show(shown);
-          }
+    Controls.onEscape(
+        entry,
+        () -> {
+          requestFocus();
+          show(shown);
         });
     numbers.add(
         now -> {

@@ -141,6 +141,10 @@ class ViewerActionsTest {
     actions.run("undo");
     assertEquals(List.of(), done);
     assertEquals(List.of("Undo: nothing was changed"), refusals);
+    actions.add("redo", () -> done.add("redo"));
+    actions.run("redo");
+    assertEquals(List.of("redo"), done);
+    assertEquals("", refusals.get(1), "the refusal is over");
   }
 
   /** JavaFX passes no key on to an item that is disabled. */

@@ -6,8 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.ConfigurableFilter;
+import haltere.core.chain.EventFilter;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterTiming;
+import haltere.core.event.EventPacket;
 import haltere.core.settings.SettingsSchema;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.saving.SavingFeature;
@@ -83,6 +85,50 @@ class ChainPanelTest {
     assertEquals("", viewer.text("problem-" + NOISE + "-neighbours"));
     viewer.click("reset-all-" + NOISE);
     viewer.waitFor("defaults", () -> longValue(NOISE, "neighbours") == 1);
+  }
+
+  @Test
+  void escapeRestoresTheValueInForce() {
+    viewer.click("expand-" + NOISE);
+    enter("entry-" + NOISE + "-neighbours", "");
+    viewer.waitFor("the problem", () -> !viewer.text("problem-" + NOISE + "-neighbours").isEmpty());
+    assertEquals(
+        "setting neighbours is empty, it must be a whole number",
+        viewer.text("problem-" + NOISE + "-neighbours"));
+    viewer.press(KeyCode.ESCAPE);
+    TextField entry = viewer.node("entry-" + NOISE + "-neighbours", TextField.class);
+    viewer.waitFor("the value in force", () -> entry.getText().equals("1"));
+    assertEquals("", viewer.text("problem-" + NOISE + "-neighbours"));
+  }
+
+  @Test
+  void filterThatFailsAgainIsReportedAgain() {
+    EventFilter broken =
+        new EventFilter() {
+          @Override
+          public void process(EventPacket packet) {
+            throw new NoClassDefFoundError("org/example/Missing");
+          }
+
+          @Override
+          public void reset() {}
+        };
+    FilterChain chain = new FilterChain(viewer.session().chain().geometry());
+    chain.add("broken", broken);
+    viewer.run(() -> viewer.window.context().editor().replaceAll(chain));
+    viewer.waitFor("its card", () -> viewer.isThere("power-broken"));
+    awaitFailure();
+    viewer.click("dismiss");
+    viewer.waitFor("no message", () -> !viewer.text("status-message").contains("broken"));
+    viewer.click("power-broken");
+    awaitFailure();
+    assertFalse(viewer.session().chain().stage("broken").isEnabled());
+  }
+
+  private void awaitFailure() {
+    viewer.waitFor(
+        "the failure",
+        () -> viewer.text("status-message").startsWith("filter broken failed: java.lang.NoClass"));
   }
 
   @Test

@@ -30,7 +30,8 @@ class TextsTest {
         0,
         1,
         0,
-        "");
+        "",
+        0);
   }
 
   @Test

@@ -140,7 +140,7 @@ class PlotPanelTest {
 
   private static PlayerStatus status(long timeUs, double rateEps, long runUpUs) {
     return new PlayerStatus(
-        State.PAUSED, timeUs, timeUs, 1, 1, 1, 0, "", 0, 0, 0, rateEps, 0, 1, runUpUs, "");
+        State.PAUSED, timeUs, timeUs, 1, 1, 1, 0, "", 0, 0, 0, rateEps, 0, 1, runUpUs, "", 0);
   }
 
   private List<String> labels() {

@@ -77,6 +77,15 @@ class VanishingPointTest {
   }
 
   @Test
+  void refusalOfACommandEndsWithTheNextCommand() {
+    viewer.run(() -> viewer.window.context().actions().run(ACTION));
+    viewer.waitFor("why", () -> viewer.text("status-message").contains("no filter of Kalman"));
+    addTracks();
+    viewer.run(() -> viewer.window.context().actions().run(ACTION));
+    viewer.waitFor("the hint", () -> viewer.text("status-message").startsWith("Click the vanish"));
+  }
+
+  @Test
   void clickSetsTheVanishingPointAndIsUndone() {
     addTracks();
     viewer.click("expand-" + TRACKS);
@@ -110,7 +119,8 @@ class VanishingPointTest {
           tool.pressed(40, -3);
           tool.released(40, -3);
         });
-    viewer.waitFor("why", () -> viewer.text("status-message").contains("yPx"));
+    viewer.waitFor(
+        "why", () -> viewer.text("status-message").contains("road.view.vanishingPoint.yPx is -3"));
     assertFalse(point().marked());
   }
 }
