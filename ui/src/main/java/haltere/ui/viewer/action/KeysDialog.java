@@ -28,7 +28,6 @@ public final class KeysDialog {
   public static void show(Window owner, ViewerActions actions) {
     GridPane grid = new GridPane(18, 4);
     grid.setPadding(new Insets(12));
-    int row = 0;
     List<ViewerAction> keyed =
         actions.all().stream()
             .filter(action -> !action.key().isEmpty())
@@ -39,12 +38,12 @@ public final class KeysDialog {
       if (!action.menu().equals(menu)) {
         menu = action.menu();
         String name = menu.isEmpty() ? "Other" : menu.replace("/", " > ");
-        grid.add(Controls.label(name, Styles.TEXT_MUTED), 0, row++, 2, 1);
+        grid.add(Controls.label(name, Styles.TEXT_MUTED), 0, grid.getRowCount(), 2, 1);
       }
-      row = add(grid, row, ViewerKeys.label(action.key()), action.label());
+      add(grid, ViewerKeys.label(action.key()), action.label());
     }
     for (Map.Entry<String, String> other : OTHERS) {
-      row = add(grid, row, other.getKey(), other.getValue());
+      add(grid, other.getKey(), other.getValue());
     }
     ScrollPane scroll = Controls.scrolling(grid);
     scroll.setPrefViewportHeight(520);
@@ -53,10 +52,9 @@ public final class KeysDialog {
     Windows.showContent(owner, "Keys", scroll);
   }
 
-  private static int add(GridPane grid, int row, String key, String text) {
+  private static void add(GridPane grid, String key, String text) {
     Label name = Controls.label(key, Styles.TEXT_BOLD);
     name.setMinWidth(110);
-    grid.addRow(row, name, new Label(text));
-    return row + 1;
+    grid.addRow(grid.getRowCount(), name, new Label(text));
   }
 }

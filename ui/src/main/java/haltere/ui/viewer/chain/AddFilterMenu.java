@@ -3,6 +3,7 @@ package haltere.ui.viewer.chain;
 import atlantafx.base.theme.Styles;
 import haltere.core.chain.FilterProvider;
 import haltere.core.chain.Filters;
+import haltere.core.extension.Extensions;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.controls.Texts;
@@ -56,6 +57,11 @@ final class AddFilterMenu extends MenuButton {
           wanted.getScene().setOnKeyTyped(typed -> search(wanted, typed));
         });
     getItems().add(new CustomMenuItem(wanted, false));
+    for (String problem : Extensions.problems()) {
+      Label why = Controls.named(Controls.paragraph(problem, "problem"), "extension-problem");
+      why.setMaxWidth(300);
+      getItems().add(new CustomMenuItem(new VBox(why)));
+    }
     getItems().addAll(items);
   }
 

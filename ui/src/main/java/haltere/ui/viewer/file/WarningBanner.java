@@ -62,11 +62,10 @@ final class WarningBanner extends VBox {
             first,
             more,
             Controls.button("warnings-dismiss", Icons.REMOVE, "Dismiss the warnings", this::hide));
-    Label asked = Controls.whole("Camera:");
     Button use = Controls.named(new Button("Use and remember"), "camera-use", Styles.SMALL);
     use.setMinWidth(Region.USE_PREF_SIZE);
     use.setOnAction(event -> answer());
-    question = Controls.row(8, asked, sizes, use);
+    question = Controls.row(8, Controls.whole("Camera:"), sizes, use);
     getChildren().addAll(head, all, question);
     hide();
   }

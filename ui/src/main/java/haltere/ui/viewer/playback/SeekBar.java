@@ -129,15 +129,11 @@ public final class SeekBar extends Region {
     setAccessibleText("Position in the recording");
     setFocusTraversable(true);
     setMinHeight(44 + RULER_HEIGHT);
-    setPrefHeight(44 + RULER_HEIGHT);
     needle.getStyleClass().add("needle");
     needle.setMouseTransparent(true);
-    needle.setManaged(false);
     hover.setMouseTransparent(true);
-    hover.setManaged(false);
     hover.setVisible(false);
     for (Canvas each : List.of(canvas, played)) {
-      each.setManaged(false);
       each.widthProperty().bind(widthProperty());
       each.heightProperty().bind(heightProperty());
     }
@@ -145,6 +141,7 @@ public final class SeekBar extends Region {
     played.setClip(playedClip);
     Controls.clip(this);
     getChildren().addAll(canvas, played, needle, hover);
+    getChildren().forEach(child -> child.setManaged(false));
     setOnMousePressed(
         event -> {
           grip = gripAt(event.getX());

@@ -9,6 +9,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.ChoiceBox;
@@ -32,7 +33,8 @@ final class WingsPanel extends ScrollPane {
       Controls.named(new ChoiceBox<WingPart>(), "wings-filter");
   private final List<CheckBox> edges = EDGES.stream().map(this::edge).toList();
   private final Label empty = Controls.paragraph("", Styles.TEXT_MUTED);
-  private final Label search = Controls.named(new Label(), "wings-search", Styles.TEXT_SMALL);
+  private final Label search =
+      Controls.named(Controls.paragraph(""), "wings-search", Styles.TEXT_SMALL);
   private final VBox body = new VBox(8);
   private Optional<FilterTables> tables = Optional.empty();
 
@@ -51,13 +53,10 @@ final class WingsPanel extends ScrollPane {
             "Restarts the filter at its state, with the initial covariance and the noise of the settings",
             () -> Optional.ofNullable(choice.getValue()).ifPresent(wings::restart),
             Styles.SMALL);
-    FlowPane head = new FlowPane(6, 6);
-    head.getChildren().addAll(buttons);
-    FlowPane taken = new FlowPane(10, 4);
-    taken.getChildren().addAll(edges);
+    FlowPane head = new FlowPane(6, 6, buttons.toArray(Node[]::new));
+    FlowPane taken = new FlowPane(10, 4, edges.toArray(Node[]::new));
     FlowPane chosen = new FlowPane(6, 6, choice, restart);
     body.getStyleClass().add("settings");
-    search.setWrapText(true);
     // tables may be wider than the panel, text wraps
     search.maxWidthProperty().bind(widthProperty().subtract(MARGIN));
     body.getChildren().addAll(head, search, taken, chosen, empty);

@@ -10,6 +10,7 @@ import haltere.core.chain.EventFilter;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterTiming;
 import haltere.core.event.EventPacket;
+import haltere.core.extension.Extensions;
 import haltere.core.settings.SettingsSchema;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.saving.SavingFeature;
@@ -123,6 +124,17 @@ class ChainPanelTest {
     viewer.click("power-broken");
     awaitFailure();
     assertFalse(viewer.session().chain().stage("broken").isEnabled());
+  }
+
+  @Test
+  void jarThatCannotBeUsedIsNamedWhereItsFilterIsMissed(@TempDir Path folder) throws Exception {
+    Files.writeString(folder.resolve("broken.jar"), "no jar");
+    Extensions.open(folder);
+    close();
+    open();
+    viewer.click("add-filter");
+    viewer.waitFor("the jar", () -> viewer.text("extension-problem").startsWith("broken.jar: it"));
+    viewer.press(KeyCode.ESCAPE);
   }
 
   private void awaitFailure() {
