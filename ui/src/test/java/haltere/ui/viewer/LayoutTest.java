@@ -9,6 +9,7 @@ import haltere.ui.plot.Lane;
 import haltere.ui.plot.PlotField;
 import haltere.ui.viewer.compare.CompareFeature;
 import haltere.ui.viewer.feature.UserSettings;
+import haltere.ui.viewer.saving.SavingFeature;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -365,6 +366,20 @@ class LayoutTest {
     for (String id : List.of("event-view", "side-tabs", "seek-bar", "elapsed", "status-line")) {
       viewer.waitFor(id + " is within the window", () -> isWithinWindow(id));
     }
+  }
+
+  @Test
+  void sizeOfARecordingIsNamedInFullInASmallWindow() {
+    viewer = ViewerHarness.withBlob();
+    viewer.run(() -> setSize(840, 700));
+    SavingFeature saving = viewer.window.feature(SavingFeature.class);
+    viewer.run(() -> saving.record(folder.resolve("out.aedat4")));
+    Label numbers = viewer.node("record-numbers", Label.class);
+    viewer.waitFor("its size", () -> numbers.getText().endsWith("B"));
+    viewer.waitFor("all of it", () -> numbers.getWidth() >= numbers.prefWidth(-1));
+    viewer.waitFor("the elapsed time beside it", () -> isWithinWindow("elapsed"));
+    viewer.run(() -> setSize(ViewerWindow.MIN_WIDTH, ViewerWindow.MIN_HEIGHT));
+    viewer.waitFor("the elapsed time in a tiny window", () -> isWithinWindow("elapsed"));
   }
 
   @Test

@@ -28,7 +28,7 @@ public final class ViewBar extends HBox {
   /** Width of the choice of the display mode, which leaves room for longer labels of fading. */
   private static final double MODE_PX = 160;
 
-  private final HBox tools = new HBox(2);
+  private final HBox tools = Controls.row(2);
   private final BooleanBinding isWide = widthProperty().greaterThan(WIDE_PX);
 
   ViewBar(DisplayControl display) {
@@ -37,7 +37,6 @@ public final class ViewBar extends HBox {
     setAlignment(Pos.CENTER_LEFT);
     Label text = Controls.whole("Fading", Styles.TEXT_MUTED, Styles.TEXT_SMALL);
     Controls.bindVisible(isWide, text);
-    tools.setAlignment(Pos.CENTER_RIGHT);
     Region mode =
         choice(
             "show-as",

@@ -52,14 +52,13 @@ final class WarningBanner extends VBox {
     this.chosen = chosen;
     Controls.named(this, "warnings", "warning-banner");
     first.setMinWidth(0);
-    Controls.growing(first);
     more.setAccessibleText("Show all warnings");
     more.setMinWidth(Region.USE_PREF_SIZE);
     more.setOnAction(event -> open(!all.isVisible()));
     HBox head =
         Controls.row(
             8,
-            first,
+            Controls.growing(first),
             more,
             Controls.button("warnings-dismiss", Icons.REMOVE, "Dismiss the warnings", this::hide));
     Button use = Controls.named(new Button("Use and remember"), "camera-use", Styles.SMALL);

@@ -8,6 +8,7 @@ import haltere.ui.viewer.controls.Texts;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
 import javafx.geometry.Orientation;
 import javafx.geometry.Pos;
@@ -46,7 +47,7 @@ public final class TransportBar extends HBox {
   private final Button markOut;
   private final ToggleButton backwards =
       Controls.toggle("play-backwards", Icons.BACKWARDS, "Play backwards (Shift+Space)");
-  private final HBox tools = new HBox();
+  private final HBox tools = Controls.row(0);
   private final Label elapsed = Controls.named(new Label(), "elapsed", "time");
   private final Label remaining =
       Controls.named(new Label(), "remaining", "time", "time-remaining");
@@ -83,7 +84,11 @@ public final class TransportBar extends HBox {
     Controls.bindVisible(isWide, remaining);
     Button slower = Controls.button("slower", Icons.SLOWER, "Slower (S)", playback::slower);
     Button faster = Controls.button("faster", Icons.FASTER, "Faster (F)", playback::faster);
-    Controls.bindVisible(widthProperty().greaterThan(NARROW_PX), slower, faster, markIn, markOut);
+    BooleanBinding isMedium = widthProperty().greaterThan(NARROW_PX);
+    Controls.bindVisible(isMedium, slower, faster, markIn, markOut);
+    tools
+        .minWidthProperty()
+        .bind(Bindings.when(isMedium).then(USE_PREF_SIZE).otherwise(USE_COMPUTED_SIZE));
     speedRow = Controls.row(4, slower, speed, faster);
     loop.setOnAction(event -> playback.setLooping(loop.isSelected()));
     playback.loopProperty().subscribe(now -> loop.setSelected(now.on()));
@@ -127,7 +132,6 @@ public final class TransportBar extends HBox {
 
   /** Adds a control behind those of playback. */
   public void addTool(Node tool) {
-    tools.setAlignment(Pos.CENTER_LEFT);
     tools.getChildren().add(tool);
   }
 

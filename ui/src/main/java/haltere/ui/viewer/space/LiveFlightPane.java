@@ -39,7 +39,7 @@ final class LiveFlightPane extends BorderPane {
   private final SpaceCanvas canvas = new SpaceCanvas();
   private final GridPane pictures = new GridPane(2, 2);
   private final SplitPane both = new SplitPane(canvas);
-  private final Label text = Controls.named(new Label(NOTHING), "live-flight-words");
+  private final Label text = Controls.named(Controls.paragraph(NOTHING), "live-flight-words");
   private final List<EventView> views = new ArrayList<>();
   private final List<DisplaySink> sinks = new ArrayList<>();
   private List<CameraLine> lines = List.of();
@@ -56,8 +56,6 @@ final class LiveFlightPane extends BorderPane {
     shown.selectedProperty().bindBidirectional(linesShown);
     Controls.help(
         shown, "Accepted lines are green, gated ones red and broken, the estimated axis white.");
-    text.setWrapText(true);
-    text.setMinHeight(USE_PREF_SIZE);
     VBox controls = new VBox(4, shown, text);
     controls.getStyleClass().addAll("flight-controls");
     setBottom(controls);

@@ -256,7 +256,7 @@ class CompareTest {
     viewer.waitFor("the preset", () -> viewer.session().chain().stages().size() == 3);
     viewer.run(() -> presets().save("a/b", viewer.window.context().editor()));
     viewer.waitFor(
-        "what is wrong", () -> viewer.text("status-message").contains("cannot be named"));
+        "what is wrong", () -> viewer.text("status-message").contains("a/b: the name of a preset"));
   }
 
   @Test
