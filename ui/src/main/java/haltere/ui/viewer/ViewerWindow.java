@@ -5,6 +5,7 @@ import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.action.ViewerKeys;
 import haltere.ui.viewer.action.ViewerMenu;
 import haltere.ui.viewer.chain.ChainEditor;
+import haltere.ui.viewer.chain.EditHistory;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.FileDialogs;
 import haltere.ui.viewer.controls.Theme;
@@ -69,7 +70,7 @@ public final class ViewerWindow {
             new Group(), Math.min(WIDTH, room.getWidth()), Math.min(HEIGHT, room.getHeight()));
     StatusLine status = new StatusLine();
     PlaybackController playback = new PlaybackController(status::showError);
-    ChainEditor editor = new ChainEditor(status::showError);
+    ChainEditor editor = new ChainEditor(status::showError, new EditHistory());
     ViewerActions actions = new ViewerActions();
     actions.onRefusal(status::showRefusal);
     ViewerMenu menu = new ViewerMenu(actions);

@@ -35,9 +35,9 @@ public final class ChainEditor {
   private BiFunction<String, ChainEditor, List<MenuItem>> presets = (id, chain) -> List.of();
   private Map<String, String> presetChains = Map.of();
 
-  /** An editor without a chain; the consumer gets problems as one line. */
-  public ChainEditor(Consumer<String> problems) {
-    this(problems, new ArrayList<>(), new EditHistory(), "", null);
+  /** An editor without a chain; the consumer gets problems as one line, the history its changes. */
+  public ChainEditor(Consumer<String> problems, EditHistory history) {
+    this(problems, new ArrayList<>(), history, "", null);
   }
 
   private ChainEditor(
@@ -79,7 +79,7 @@ public final class ChainEditor {
   /** Switches to another chain; changes of the previous one can no longer be undone. */
   public void setAccess(ChainAccess access) {
     player = Optional.of(access);
-    history.clear();
+    history.remove(this);
     listeners.forEach(Runnable::run);
   }
 
@@ -227,7 +227,7 @@ public final class ChainEditor {
   }
 
   private void made(String text, Object subject, Runnable undo, Runnable redo) {
-    history.made(text, subject, undo, redo, System.nanoTime());
+    history.made(text, outermost, subject, undo, redo, System.nanoTime());
   }
 
   /**

@@ -3,13 +3,15 @@ package haltere.ui.viewer.chain;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.function.Function;
+import java.util.function.Predicate;
 
 /**
  * The history of changes for undo and redo. Successive changes of the same value, such as those of
  * a drag, are one step.
  */
 public final class EditHistory {
-  private record Edit(String label, Object subject, Runnable undo, Runnable redo, long nanos) {}
+  private record Edit(
+      String label, Object owner, Object subject, Runnable undo, Runnable redo, long nanos) {}
 
   private static final long MERGE_NANOS = 1_000_000_000;
   private static final int MAX_CHANGES = 200;
@@ -24,29 +26,32 @@ public final class EditHistory {
   }
 
   /**
-   * Adds a change at a time; undone changes are discarded. Successive changes of an equal subject
-   * may become one.
+   * Adds a change of an owner's chain at a time; undone changes are discarded. Successive changes
+   * of an equal subject may become one.
    */
-  void made(String label, Object subject, Runnable undo, Runnable redo, long nanos) {
+  void made(String label, Object owner, Object subject, Runnable undo, Runnable redo, long nanos) {
     undone.clear();
     Edit last = done.peek();
     boolean together =
-        last != null && last.subject().equals(subject) && nanos - last.nanos() < MERGE_NANOS;
+        last != null
+            && last.owner() == owner
+            && last.subject().equals(subject)
+            && nanos - last.nanos() < MERGE_NANOS;
     if (together) {
       done.pop();
     }
-    done.push(new Edit(label, subject, together ? last.undo() : undo, redo, nanos));
+    done.push(new Edit(label, owner, subject, together ? last.undo() : undo, redo, nanos));
     if (done.size() > MAX_CHANGES) {
       done.removeLast();
     }
     listener.run();
   }
 
-  /** Removes a failed change. */
-  void remove(Object subject) {
-    done.removeIf(step -> step.subject() == subject);
-    undone.removeIf(step -> step.subject() == subject);
-    listener.run();
+  /** Removes a failed change by its subject, or those of an owner whose chain is closed. */
+  public void remove(Object of) {
+    Predicate<Edit> unwanted = step -> step.subject() == of || step.owner() == of;
+    done.removeIf(unwanted);
+    undone.removeIf(unwanted);
   }
 
   /** Whether there is a change to undo. */
@@ -78,11 +83,5 @@ public final class EditHistory {
     way.apply(step).run();
     listener.run();
     return step.label();
-  }
-
-  /** Removes all changes. */
-  void clear() {
-    done.clear();
-    undone.clear();
   }
 }

@@ -74,7 +74,7 @@ public final class CompareFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    editor = new ChainEditor(window.status()::showError);
+    editor = new ChainEditor(window.status()::showError, window.editor().history());
     chainPanel = new ChainPanel(editor);
     chainPanel.setId("second-chain-panel");
     view.setAccessibleText("Events after the second chain");
@@ -87,8 +87,6 @@ public final class CompareFeature implements ViewerFeature {
     bar.minHeightProperty().bind(viewBar.heightProperty());
     VBox above = new VBox(bar, secondName);
     BorderPane named = new BorderPane(view, above, null, null, null);
-    firstName.setMinWidth(0);
-    secondName.setMinWidth(0);
     window.panels().addAbovePicture(firstName);
     PanelLayout layout = window.panels().panelLayout();
     settingsShown =
@@ -174,6 +172,7 @@ public final class CompareFeature implements ViewerFeature {
   }
 
   private void stop(Running ended) {
+    editor.history().remove(editor);
     window
         .background()
         .close(

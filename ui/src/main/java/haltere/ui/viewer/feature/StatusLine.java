@@ -199,6 +199,7 @@ public final class StatusLine extends HBox {
     TextArea text = Controls.named(new TextArea(details), "problem-details");
     text.setAccessibleText("Details of the problem");
     text.setEditable(false);
+    text.setWrapText(true);
     text.setPrefSize(640, 300);
     Windows.showContent(getScene().getWindow(), "Details", text);
   }

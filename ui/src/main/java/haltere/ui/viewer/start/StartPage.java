@@ -43,9 +43,6 @@ final class StartPage extends ScrollPane {
   /** A page with buttons to open a recording and to go back only. */
   StartPage(Runnable open, Runnable close) {
     Controls.named(this, "start-page", "start-page");
-    Label title = Controls.label("Haltere", Styles.TITLE_2);
-    Label purpose =
-        Controls.label("Plays, filters and tracks the events of event cameras.", Styles.TEXT_MUTED);
     problem.setMaxWidth(Double.MAX_VALUE);
     setProblem("");
     Button opening =
@@ -59,8 +56,9 @@ final class StartPage extends ScrollPane {
     VBox page =
         new VBox(
             10,
-            title,
-            purpose,
+            Controls.label("Haltere", Styles.TITLE_2),
+            Controls.label(
+                "Plays, filters and tracks the events of event cameras.", Styles.TEXT_MUTED),
             problem,
             actions,
             Controls.label("Recent", Styles.TITLE_4),

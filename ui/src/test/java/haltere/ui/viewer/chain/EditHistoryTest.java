@@ -14,6 +14,7 @@ class EditHistoryTest {
     value = newValue;
     history.made(
         "the value",
+        this,
         "value",
         () -> value = before,
         () -> value = newValue,
@@ -59,11 +60,11 @@ class EditHistoryTest {
   void rejectedChangeIsNeitherUndoneNorRedone() {
     set(1, 0);
     Object refused = new Object();
-    history.made("refused", refused, () -> value = -1, () -> value = -2, 10_000_000_000L);
+    history.made("refused", this, refused, () -> value = -1, () -> value = -2, 10_000_000_000L);
     history.remove(refused);
     assertEquals("the value", history.undo());
     assertEquals(0, value);
-    history.made("refused", refused, () -> value = -1, () -> value = -2, 20_000_000_000L);
+    history.made("refused", this, refused, () -> value = -1, () -> value = -2, 20_000_000_000L);
     history.undo();
     history.remove(refused);
     assertEquals("", history.redo());

@@ -26,7 +26,7 @@ class StageListTest {
     list =
         viewer.onFx(
             () -> {
-              ChainEditor editor = new ChainEditor(problem -> {});
+              ChainEditor editor = new ChainEditor(problem -> {}, new EditHistory());
               StageList made = new StageList(editor, new Label("none"));
               made.reset(List.of(), steps::add);
               steps.remove().run();

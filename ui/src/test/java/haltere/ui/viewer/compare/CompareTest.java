@@ -2,6 +2,7 @@ package haltere.ui.viewer.compare;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.chain.ChainStage;
@@ -13,6 +14,7 @@ import haltere.ui.viewer.BlobSource;
 import haltere.ui.viewer.PresetFeature;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.chain.ChainEditor;
+import haltere.ui.viewer.chain.EditHistory;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.picture.EventView;
@@ -78,9 +80,22 @@ class CompareTest {
         () -> viewer.text("second-chain-name").equals("Second chain: Hot pixels, Object tracker"));
     viewer.waitFor("the second is shorter", () -> second.stages().size() == 2);
     assertEquals(3, first.stages().size());
+    viewer.run(() -> viewer.window.context().actions().run("undo"));
+    viewer.waitFor("the second is as before", () -> names(first).equals(names(second)));
+    viewer.run(() -> viewer.window.context().actions().run("redo"));
+    viewer.waitFor("the second is shorter again", () -> second.stages().size() == 2);
+    viewer.run(() -> viewer.window.context().editor().remove(first.stages().get(2)));
+    viewer.waitFor("a change of the first", () -> first.stages().size() == 2);
     viewer.run(() -> viewer.window.context().actions().run("compare"));
     viewer.waitFor("one chain again", () -> !viewer.isThere("second-event-view"));
     assertTrue(viewer.onFx(() -> compare().secondChain().isEmpty()));
+    viewer.run(() -> viewer.window.context().actions().run("undo"));
+    viewer.waitFor("the first as before", () -> first.stages().size() == 3);
+    EditHistory history = viewer.window.context().editor().history();
+    assertNotEquals(
+        "removing Background activity",
+        viewer.onFx(history::undo),
+        "changes of the second chain have ended with it");
   }
 
   @Test
