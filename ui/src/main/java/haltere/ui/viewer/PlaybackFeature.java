@@ -86,7 +86,7 @@ final class PlaybackFeature implements ViewerFeature {
           String refusal = text + " is not a time such as 1:02.345 or 250 ms";
           Texts.parseTime(text)
               .ifPresentOrElse(
-                  us -> jump(window, text, us), () -> window.status().showError(refusal));
+                  us -> jump(window, text, us), () -> window.status().showRefusal(refusal));
         });
   }
 
@@ -98,7 +98,7 @@ final class PlaybackFeature implements ViewerFeature {
             span -> {
               String first = Texts.time(span.fromUs(), true);
               String range = first + " to " + Texts.time(span.toUs(), true);
-              window.status().showError(text + " is outside of what can be shown, " + range);
+              window.status().showRefusal(text + " is outside of what can be shown, " + range);
             },
             () -> playback.seek(us));
   }

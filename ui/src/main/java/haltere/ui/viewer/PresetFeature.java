@@ -68,7 +68,7 @@ public final class PresetFeature implements ViewerFeature {
   /** Keeps a chain under a name. */
   public void save(String name, ChainEditor chain) {
     if (folder == null || name.matches(".*[/\\\\:].*")) {
-      window.status().showError(name + ": the name of a preset has no / \\ or :");
+      window.status().showRefusal(name + ": the name of a preset has no / \\ or :");
       return;
     }
     chain.read(ChainFile::write, json -> window.file(() -> write(name, json), this::offer));

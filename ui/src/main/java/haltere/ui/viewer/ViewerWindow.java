@@ -166,7 +166,7 @@ public final class ViewerWindow {
     if (files.size() == 1) {
       context.sessions().open(files.get(0).toPath());
     } else if (!files.isEmpty()) {
-      context.status().showError("A window shows one recording: drop a single file");
+      context.status().showRefusal("A window shows one recording: drop a single file");
     }
     return !files.isEmpty();
   }

@@ -149,7 +149,7 @@ public final class CameraFeature implements ViewerFeature {
     if (info.canOpen()) {
       open(info.id());
     } else {
-      window.status().showError(info.id() + " cannot be opened: " + info.note());
+      window.status().showRefusal(info.id() + " cannot be opened: " + info.note());
     }
   }
 
@@ -163,7 +163,7 @@ public final class CameraFeature implements ViewerFeature {
   private <F> void applyToFacet(Class<F> facet, String ability, FacetAction<F> command) {
     Optional<F> there = open.map(CameraPlayable::camera).flatMap(camera -> camera.facet(facet));
     if (there.isEmpty()) {
-      window.status().showError("There is no camera open that " + ability);
+      window.status().showRefusal("There is no camera open that " + ability);
       return;
     }
     window

@@ -95,7 +95,7 @@ public final class StatusLine extends HBox {
     showMessage();
   }
 
-  /** Shows why a command cannot be run now, until the next command; empty for one that can be. */
+  /** Shows why a command or an entry is refused, until the next command; empty if none is. */
   public void showRefusal(String line) {
     if (!line.isEmpty() || error.equals(refusal)) {
       showError(line);

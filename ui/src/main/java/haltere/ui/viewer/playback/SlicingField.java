@@ -46,6 +46,7 @@ final class SlicingField extends HBox {
     setSpacing(6);
     setUpMode();
     Controls.onEntered(size, this::commit);
+    Controls.help(size, "A whole number from 1 on; a longer slice has more events");
     showSize();
     playback
         .beatsProperty()

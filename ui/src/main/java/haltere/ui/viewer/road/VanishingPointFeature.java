@@ -81,6 +81,7 @@ public final class VanishingPointFeature implements ViewerFeature {
 
   private void mark(Tracks tracks, Point2D at) {
     try {
+      window.status().showRefusal("");
       window
           .editor()
           .apply(
@@ -88,9 +89,9 @@ public final class VanishingPointFeature implements ViewerFeature {
               tracks.settings(),
               tracks.vanishingAt(at),
               "Vanishing point",
-              window.status()::showError);
+              window.status()::showRefusal);
     } catch (SettingsProblem problem) {
-      window.status().showError(problem.getMessage());
+      window.status().showRefusal(problem.getMessage());
       look();
     }
   }

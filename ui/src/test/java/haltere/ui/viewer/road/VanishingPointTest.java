@@ -122,5 +122,9 @@ class VanishingPointTest {
     viewer.waitFor(
         "why", () -> viewer.text("status-message").contains("road.view.vanishingPoint.yPx is -3"));
     assertFalse(point().marked());
+    viewer.run(() -> tool.released(40, 100));
+    viewer.waitFor("the mark", () -> point().marked());
+    viewer.waitFor(
+        "no problem any more", () -> !viewer.text("status-message").contains("vanishingPoint"));
   }
 }
