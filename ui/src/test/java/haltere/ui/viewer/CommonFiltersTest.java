@@ -12,6 +12,7 @@ import haltere.ui.viewer.feature.UserSettings;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import javafx.scene.control.Label;
 import javafx.scene.control.ToggleButton;
 import org.junit.jupiter.api.AfterEach;
@@ -155,6 +156,23 @@ class CommonFiltersTest {
     viewer = new ViewerHarness(UserSettings.load(folder));
     viewer.openRecording(first);
     assertEquals(List.of("background-activity", "hot-pixels"), kinds());
+  }
+
+  @Test
+  void savedChainWithoutItsExtensionIsReportedAndKept() throws IOException {
+    Path file = ViewerHarness.recording(folder, "first.aedat");
+    Path other = ViewerHarness.recording(folder, "second.aedat");
+    UserSettings settings = UserSettings.load(folder);
+    Map<String, Object> chains =
+        Map.of(file.toString(), Map.of("filters", List.of(Map.of("filter", "gone"))));
+    settings.put("chains", chains);
+    viewer = new ViewerHarness(settings);
+    viewer.openRecording(file);
+    viewer.waitFor(
+        "why it is not used",
+        () -> viewer.text("status-message").contains("there is no filter named gone"));
+    viewer.openRecording(other);
+    assertEquals(chains, settings.map("chains"));
   }
 
   @Test

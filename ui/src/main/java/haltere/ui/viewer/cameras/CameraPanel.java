@@ -22,7 +22,6 @@ import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.Slider;
-import javafx.scene.layout.HBox;
 import javafx.scene.layout.VBox;
 
 /** Settings and counts of a camera: four sliders, sets of biases, and each bias. */
@@ -117,9 +116,8 @@ final class CameraPanel extends ScrollPane {
             send(() -> facet.apply(chosen), problem::setText);
           }
         });
-    HBox line = Controls.row(6, new Label("Set"), Controls.growing(sets));
     if (!sets.getItems().isEmpty()) {
-      content.getChildren().add(line);
+      content.getChildren().add(Controls.row(6, new Label("Set"), Controls.growing(sets)));
     }
     for (Parameter parameter : facet.parameters()) {
       SettingField field =

@@ -1,6 +1,7 @@
 package haltere.ui.viewer.feature;
 
 import haltere.core.chain.ChainFile;
+import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.playback.PlayerOptions;
@@ -34,7 +35,9 @@ public final class Sessions {
   private final ReadOnlyObjectWrapper<Optional<RecordingFacts>> facts =
       new ReadOnlyObjectWrapper<>(Optional.empty());
   private ViewerContext window;
+
   private int openings;
+  private ViewerSession unfit;
 
   /** Without a session; chains and sensors are saved in settings. */
   public Sessions(UserSettings settings) {
@@ -107,7 +110,9 @@ public final class Sessions {
                 ? Optional.<String>empty()
                 : Optional.of(ChainFile.write(chain)),
         json -> {
-          sources.saveChain(open.request(), json);
+          if (json.isPresent() || open != unfit) {
+            sources.saveChain(open.request(), json);
+          }
           next.run();
         });
   }
@@ -176,7 +181,19 @@ public final class Sessions {
     if (isShown(made)) {
       made.play();
       made.request().file().ifPresent(file -> scan(file, made));
+      sources.chain(made.request()).ifPresent(json -> check(json, made));
     }
+  }
+
+  /** Reports a saved chain that cannot be used, such as without an extension, and keeps it. */
+  private void check(String json, ViewerSession made) {
+    window.file(
+        () -> ChainFile.parse(json, "the saved chain", made.chain().geometry()),
+        FilterChain::close,
+        problem -> {
+          unfit = made;
+          window.status().showProblem(problem);
+        });
   }
 
   private boolean isShown(ViewerSession made) {

@@ -2,8 +2,8 @@ package haltere.ui.viewer.feature;
 
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
-import haltere.core.json.JsonProblem;
 import haltere.core.json.internal.Json;
+import haltere.core.sink.internal.Unchecked;
 import haltere.ui.viewer.session.SessionRequest;
 import java.util.List;
 import java.util.Map;
@@ -34,7 +34,9 @@ public record SourceSettings(UserSettings settings) {
     if (chains.remove(request.chainKey()) == null && json.isEmpty()) {
       return;
     }
-    json.ifPresent(chain -> chains.put(request.chainKey(), parsed(chain)));
+    json.ifPresent(
+        chain ->
+            chains.put(request.chainKey(), Unchecked.read(() -> Json.parse(chain, "a chain"))));
     put(CHAINS, chains, MAX_CHAINS);
   }
 
@@ -76,13 +78,5 @@ public record SourceSettings(UserSettings settings) {
         .toList()
         .forEach(values::remove);
     settings.put(name, values);
-  }
-
-  private static Object parsed(String json) {
-    try {
-      return Json.parse(json, "a chain");
-    } catch (JsonProblem impossible) {
-      throw new IllegalStateException(impossible);
-    }
   }
 }

@@ -10,10 +10,8 @@ import haltere.ui.viewer.session.RecordingFacts;
 import javafx.geometry.VPos;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
-import javafx.scene.layout.ColumnConstraints;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Priority;
-import javafx.scene.layout.Region;
 
 /** The facts of the open recording: format, sensor, times, counts, rates, header, warnings. */
 final class FileInfoPanel extends ScrollPane {
@@ -23,11 +21,6 @@ final class FileInfoPanel extends ScrollPane {
     Controls.named(this, "file-info", "file-info");
     Controls.scrolling(this, grid);
     grid.getStyleClass().add("file-info-grid");
-    ColumnConstraints name = new ColumnConstraints();
-    name.setMinWidth(Region.USE_PREF_SIZE);
-    ColumnConstraints value = new ColumnConstraints();
-    value.setHgrow(Priority.ALWAYS);
-    grid.getColumnConstraints().addAll(name, value);
     say("Open a recording with File > Open recording; its properties are shown here.");
   }
 
@@ -76,10 +69,11 @@ final class FileInfoPanel extends ScrollPane {
 
   private void line(String name, String value) {
     int row = grid.getRowCount();
-    Label left = Controls.label(name, Styles.TEXT_MUTED, Styles.TEXT_SMALL);
+    Label left = Controls.whole(name, Styles.TEXT_MUTED, Styles.TEXT_SMALL);
     Label right = Controls.paragraph(value, Styles.TEXT_SMALL);
     left.setLabelFor(right);
     GridPane.setValignment(left, VPos.TOP);
+    GridPane.setHgrow(right, Priority.ALWAYS);
     grid.addRow(row, left, right);
   }
 }

@@ -89,13 +89,10 @@ final class WingsPanel extends ScrollPane {
                 + " Then the state, the covariance and the noise of each wing are shown here."
             : filters.isEmpty() ? "No Kalman filter tracks a wing now." : "");
     Controls.show(!empty.getText().isEmpty(), empty);
-    Optional<WingFilterState> chosen =
-        filters.stream().filter(filter -> filter.part() == choice.getValue()).findFirst();
-    if (chosen.isEmpty()) {
-      rebuild();
-    } else {
-      showTables(chosen.get());
-    }
+    filters.stream()
+        .filter(filter -> filter.part() == choice.getValue())
+        .findFirst()
+        .ifPresentOrElse(this::showTables, this::rebuild);
   }
 
   private void showEdges(WingOutputSettings output) {
