@@ -137,6 +137,14 @@ public final class ChainStage {
     }
   }
 
+  String status() {
+    try {
+      return filter.status();
+    } catch (RuntimeException | Error thrown) {
+      throw failure(thrown);
+    }
+  }
+
   private FilterFailure failure(Throwable thrown) {
     MachineFault.rethrow(thrown);
     return thrown instanceof FilterFailure named ? named : new FilterFailure(this, thrown);

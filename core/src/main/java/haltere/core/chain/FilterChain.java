@@ -541,7 +541,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   public String status() {
     return stages.stream()
         .filter(ChainStage::isEnabled)
-        .map(stage -> stage.filter().status())
+        .map(ChainStage::status)
         .filter(line -> !line.isEmpty())
         .collect(Collectors.joining("\n"));
   }

@@ -295,12 +295,20 @@ class FilterChainTest {
               public void reset() {
                 throw new IllegalStateException("no reset either");
               }
+
+              @Override
+              public String status() {
+                throw new IllegalStateException("no status");
+              }
             });
     outer.add("noise", chain);
     FilterFailure failure = assertThrows(FilterFailure.class, () -> outer.process(events(0, 1)));
     assertSame(broken, failure.stage());
     assertEquals(
         "filter broken failed: java.lang.IllegalStateException: no reason", failure.getMessage());
+    assertEquals(
+        "filter broken failed: java.lang.IllegalStateException: no status",
+        assertThrows(FilterFailure.class, outer::status).getMessage());
     EveryNthFilter behind = new EveryNthFilter(EveryNthFilter.Settings.of(1));
     outer.add("every-nth", behind);
     assertThrows(FilterFailure.class, () -> outer.notified(new Reset(Reset.Cause.USER)));
