@@ -260,9 +260,9 @@ record Dataset(
     return dimensions.length == 0 ? 1 : dimensions[0];
   }
 
-  /** Whether it is a list of elements. */
+  /** Whether it is a list of elements, also as a table of one column. */
   boolean isList() {
-    return dimensions.length == 1;
+    return dimensions.length == 1 || columns() == 1;
   }
 
   /** Columns of a table; 0 if it is not a table. */

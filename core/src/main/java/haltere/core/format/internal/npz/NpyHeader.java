@@ -98,8 +98,11 @@ record NpyHeader(
             : header);
   }
 
-  /** Four columns as fields; the array itself if it has not as many. */
+  /** Four columns as fields, one as a list; the array itself if it has another number. */
   private NpyHeader asTable(boolean isTransposed) {
+    if (shape.get(1) == 1) {
+      return new NpyHeader(fields, itemBytes, List.of(shape.get(0)), dataOffset, false);
+    }
     boolean isUpright = shape.get(1) == ColumnGuess.COLUMNS;
     if (!isUpright && shape.get(0) != ColumnGuess.COLUMNS) {
       return this;

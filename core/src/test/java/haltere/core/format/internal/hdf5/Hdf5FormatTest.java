@@ -134,6 +134,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
         "table-pairs-of-columns",
         "new-table-three-columns",
         "new-growing-table-by-columns",
+        "columns-of-one-column",
         "seconds-big-endian-truth",
         "nanoseconds-user-block");
   }

@@ -235,6 +235,21 @@ class NpzFormatTest extends RecordingFormatContract {
   }
 
   @Test
+  void columnsOfOneColumnEachAreLists() throws IOException {
+    EventPacket events = EventPackets.uniform(SENSOR, 6, 500, 1_000_000, 40);
+    Map<String, byte[]> arrays = columns(events, false);
+    arrays.replaceAll(
+        (name, bytes) ->
+            new String(bytes, StandardCharsets.ISO_8859_1)
+                .replace("(500,), }  ", "(500, 1), }")
+                .getBytes(StandardCharsets.ISO_8859_1));
+    Path file = Files.write(folder.resolve("upright.npz"), zipped(arrays));
+    try (RecordingReader reader = Recordings.open(file)) {
+      assertEquals(events, read(reader).events());
+    }
+  }
+
+  @Test
   void tableOfOtherNumbersIsNoRecording() throws IOException {
     ByteBuffer numbers = buffer(32 * 100, ByteOrder.LITTLE_ENDIAN);
     SplittableRandom random = new SplittableRandom(1);

@@ -60,6 +60,8 @@ with f('table-by-columns') as h: h.create_dataset('events',data=np.stack([t,x,y,
 with f('table-pairs-of-columns') as h: h.create_dataset('events',data=np.stack([x,y,p,t],axis=1).astype(np.uint32),chunks=(40,2),maxshape=(None,4),compression='gzip')
 with f('new-table-three-columns',libver='latest') as h: h.create_dataset('events',data=np.stack([t,x,y,p],axis=1).astype(np.uint32),chunks=(70,3),compression='lzf')
 with f('new-growing-table-by-columns',libver='latest') as h: h.create_dataset('events',data=np.stack([t,x,y,p],axis=1).astype(np.uint32),chunks=(9,1),maxshape=(None,4))
+with f('columns-of-one-column') as h:
+    for k,v in dict(t=t,x=x,y=y,p=p).items(): h.create_dataset('events/'+k,data=v.reshape(-1,1),chunks=(70,1),compression='gzip')
 with f('two-cameras') as h:
     for side,k in (('right',7),('left',0)):
         g=h.create_group('cameras/'+side); g['t']=t[k:]; g['x']=x[k:]; g['y']=y[k:]; g['p']=p[k:]
