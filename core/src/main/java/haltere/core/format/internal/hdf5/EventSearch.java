@@ -18,6 +18,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 
 /**
@@ -71,7 +72,7 @@ final class EventSearch {
             ours
                 ? Optional.of(whole(EventTable.ROWS_UP).orElse(0) == 1 ? Origin.BOTTOM : Origin.TOP)
                 : Optional.empty(),
-            otherRows());
+            triggers());
     found.check();
     int scale = ours ? 0 : timeScale(columns.get(EventColumn.TIME));
     return new EventTable(
@@ -84,7 +85,7 @@ final class EventSearch {
         timeOffset(scale),
         found.sensor(),
         found.origin(),
-        found.otherRows());
+        found.triggers());
   }
 
   /** Rank of a dataset: well-known paths first. */
@@ -132,9 +133,7 @@ final class EventSearch {
       Map<EventColumn, EventTable.StoredColumn> columns = EventTable.noColumns();
       if (dataset.isList() && dataset.type().kind() == 'c') {
         for (ElementType.Member member : dataset.type().members()) {
-          put(
-              columns,
-              new EventTable.StoredColumn(member.name(), dataset, member.offset(), member.type()));
+          put(columns, EventTable.StoredColumn.of(dataset, member));
         }
       } else if (dataset.isList()) {
         for (Dataset beside : datasets) {
@@ -173,11 +172,25 @@ final class EventSearch {
     return dataset.name().substring(0, dataset.name().lastIndexOf('/') + 1);
   }
 
-  private long otherRows() {
+  private Optional<EventTable.TriggerColumns> triggers() {
     return datasets.stream()
         .filter(dataset -> dataset.name().equals(TRIGGERS + "events"))
-        .mapToLong(dataset -> Math.min(dataset.rows(), file.bytes().size()))
-        .sum();
+        .filter(dataset -> dataset.isList() && dataset.rows() > 0 && dataset.filters().isEmpty())
+        .map(EventSearch::triggers)
+        .flatMap(Optional::stream)
+        .findFirst();
+  }
+
+  private static Optional<EventTable.TriggerColumns> triggers(Dataset dataset) {
+    Map<String, EventTable.StoredColumn> columns =
+        dataset.type().members().stream()
+            .filter(member -> member.type().isNumber())
+            .map(member -> EventTable.StoredColumn.of(dataset, member))
+            .collect(Collectors.toMap(EventTable.StoredColumn::name, any -> any, (a, b) -> a));
+    return columns.keySet().containsAll(List.of("t", "p", "id"))
+        ? Optional.of(
+            new EventTable.TriggerColumns(columns.get("t"), columns.get("p"), columns.get("id")))
+        : Optional.empty();
   }
 
   /** Columns of a table without names, by their first numbers; none if they are no events. */

@@ -27,7 +27,7 @@ import java.util.stream.Collectors;
  * @param timeOffsetUs offset of the times
  * @param sensor its size, if the file states it
  * @param origin origin of rows, if the file states it
- * @param otherRows rows of triggers, which are not read
+ * @param triggers columns of the triggers, if there are any
  */
 record EventTable(
     ContainerFile container,
@@ -39,7 +39,7 @@ record EventTable(
     long timeOffsetUs,
     Optional<SensorGeometry> sensor,
     Optional<Origin> origin,
-    long otherRows) {
+    Optional<TriggerColumns> triggers) {
   /** Names of attributes of Haltere's files, and of others. */
   static final String WIDTH = "width";
 
@@ -64,6 +64,11 @@ record EventTable(
           path.substring(path.lastIndexOf('/') + 1), dataset, 0, dataset.type());
     }
 
+    /** A field of the dataset's rows. */
+    static StoredColumn of(Dataset dataset, ElementType.Member field) {
+      return new StoredColumn(field.name(), dataset, field.offset(), field.type());
+    }
+
     /** Number of the column in a table. */
     int number() {
       return dataset.stripe().number() * dataset.columnsTogether() + offset / type.bytes();
@@ -74,6 +79,20 @@ record EventTable(
       int inRow = column % table.columnsTogether();
       return new StoredColumn(
           "", table.ofColumn(column), inRow * table.type().bytes(), table.type());
+    }
+  }
+
+  /**
+   * Columns of Prophesee's triggers, in one dataset.
+   *
+   * @param time microseconds on the clock of the events
+   * @param polarity 1 for a rising edge
+   * @param channel number of the input
+   */
+  record TriggerColumns(StoredColumn time, StoredColumn polarity, StoredColumn channel) {
+    /** Claimed number of triggers. */
+    long rows() {
+      return time.dataset().rows();
     }
   }
 

@@ -86,7 +86,10 @@ public final class Hdf5Format implements RecordingFormat {
     if (table.container().isCutOff()) {
       found.add(Violation.CUT_OFF, file.size());
     }
-    found.add(Violation.OTHER_DATA, 0, table.otherRows());
+    table
+        .triggers()
+        .ifPresent(
+            triggers -> found.add(Violation.OTHER_DATA, 0, Math.min(triggers.rows(), file.size())));
     SensorGeometry geometry = table.sensor().or(options::sensor).orElse(null);
     if (geometry == null) {
       geometry =
@@ -101,7 +104,12 @@ public final class Hdf5Format implements RecordingFormat {
         remarks,
         options,
         found,
-        violations -> new Hdf5Cursor(table, sensor, violations));
+        violations -> new Hdf5Cursor(table, sensor, violations),
+        table
+            .triggers()
+            .map(
+                triggers ->
+                    counted -> new Hdf5TriggerCursor(table.container(), triggers, counted)));
   }
 
   @Override

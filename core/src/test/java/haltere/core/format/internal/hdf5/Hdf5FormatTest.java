@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.Trigger;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
@@ -182,6 +183,38 @@ class Hdf5FormatTest extends RecordingFormatContract {
   }
 
   @Test
+  void triggersBesideTheEventsAreReadInOrderWithThem() throws IOException {
+    EventPacket events = theirEvents();
+    Path file = theirs("prophesee-triggers");
+    try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withSamples(true))) {
+      StreamRecorder all = read(reader);
+      assertEquals(events, all.events());
+      assertEquals(
+          List.of(
+              external(999_000, Trigger.Edge.RISING, 0),
+              external(1_000_014, Trigger.Edge.FALLING, 0),
+              external(1_000_700, Trigger.Edge.RISING, 6),
+              external(2_001_050, Trigger.Edge.FALLING, 6),
+              external(2_500_000, Trigger.Edge.RISING, 0)),
+          all.samples(Trigger.class));
+      assertEquals(5, reader.countSamples().triggers());
+
+      reader.seek(events.timeUs(150));
+      StreamRecorder rest = read(reader);
+      assertEquals(EventPackets.part(events, 150, THEIRS), rest.events());
+      assertEquals(
+          List.of(
+              external(2_001_050, Trigger.Edge.FALLING, 6),
+              external(2_500_000, Trigger.Edge.RISING, 0)),
+          rest.samples(Trigger.class));
+    }
+  }
+
+  private static Trigger external(long timeUs, Trigger.Edge edge, int channel) {
+    return new Trigger(timeUs, Trigger.Source.EXTERNAL_INPUT, edge, channel);
+  }
+
+  @Test
   void eachCameraOfAFileOfTwoIsATopicAndTheOtherIsNamed() throws IOException {
     Path file = theirs("two-cameras");
     EventPacket events = theirEvents();
@@ -274,6 +307,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
         "prophesee",
         "prophesee-ecf",
         "prophesee-ecf-rows",
+        "prophesee-triggers",
         "seconds-big-endian-truth"
       })
   void damageInFilesOfOtherProgramsIsReportedWithoutACrash(String name) throws IOException {

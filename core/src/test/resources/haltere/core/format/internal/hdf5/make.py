@@ -30,6 +30,10 @@ def prophesee(h,**kw):
     h.create_dataset('EXT_TRIGGER/events',data=np.zeros(3,dtype=[('p','<i2'),('t','<i8'),('id','<i2')]))
     h.attrs['geometry']='346x260'; h.attrs['format']='HDF5'
 with f('prophesee') as h: prophesee(h,compression='gzip')
+with f('prophesee-triggers') as h:
+    h['CD/events']=a; e=np.zeros(5,dtype=[('p','<i2'),('t','<i8'),('id','<i2')])
+    e['t']=[999000,1000014,1000700,2001050,2500000]; e['p']=[1,0,1,0,1]; e['id']=[0,0,6,6,0]
+    h.create_dataset('EXT_TRIGGER/events',data=e,chunks=(100,),maxshape=(None,)); h.attrs['geometry']='346x260'
 def ecf(name,events,chunk):
     # as Metavision writes it: the last chunk has fewer events
     encode=ctypes.CDLL(sys.argv[2]).encode; encode.restype=ctypes.c_size_t
