@@ -27,6 +27,7 @@ import java.util.stream.DoubleStream;
  * topic; a file may have several, such as those of two cameras.
  */
 final class EventSearch {
+  private static final String METAVISION = "CD/events";
   private static final String TRIGGERS = "EXT_TRIGGER/";
   private static final int PROBE_ROWS = 4096;
   private static final int MAX_SIDE = 32768;
@@ -69,9 +70,7 @@ final class EventSearch {
             0,
             0,
             sensor(),
-            ours
-                ? Optional.of(whole(EventTable.ROWS_UP).orElse(0) == 1 ? Origin.BOTTOM : Origin.TOP)
-                : Optional.empty(),
+            origin(),
             triggers());
     found.check();
     int scale = ours ? 0 : timeScale(columns.get(EventColumn.TIME));
@@ -86,6 +85,15 @@ final class EventSearch {
         found.sensor(),
         found.origin(),
         found.triggers());
+  }
+
+  /** Origin of rows in files of Haltere and Metavision; others do not state it. */
+  private Optional<Origin> origin() throws RecordingProblem {
+    OptionalLong rowsUp = whole(EventTable.ROWS_UP);
+    if (rowsUp.isPresent()) {
+      return Optional.of(rowsUp.getAsLong() == 1 ? Origin.BOTTOM : Origin.TOP);
+    }
+    return topics.get(0).equals(METAVISION) ? Optional.of(Origin.TOP) : Optional.empty();
   }
 
   /** Rank of a dataset: well-known paths first. */

@@ -198,6 +198,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
               external(2_500_000, Trigger.Edge.RISING, 0)),
           all.samples(Trigger.class));
       assertEquals(5, reader.countSamples().triggers());
+      assertEquals(List.of(), reader.remarks(), "Metavision's rows count from the top");
 
       reader.seek(events.timeUs(150));
       StreamRecorder rest = read(reader);
