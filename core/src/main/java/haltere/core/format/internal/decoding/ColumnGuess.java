@@ -7,8 +7,8 @@ import java.util.Optional;
 
 /**
  * Guesses what four columns without names hold, from their first rows: the polarity has two values,
- * the time does not fall, or only by a little if events are late, and the column of a pixel comes
- * before its row.
+ * the time does not fall, and the column of a pixel comes before its row. If that fails, a
+ * hundredth of the rows may be damaged, and times may be late by a little.
  *
  * <p>Thread rule: one thread.
  */
@@ -19,21 +19,22 @@ public final class ColumnGuess {
   /** Largest fall of late times, as a share of their range; coordinates fall by most of theirs. */
   private static final double LATE = 0.1;
 
+  /** Share of damaged rows. */
+  private static final double DAMAGED = 0.01;
+
   private static final double MAX_PIXEL = Short.MAX_VALUE;
 
-  private final boolean[] isPolarity = new boolean[COLUMNS];
-  private final boolean[] isPixel = new boolean[COLUMNS];
-  private final double[] smallest = new double[COLUMNS];
-  private final double[] largest = new double[COLUMNS];
-  private final double[] fall = new double[COLUMNS];
-  private int rows;
+  private final List<double[]> rows = new ArrayList<>();
 
   /** A guess before the first row. */
-  public ColumnGuess() {
-    Arrays.fill(isPolarity, true);
-    Arrays.fill(isPixel, true);
-    Arrays.fill(smallest, Double.POSITIVE_INFINITY);
-    Arrays.fill(largest, Double.NEGATIVE_INFINITY);
+  public ColumnGuess() {}
+
+  /** What the numbers of a column may be. */
+  private record Candidate(boolean isTime, boolean isPolarity, boolean isPixel, double largest) {
+    /** Whether it is more likely the time than another one that may be the time, too. */
+    boolean isLikelierTimeThan(Candidate other) {
+      return isPixel == other.isPixel ? largest > other.largest : other.isPixel;
+    }
   }
 
   /**
@@ -62,17 +63,8 @@ public final class ColumnGuess {
    * @param row four numbers; if one of them is not a number, the row is passed over
    */
   public void add(double... row) {
-    if (!Arrays.stream(row).allMatch(Double::isFinite)) {
-      return;
-    }
-    rows++;
-    for (int i = 0; i < COLUMNS; i++) {
-      double value = row[i];
-      isPolarity[i] &= value == 0 || value == 1 || value == -1;
-      isPixel[i] &= value >= 0 && value <= MAX_PIXEL && value == Math.rint(value);
-      fall[i] = rows == 1 ? 0 : Math.max(fall[i], largest[i] - value);
-      smallest[i] = Math.min(smallest[i], value);
-      largest[i] = Math.max(largest[i], value);
+    if (Arrays.stream(row).allMatch(Double::isFinite)) {
+      rows.add(row);
     }
   }
 
@@ -82,8 +74,8 @@ public final class ColumnGuess {
    * @return in their order, or empty if they are no events
    */
   public Optional<List<EventColumn>> columns() {
-    Optional<List<EventColumn>> inOrder = columns(0);
-    return inOrder.isPresent() ? inOrder : columns(LATE);
+    Optional<List<EventColumn>> perfect = columns(0, 0);
+    return perfect.isPresent() ? perfect : columns(LATE, (int) (DAMAGED * rows.size()));
   }
 
   /**
@@ -98,32 +90,51 @@ public final class ColumnGuess {
         : Optional.of("its columns have no names; they are read as " + columns);
   }
 
-  private Optional<List<EventColumn>> columns(double late) {
-    int time = -1;
-    for (int i = 0; i < COLUMNS; i++) {
-      boolean isLikelier =
-          time < 0
-              || isPixel[time] && !isPixel[i]
-              || isPixel[time] == isPixel[i] && largest[i] > largest[time];
-      if (fall[i] <= late * (largest[i] - smallest[i]) && isLikelier) {
-        time = i;
-      }
-    }
-    int sign = -1;
-    for (int i = 0; i < COLUMNS; i++) {
-      sign = isPolarity[i] && i != time ? i : sign;
-    }
-    if (rows == 0 || time < 0 || sign < 0) {
+  private Optional<List<EventColumn>> columns(double late, int damaged) {
+    if (rows.isEmpty()) {
       return Optional.empty();
     }
-    List<EventColumn> columns = new ArrayList<>();
+    List<Candidate> candidates = new ArrayList<>();
+    int time = -1;
+    int polarity = -1;
     for (int i = 0; i < COLUMNS; i++) {
+      int column = i;
+      double[] numbers = rows.stream().mapToDouble(row -> row[column]).toArray();
+      candidates.add(candidate(numbers, late, damaged));
+      boolean isLikelier = time < 0 || candidates.get(i).isLikelierTimeThan(candidates.get(time));
+      time = candidates.get(i).isTime() && isLikelier ? i : time;
+    }
+    for (int i = 0; i < COLUMNS; i++) {
+      polarity = candidates.get(i).isPolarity() && i != time ? i : polarity;
+    }
+    List<EventColumn> columns = new ArrayList<>();
+    for (int i = 0; i < COLUMNS && time >= 0 && polarity >= 0; i++) {
       EventColumn rest = columns.contains(EventColumn.X) ? EventColumn.Y : EventColumn.X;
-      columns.add(i == time ? EventColumn.TIME : i == sign ? EventColumn.POLARITY : rest);
-      if (i != time && i != sign && !isPixel[i]) {
+      columns.add(i == time ? EventColumn.TIME : i == polarity ? EventColumn.POLARITY : rest);
+      if (i != time && i != polarity && !candidates.get(i).isPixel()) {
         return Optional.empty();
       }
     }
-    return Optional.of(columns);
+    return Optional.of(columns).filter(found -> !found.isEmpty());
+  }
+
+  private static Candidate candidate(double[] numbers, double late, int damaged) {
+    double[] sorted = numbers.clone();
+    Arrays.sort(sorted);
+    double largest = sorted[sorted.length - 1 - damaged];
+    double maxFall = late * (largest - sorted[damaged]);
+    double newest = Double.NEGATIVE_INFINITY;
+    int falls = 0;
+    int noPolarities = 0;
+    int noPixels = 0;
+    for (double number : numbers) {
+      falls += newest - number > maxFall ? 1 : 0;
+      newest = number <= largest ? Math.max(newest, number) : newest;
+      noPolarities += number == 0 || number == 1 || number == -1 ? 0 : 1;
+      boolean isPixel = number >= 0 && number <= MAX_PIXEL && number == Math.rint(number);
+      noPixels += isPixel ? 0 : 1;
+    }
+    return new Candidate(
+        falls <= damaged, noPolarities <= damaged, noPixels <= damaged, Math.abs(largest));
   }
 }
