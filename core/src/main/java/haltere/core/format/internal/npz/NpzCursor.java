@@ -22,32 +22,60 @@ final class NpzCursor extends RowCursor {
   private static final int PIECE_ROWS = 4096;
   private static final int MAX_PIECE_BYTES = 1 << 20;
 
-  /** A column, its bytes and the current piece of them. */
+  /** The current piece of an array; the fields of its elements share it. */
+  private static final class ArrayPiece {
+    final ArrayBytes bytes;
+    final byte[] data;
+    private long from = -1;
+    private int wanted;
+    private int length;
+
+    ArrayPiece(ArrayBytes bytes, int maxBytes) {
+      this.bytes = bytes;
+      data = new byte[maxBytes];
+    }
+
+    /** Reads bytes of the array, unless they are there; returns their number. */
+    int load(long offset, int count) throws IOException {
+      if (offset != from || count != wanted) {
+        length = bytes.read(offset, data, count);
+        from = offset;
+        wanted = count;
+      }
+      return length;
+    }
+  }
+
+  /** A column and its numbers in the current piece. */
   private static final class NpzColumn {
+    final NpzLayout.ArrayColumn column;
     final NpyHeader.NpyField field;
     final int stride;
     final int offset;
     final long start;
-    final ArrayBytes bytes;
-    final byte[] piece;
+    final ArrayPiece piece;
     final ByteBuffer values;
     final long[] numbers;
 
-    NpzColumn(NpzLayout.ArrayColumn column, RecordingFile file, int pieceRows) {
+    NpzColumn(NpzLayout.ArrayColumn column, ArrayPiece piece, int pieceRows) {
+      this.column = column;
       field = column.field();
       stride = column.stride();
       offset = column.offset();
       start = column.start();
-      bytes = column.array().open(file);
-      piece = new byte[pieceRows * stride];
-      values = NpzLayout.order(ByteBuffer.wrap(piece), field);
+      this.piece = piece;
+      values = NpzLayout.order(ByteBuffer.wrap(piece.data), field);
       numbers = new long[pieceRows];
+    }
+
+    /** Whether another column is in the same elements. */
+    boolean isBeside(NpzLayout.ArrayColumn other) {
+      return column.array().equals(other.array()) && start == other.start();
     }
 
     /** Reads rows as integers; returns their number. */
     int read(long row, int rows, int scale) throws IOException {
-      int length = bytes.read(start + row * stride, piece, rows * stride);
-      int count = length / stride;
+      int count = piece.load(start + row * stride, rows * stride) / stride;
       if (field.kind() == 'f') {
         double factor = Math.pow(10, Math.abs(scale));
         for (int i = 0; i < count; i++) {
@@ -101,11 +129,19 @@ final class NpzCursor extends RowCursor {
 
   @Override
   public Optional<String> compression() {
-    return Optional.of(time.bytes.isDeflated() ? "deflate" : "none");
+    return Optional.of(time.piece.bytes.isDeflated() ? "deflate" : "none");
   }
 
   private NpzColumn part(EventColumn column) {
-    NpzColumn part = new NpzColumn(layout.columns().get(column), file, pieceRows);
+    NpzLayout.ArrayColumn stored = layout.columns().get(column);
+    ArrayPiece piece = null;
+    for (NpzColumn other : parts) {
+      piece = other.isBeside(stored) ? other.piece : piece;
+    }
+    if (piece == null) {
+      piece = new ArrayPiece(stored.array().open(file), pieceRows * stored.stride());
+    }
+    NpzColumn part = new NpzColumn(stored, piece, pieceRows);
     parts.add(part);
     return part;
   }
@@ -232,6 +268,6 @@ final class NpzCursor extends RowCursor {
 
   @Override
   public void close() {
-    parts.forEach(part -> part.bytes.close());
+    parts.forEach(part -> part.piece.bytes.close());
   }
 }
