@@ -187,7 +187,8 @@ public final class ContactSheet implements StreamHandler {
   }
 
   /**
-   * Joins pictures of equal proportions, at least one, in rows of four, each of a width in pixels.
+   * Joins pictures of equal proportions, at least one, in rows of four, each of a width in pixels;
+   * transparent between them.
    */
   public static BufferedImage join(List<BufferedImage> pictures, int widthPx) {
     int columns = Math.min(COLUMNS, pictures.size());
@@ -197,7 +198,7 @@ public final class ContactSheet implements StreamHandler {
         new BufferedImage(
             columns * (widthPx + GAP_PX) - GAP_PX,
             (cells.size() + columns - 1) / columns * (highPx + GAP_PX) - GAP_PX,
-            BufferedImage.TYPE_INT_RGB);
+            BufferedImage.TYPE_INT_ARGB);
     Graphics2D graphics = sheet.createGraphics();
     for (int i = 0; i < cells.size(); i++) {
       graphics.drawImage(

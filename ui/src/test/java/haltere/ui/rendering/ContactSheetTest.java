@@ -112,9 +112,12 @@ class ContactSheetTest {
         while (last >= 0 && (sheet.getRGB(left + 2 * last, bottom) & 0xFFFFFF) == background) {
           last--;
         }
-        // the cells behind the last picture are black
+        int behind = sheet.getRGB(left, bottom) >>> 24;
         if (last < 209) {
+          assertEquals(255, behind);
           columns.add(last);
+        } else {
+          assertEquals(0, behind, "behind the last picture it is transparent");
         }
       }
     }
