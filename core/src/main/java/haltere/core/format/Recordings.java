@@ -188,6 +188,10 @@ public final class Recordings {
       throw new RecordingProblem(
           file, "it is compressed as a whole; decompress it first: " + decompressing.get());
     }
+    if (bestFormats.isEmpty()
+        && (head.startsWith("\u00ff\u00fe") || head.startsWith("\u00fe\u00ff"))) {
+      throw new RecordingProblem(file, "it is text in UTF-16; save it as UTF-8");
+    }
     String extension = FileHead.extension(file);
     boolean claimed =
         answers.keySet().stream().anyMatch(format -> format.extensions().contains(extension));

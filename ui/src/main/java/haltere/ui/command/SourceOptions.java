@@ -25,7 +25,7 @@ class SourceOptions extends OptionGroup {
   @Option(
       names = "--topic",
       paramLabel = "NAME",
-      description = "Topic to read if a bag or HDF5 file has several, such as /dvs/events.")
+      description = "Events to read of several: a bag's topic, an AEDAT-4 stream, an HDF5 group.")
   String topic;
 
   @Option(

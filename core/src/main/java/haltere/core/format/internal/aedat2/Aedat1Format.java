@@ -59,8 +59,9 @@ public final class Aedat1Format implements ReadOnlyFormat {
     int records = Math.min(CLOCK_RECORDS, (bytes.length - start) / RecordDecoder.AEDAT1_BYTES);
     if (AedatHeader.clockAscends(
             bytes, start, bytes.length, RecordDecoder.AEDAT1_BYTES, CLOCK_RECORDS)
-        && AedatHeader.time(bytes, start, RecordDecoder.AEDAT1_BYTES, 0)
-            != AedatHeader.time(bytes, start, RecordDecoder.AEDAT1_BYTES, records - 1)) {
+        && AedatHeader.time(bytes, start, RecordDecoder.AEDAT1_BYTES, records - 1)
+                - AedatHeader.time(bytes, start, RecordDecoder.AEDAT1_BYTES, 0)
+            > 0) {
       return new ProbeResult(
           Support.PLAUSIBLE, "its bytes have ascending times where AEDAT-1.0 has them");
     }

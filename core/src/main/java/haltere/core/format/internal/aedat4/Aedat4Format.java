@@ -65,7 +65,12 @@ public final class Aedat4Format implements RecordingFormat {
 
   @Override
   public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    return open(file, options, OptionalInt.empty());
+    return RecordingFile.reading(
+        file,
+        bytes -> {
+          Aedat4Opening opening = new Aedat4Opening(bytes, options);
+          return opening.open(opening.requested());
+        });
   }
 
   /**
@@ -139,6 +144,39 @@ public final class Aedat4Format implements RecordingFormat {
           known, header.dataOffset(), end, cutOff, metadata, header.compression());
     }
 
+    /** The stream of the user's choice: its number, or its camera if that has one stream only. */
+    OptionalInt requested() throws RecordingProblem {
+      if (options.topic().isEmpty()) {
+        return OptionalInt.empty();
+      }
+      String name = options.topic().get();
+      List<Aedat4Stream> events = header.streams().stream().filter(Aedat4Stream::isEvents).toList();
+      List<Aedat4Stream> found =
+          events.stream()
+              .filter(
+                  stream ->
+                      name.equals(Integer.toString(stream.id()))
+                          || name.equals(stream.source().orElse(null)))
+              .toList();
+      if (found.size() != 1) {
+        throw new RecordingProblem(
+            file.path(),
+            "it has "
+                + found.size()
+                + " streams of events named "
+                + name
+                + "; its streams of events: "
+                + names(events));
+      }
+      return OptionalInt.of(found.get(0).id());
+    }
+
+    private static String names(List<Aedat4Stream> streams) {
+      return streams.stream()
+          .map(stream -> stream.id() + stream.source().map(name -> " (" + name + ")").orElse(""))
+          .collect(Collectors.joining(", "));
+    }
+
     RecordingReader open(OptionalInt wanted) throws IOException {
       if (!header.described()) {
         remarks.add(
@@ -158,7 +196,12 @@ public final class Aedat4Format implements RecordingFormat {
       }
       if (events.size() > 1) {
         remarks.add(
-            "there are " + events.size() + " streams of events; stream " + stream + " is read");
+            "there are "
+                + events.size()
+                + " streams of events; stream "
+                + stream
+                + " is read; --topic chooses another: "
+                + names(events.stream().filter(other -> other.id() != stream).toList()));
       }
       Optional<Aedat4Stream> description =
           header.streams().stream().filter(known -> known.id() == stream).findFirst();

@@ -89,10 +89,14 @@ public final class CsvFormat implements StreamedFormat {
                         file.path(),
                         "it is not a text of events: name the columns in a first line, such as "
                             + "t_us,x,y,on, and end each line with a line feed"));
+    if (layout.obstacle().isPresent()) {
+      throw new RecordingProblem(file.path(), layout.obstacle().get());
+    }
     List<String> remarks = new ArrayList<>();
     if (!layout.named()) {
       ColumnGuess.remark(layout.roles()).ifPresent(remarks::add);
     }
+    ColumnGuess.remarkOnPolarities(layout.roles()).ifPresent(remarks::add);
     Origin origin = SensorGuess.origin(Optional.empty(), options, remarks);
     SensorGeometry size = size(file, layout, options, remarks);
     SensorGeometry geometry = new SensorGeometry(size.width(), size.height(), origin);

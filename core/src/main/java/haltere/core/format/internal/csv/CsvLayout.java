@@ -4,6 +4,7 @@ import haltere.core.format.internal.decoding.ColumnGuess;
 import haltere.core.format.internal.decoding.EventColumn;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -21,6 +22,7 @@ import java.util.stream.Stream;
  * @param decimalCommas whether commas are decimal points, since semicolons separate the columns
  * @param width columns of the sensor from a first row of two numbers, else 0
  * @param height rows of the sensor likewise
+ * @param obstacle why its events cannot be read, if so
  */
 record CsvLayout(
     List<EventColumn> roles,
@@ -30,7 +32,8 @@ record CsvLayout(
     boolean marked,
     boolean decimalCommas,
     int width,
-    int height) {
+    int height,
+    Optional<String> obstacle) {
   private static final int PROBE_ROWS = 2000;
   private static final int MAX_COLUMNS = 32;
   private static final double MIN_NS = 1e17;
@@ -77,13 +80,18 @@ record CsvLayout(
     if (start.dataOffset < 0) {
       start.dataOffset = offset + skipped;
     }
-    return start.names == null ? bySight(start) : Optional.of(byNames(start));
+    boolean named = start.names != null && start.adaptNames();
+    if (!named && start.names != null && !start.inComment) {
+      return Optional.empty();
+    }
+    return named ? Optional.of(byNames(start)) : bySight(start);
   }
 
   /** The contents of the first lines of a text. */
   private static final class Start {
     final List<String[]> rows = new ArrayList<>();
     String[] names;
+    boolean inComment;
     int width;
     int height;
     int dataOffset = -1;
@@ -102,7 +110,7 @@ record CsvLayout(
       String text = comment ? line.substring(1) : line;
       String[] fields = fields(text);
       if (comment || !isRow(fields)) {
-        return !rows.isEmpty() || takeNames(fields(text, "\t")) || takeNames(fields) || comment;
+        return !rows.isEmpty() || takeNames(text, comment) || comment;
       }
       if (fields.length == 2 && rows.isEmpty() && width == 0) {
         width = size(fields[0]);
@@ -126,10 +134,59 @@ record CsvLayout(
       return isNumber(fields[0]) || column < fields.length && isNumber(fields[column]);
     }
 
-    private boolean takeNames(String[] fields) {
-      boolean all = roles(fields).isPresent();
-      names = all ? fields : names;
-      return all;
+    /** A comment may name the columns, or a line of its own, once. */
+    private boolean takeNames(String text, boolean comment) {
+      String line = withUnicode(text);
+      boolean tabbed = roles(fields(line, "\t")).isPresent();
+      String[] fields = tabbed ? fields(line, "\t") : fields(line);
+      boolean taken = (names == null || inComment) && roles(fields).isPresent();
+      if (taken) {
+        names = fields;
+        inComment = comment;
+      }
+      return taken;
+    }
+
+    /**
+     * Adapts the names to rows that begin with their own number, which has no name.
+     *
+     * @return false if there are more names than columns
+     */
+    boolean adaptNames() {
+      boolean isNumbered = !rows.isEmpty();
+      boolean isComplete = rows.isEmpty();
+      for (int i = 0; i < rows.size(); i++) {
+        String[] row = rows.get(i);
+        isComplete |= row.length >= names.length;
+        isNumbered &=
+            row.length == names.length + 1
+                && !row[row.length - 1].isEmpty()
+                && isNumber(row[0])
+                && Double.parseDouble(row[0]) == Double.parseDouble(rows.get(0)[0]) + i;
+      }
+      if (isNumbered) {
+        names = Stream.concat(Stream.of(""), Stream.of(names)).toArray(String[]::new);
+      }
+      return isComplete;
+    }
+
+    /** Why the polarities of the rows cannot be read. */
+    Optional<String> obstacle(List<EventColumn> roles) {
+      int column = roles.indexOf(EventColumn.POLARITY);
+      List<String> words =
+          rows.stream()
+              .filter(row -> 0 <= column && column < row.length)
+              .map(r -> r[column])
+              .toList();
+      boolean known =
+          words.stream().anyMatch(word -> isNumber(word) || CsvRow.polarity(word).isPresent());
+      return known || words.isEmpty()
+          ? ColumnGuess.obstacle(
+              words.stream().filter(CsvLayout::isNumber).mapToDouble(Double::parseDouble))
+          : Optional.of(
+              "its polarities, such as "
+                  + words.get(0)
+                  + ", are no known words; write them as 1 (ON) and 0 (OFF)");
     }
   }
 
@@ -142,7 +199,8 @@ record CsvLayout(
         start.marked,
         start.decimalCommas,
         start.width,
-        start.height);
+        start.height,
+        start.obstacle(roles(start.names).orElseThrow()));
   }
 
   private static String[] fields(String line) {
@@ -169,7 +227,14 @@ record CsvLayout(
     while (to > from && BLANKS.indexOf(field.charAt(to - 1)) >= 0) {
       to--;
     }
-    return field.substring(from, to);
+    boolean quoted = to > from + 1 && field.charAt(from) == '"' && field.charAt(to - 1) == '"';
+    return quoted ? field.substring(from + 1, to - 1) : field.substring(from, to);
+  }
+
+  /** A line of UTF-8, or of Latin-1 if it is not that. */
+  private static String withUnicode(String line) {
+    String unicode = new String(line.getBytes(StandardCharsets.ISO_8859_1), StandardCharsets.UTF_8);
+    return unicode.indexOf('\ufffd') < 0 ? unicode : line;
   }
 
   private static int size(String field) {
@@ -240,10 +305,13 @@ record CsvLayout(
   private static Optional<CsvLayout> bySight(Start start) {
     ColumnGuess guess = new ColumnGuess();
     for (String[] row : start.rows) {
-      if (row.length != ColumnGuess.COLUMNS || !Stream.of(row).allMatch(CsvLayout::isNumber)) {
+      boolean ends = row.length == ColumnGuess.COLUMNS + 1 && row[ColumnGuess.COLUMNS].isEmpty();
+      String[] numbers = ends ? Arrays.copyOf(row, ColumnGuess.COLUMNS) : row;
+      if (numbers.length != ColumnGuess.COLUMNS
+          || !Stream.of(numbers).allMatch(CsvLayout::isNumber)) {
         return Optional.empty();
       }
-      guess.add(Stream.of(row).mapToDouble(Double::parseDouble).toArray());
+      guess.add(Stream.of(numbers).mapToDouble(Double::parseDouble).toArray());
     }
     return guess
         .columns()
@@ -257,6 +325,7 @@ record CsvLayout(
                     start.marked,
                     start.decimalCommas,
                     start.width,
-                    start.height));
+                    start.height,
+                    Optional.empty()));
   }
 }

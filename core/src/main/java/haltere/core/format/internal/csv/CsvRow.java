@@ -8,6 +8,9 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
@@ -17,11 +20,29 @@ import java.util.regex.Pattern;
  * <p>Thread rule: one thread.
  */
 final class CsvRow {
+  private static final int MAX_WORD = 16;
   private static final int MAX_EXPONENT = 40;
   private static final int MAX_SCALE = 4096;
   private static final int MAX_CHARACTERS = 2 * MAX_SCALE;
   private static final Pattern NUMBER =
       Pattern.compile("[+-]?(\\d++(\\.\\d*+)?|\\.\\d++)([eE][+-]?\\d++)?");
+
+  private static final Map<String, Integer> POLARITIES =
+      Map.ofEntries(
+          Map.entry("true", 1),
+          Map.entry("on", 1),
+          Map.entry("cd_on", 1),
+          Map.entry("pos", 1),
+          Map.entry("positive", 1),
+          Map.entry("increase", 1),
+          Map.entry("+", 1),
+          Map.entry("false", 0),
+          Map.entry("off", 0),
+          Map.entry("cd_off", 0),
+          Map.entry("neg", 0),
+          Map.entry("negative", 0),
+          Map.entry("decrease", 0),
+          Map.entry("-", 0));
 
   private final EventColumn[] roles;
   private final int timeScale;
@@ -51,6 +72,11 @@ final class CsvRow {
     width = geometry.width();
     top = geometry.height() - 1;
     fromTop = geometry.origin() == Origin.TOP;
+  }
+
+  /** The polarity of a word, above 0 for ON. */
+  static Optional<Integer> polarity(String word) {
+    return Optional.ofNullable(POLARITIES.get(word.toLowerCase(Locale.ROOT)));
   }
 
   /** Reads the row at an index, which ends in a line feed; false if it is not an event. */
@@ -216,19 +242,20 @@ final class CsvRow {
     return rareNumber(start, scale);
   }
 
-  /** Reads exponents, words for polarities, and numbers with more digits than a long. */
+  /** Reads exponents, quotes, words for polarities, and numbers with more digits than a long. */
   private long rareNumber(int start, int scale) {
     int end = start;
     while (piece[end] > ' ' && piece[end] != ',' && piece[end] != ';') {
       end++;
     }
     cursor = end;
-    String text = new String(piece, start, end - start, StandardCharsets.ISO_8859_1);
-    if (text.equalsIgnoreCase("true") || text.equalsIgnoreCase("on")) {
-      return 1;
-    }
-    if (text.equalsIgnoreCase("false") || text.equalsIgnoreCase("off")) {
-      return 0;
+    boolean quoted = piece[start] == '"' && end > start + 1 && piece[end - 1] == '"';
+    int from = quoted ? start + 1 : start;
+    int length = (quoted ? end - 1 : end) - from;
+    String text = new String(piece, from, length, StandardCharsets.ISO_8859_1);
+    Optional<Integer> word = length < MAX_WORD ? polarity(text) : Optional.empty();
+    if (word.isPresent()) {
+      return word.get();
     }
     if (text.length() <= MAX_CHARACTERS && NUMBER.matcher(text).matches()) {
       try {

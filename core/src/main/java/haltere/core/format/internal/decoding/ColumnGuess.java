@@ -2,8 +2,13 @@ package haltere.core.format.internal.decoding;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 
 /**
  * Guesses what four columns without names hold, from their first rows: the polarity has two values,
@@ -30,9 +35,9 @@ public final class ColumnGuess {
   public ColumnGuess() {}
 
   /** What the numbers of a column may be. */
-  private record Candidate(boolean isTime, boolean isPolarity, boolean isPixel, double largest) {
+  private record ColumnKind(boolean isTime, boolean isPolarity, boolean isPixel, double largest) {
     /** Whether it is more likely the time than another one that may be the time, too. */
-    boolean isLikelierTimeThan(Candidate other) {
+    boolean isLikelierTimeThan(ColumnKind other) {
       return isPixel == other.isPixel ? largest > other.largest : other.isPixel;
     }
   }
@@ -87,38 +92,70 @@ public final class ColumnGuess {
   public static Optional<String> remark(List<EventColumn> columns) {
     return columns.isEmpty()
         ? Optional.empty()
-        : Optional.of("its columns have no names; they are read as " + columns);
+        : Optional.of(
+            "its columns have no names; they are read as "
+                + columns.stream()
+                    .map(column -> column.name().toLowerCase(Locale.ROOT))
+                    .collect(Collectors.joining(", ")));
+  }
+
+  /**
+   * A remark for users on events without polarities.
+   *
+   * @param columns their contents, named or guessed
+   * @return a line, or empty if there is a column of polarities
+   */
+  public static Optional<String> remarkOnPolarities(Collection<EventColumn> columns) {
+    return columns.contains(EventColumn.POLARITY)
+        ? Optional.empty()
+        : Optional.of("no column of polarities is known; all events are read as ON");
+  }
+
+  /**
+   * The reason why polarities cannot be read: several values, of which none is OFF.
+   *
+   * @param polarities the first ones; values that are not finite are passed over
+   * @return a line with advice, or empty
+   */
+  public static Optional<String> obstacle(DoubleStream polarities) {
+    DoubleSummaryStatistics values =
+        polarities.filter(Double::isFinite).map(Math::rint).summaryStatistics();
+    return values.getMin() > 0 && values.getMax() > values.getMin()
+        ? Optional.of(
+            "its polarities are %.0f to %.0f, none of which is known to be OFF; write them as 1 (ON) and 0 (OFF)"
+                .formatted(values.getMin(), values.getMax()))
+        : Optional.empty();
   }
 
   private Optional<List<EventColumn>> columns(double late, int damaged) {
     if (rows.isEmpty()) {
       return Optional.empty();
     }
-    List<Candidate> candidates = new ArrayList<>();
+    List<ColumnKind> kinds = new ArrayList<>();
     int time = -1;
     int polarity = -1;
     for (int i = 0; i < COLUMNS; i++) {
       int column = i;
       double[] numbers = rows.stream().mapToDouble(row -> row[column]).toArray();
-      candidates.add(candidate(numbers, late, damaged));
-      boolean isLikelier = time < 0 || candidates.get(i).isLikelierTimeThan(candidates.get(time));
-      time = candidates.get(i).isTime() && isLikelier ? i : time;
+      kinds.add(kind(numbers, late, damaged));
+      boolean isLikelier = time < 0 || kinds.get(i).isLikelierTimeThan(kinds.get(time));
+      time = kinds.get(i).isTime() && isLikelier ? i : time;
     }
     for (int i = 0; i < COLUMNS; i++) {
-      polarity = candidates.get(i).isPolarity() && i != time ? i : polarity;
+      polarity = kinds.get(i).isPolarity() && i != time ? i : polarity;
     }
     List<EventColumn> columns = new ArrayList<>();
     for (int i = 0; i < COLUMNS && time >= 0 && polarity >= 0; i++) {
       EventColumn rest = columns.contains(EventColumn.X) ? EventColumn.Y : EventColumn.X;
       columns.add(i == time ? EventColumn.TIME : i == polarity ? EventColumn.POLARITY : rest);
-      if (i != time && i != polarity && !candidates.get(i).isPixel()) {
+      if (i != time && i != polarity && !kinds.get(i).isPixel()) {
         return Optional.empty();
       }
     }
     return Optional.of(columns).filter(found -> !found.isEmpty());
   }
 
-  private static Candidate candidate(double[] numbers, double late, int damaged) {
+  private static ColumnKind kind(double[] numbers, double late, int damaged) {
     double[] sorted = numbers.clone();
     Arrays.sort(sorted);
     double largest = sorted[sorted.length - 1 - damaged];
@@ -134,7 +171,7 @@ public final class ColumnGuess {
       boolean isPixel = number >= 0 && number <= MAX_PIXEL && number == Math.rint(number);
       noPixels += isPixel ? 0 : 1;
     }
-    return new Candidate(
+    return new ColumnKind(
         falls <= damaged, noPolarities <= damaged, noPixels <= damaged, Math.abs(largest));
   }
 }

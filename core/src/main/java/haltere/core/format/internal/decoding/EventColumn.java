@@ -17,10 +17,12 @@ public enum EventColumn {
   /** Any other column. */
   OTHER;
 
-  private static final Pattern NO_LETTERS = Pattern.compile("[^a-z]+");
+  private static final Pattern NO_LETTERS = Pattern.compile("[^\\p{L}]+");
+  private static final Pattern MICRO = Pattern.compile("[\u00b5\u03bc]");
   private static final Pattern EDGES = Pattern.compile("^_|_$");
   private static final Pattern UNIT =
-      Pattern.compile("_(us|ns|ms|s|px|sec|seconds|microseconds|nanoseconds)$");
+      Pattern.compile(
+          "_(us|ns|ms|s|px|usec|msec|sec|seconds|milliseconds|microseconds|nanoseconds|pixels?)$");
 
   /**
    * The column of a name.
@@ -31,10 +33,11 @@ public enum EventColumn {
   public static EventColumn named(String name) {
     String plain = EDGES.matcher(words(name)).replaceAll("");
     return switch (UNIT.matcher(plain).replaceAll("")) {
-      case "t", "ts", "time", "timestamp", "timestamps", "times" -> TIME;
-      case "x", "xs", "col", "column" -> X;
-      case "y", "ys", "row" -> Y;
-      case "p", "ps", "pol", "polarity", "polarities", "on", "sign" -> POLARITY;
+      case "t", "ts", "time", "timestamp", "timestamps", "times", "time_stamp" -> TIME;
+      case "x", "xs", "col", "column", "x_addr", "xaddr", "x_pos", "x_coordinate" -> X;
+      case "y", "ys", "row", "y_addr", "yaddr", "y_pos", "y_coordinate" -> Y;
+      case "p", "ps", "pol", "pols", "polarity", "polarities" -> POLARITY;
+      case "on", "is_on", "on_off", "sign", "is_increase" -> POLARITY;
       default -> OTHER;
     };
   }
@@ -48,13 +51,13 @@ public enum EventColumn {
    */
   public static OptionalInt timeScale(String name) {
     String unit = words(name) + "_";
-    if (unit.contains("_us_") || unit.contains("_micros")) {
+    if (unit.contains("_us_") || unit.contains("_usec") || unit.contains("_micros")) {
       return OptionalInt.of(0);
     }
     if (unit.contains("_ns_") || unit.contains("_nanos")) {
       return OptionalInt.of(-3);
     }
-    if (unit.contains("_ms_") || unit.contains("_millis")) {
+    if (unit.contains("_ms_") || unit.contains("_msec") || unit.contains("_millis")) {
       return OptionalInt.of(3);
     }
     if (unit.contains("_s_") || unit.contains("_sec")) {
@@ -64,6 +67,7 @@ public enum EventColumn {
   }
 
   private static String words(String name) {
-    return NO_LETTERS.matcher(name.toLowerCase(Locale.ROOT)).replaceAll("_");
+    String letters = MICRO.matcher(name.toLowerCase(Locale.ROOT)).replaceAll("u");
+    return NO_LETTERS.matcher(letters).replaceAll("_");
   }
 }

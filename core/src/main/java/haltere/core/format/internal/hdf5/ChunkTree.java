@@ -9,6 +9,7 @@ final class ChunkTree extends ChunkIndex {
   private final ContainerFile file;
   private final Dataset dataset;
   private final int dimensions;
+  private final int leadingBytes;
 
   /** First column of the chunks of the stripe. */
   private final long column;
@@ -22,6 +23,7 @@ final class ChunkTree extends ChunkIndex {
     this.file = file;
     this.dataset = dataset;
     dimensions = dataset.dimensions().length;
+    leadingBytes = 8 * dataset.index().leading();
     column = (long) dataset.stripe().number() * dataset.columnsTogether();
   }
 
@@ -43,7 +45,7 @@ final class ChunkTree extends ChunkIndex {
         throw head.problem("an index of chunks that does not end");
       }
       above = level;
-      int keyBytes = 8 + 8 * (dimensions + 1);
+      int keyBytes = 8 + leadingBytes + 8 * (dimensions + 1);
       Metadata entries =
           file.at(
               position + 8 + 2L * file.offsetBytes(),
@@ -61,7 +63,7 @@ final class ChunkTree extends ChunkIndex {
   private long child(Metadata entries, int used, long row) throws IOException {
     long found = ContainerFile.NOWHERE;
     for (int i = 0; i < used; i++) {
-      entries.skip(8);
+      entries.skip(8L + leadingBytes);
       long first = entries.number(8);
       long firstColumn = column(entries);
       long position = entries.position();
@@ -86,6 +88,7 @@ final class ChunkTree extends ChunkIndex {
     for (int i = 0; i < used; i++) {
       long size = entries.u4();
       long skipped = entries.u4();
+      entries.skip(leadingBytes);
       long row = entries.number(8);
       leaf[4 * i] = column(entries) == column ? row : -1;
       leaf[4 * i + 1] = entries.position();

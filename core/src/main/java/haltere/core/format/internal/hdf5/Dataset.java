@@ -2,6 +2,7 @@ package haltere.core.format.internal.hdf5;
 
 import haltere.core.format.RecordingProblem;
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
@@ -77,10 +78,11 @@ record Dataset(
   /**
    * Compressed size and skipped filters of a single chunk; else parameters of the index.
    *
+   * @param leading dimensions of one element before that of the rows, in the keys of a tree
    * @param size compressed bytes of a single chunk
    * @param skipped filters that a single chunk skips
    */
-  record Index(long size, long skipped) {}
+  record Index(int leading, long size, long skipped) {}
 
   /** Reads the header of a dataset. */
   static Dataset read(ContainerFile file, String name, ObjectHeader header) throws IOException {
@@ -88,6 +90,8 @@ record Dataset(
     ElementType type = ElementType.read(typeBody);
     long[] dimensions =
         Dataspace.read(header.one(ObjectHeader.DATASPACE).orElseThrow(() -> lacks(file, name)));
+    int leading = isListOfOneRow(dimensions) ? 1 : 0;
+    dimensions = Arrays.copyOfRange(dimensions, leading, dimensions.length);
     Metadata layout = header.one(ObjectHeader.LAYOUT).orElseThrow(() -> lacks(file, name));
     if (header.has(ObjectHeader.EXTERNAL_FILES)) {
       throw layout.unknown("a dataset that lies in other files (" + name + ")");
@@ -103,7 +107,18 @@ record Dataset(
     int kind = layout.u1();
     Dataset dataset =
         new Dataset(
-            name, type, dimensions, null, 0, 0, NONE, 0, 0, Stripe.ALL, new Index(0, 0), filters);
+            name,
+            type,
+            dimensions,
+            null,
+            0,
+            0,
+            NONE,
+            0,
+            0,
+            Stripe.ALL,
+            new Index(leading, 0, 0),
+            filters);
     return switch (kind) {
       case 0 -> dataset.inHeader(layout);
       case 1 -> {
@@ -114,6 +129,11 @@ record Dataset(
       case 2 -> version == 3 ? dataset.tree(layout) : dataset.chunks(layout, file);
       default -> throw layout.unknown("a dataset that is put together from others (" + name + ")");
     };
+  }
+
+  /** Whether it is a list as MATLAB writes a column. */
+  private static boolean isListOfOneRow(long... dimensions) {
+    return dimensions.length == 2 && dimensions[0] == 1 && dimensions[1] > MAX_TABLE_COLUMNS;
   }
 
   private static RecordingProblem lacks(ContainerFile file, String name) {
@@ -198,8 +218,14 @@ record Dataset(
   }
 
   private Dataset chunked(
-      Metadata layout, StorageLayout newKind, long newPlace, long[] lengths, int rank)
+      Metadata layout, StorageLayout newKind, long newPlace, long[] allLengths, int allRank)
       throws IOException {
+    int leading = index.leading();
+    int rank = allRank - leading;
+    long[] lengths = Arrays.copyOfRange(allLengths, leading, allLengths.length);
+    if (leading > 0 && allLengths[0] != 1) {
+      throw layout.unknown("a list in chunks of several rows (" + name + ")");
+    }
     if (rank != dimensions.length + 1 || rank < 2) {
       throw layout.problem("chunks of " + (rank - 1) + " dimensions in " + name);
     }
@@ -237,7 +263,7 @@ record Dataset(
         newKind = StorageLayout.SINGLE_CHUNK;
         if ((flags & 2) != 0) {
           long compressed = layout.length();
-          newIndex = new Index(compressed, layout.u4());
+          newIndex = new Index(index.leading(), compressed, layout.u4());
         }
       }
       case 2 -> newKind = StorageLayout.IMPLICIT_CHUNKS;
@@ -260,9 +286,9 @@ record Dataset(
     return dimensions.length == 0 ? 1 : dimensions[0];
   }
 
-  /** Whether it is a list of elements, also as a table of one column. */
+  /** Whether it is a list of elements, or a table of one column. */
   boolean isList() {
-    return dimensions.length == 1 || columns() == 1;
+    return dimensions.length == 1 || dimensions.length == 2 && dimensions[1] == 1;
   }
 
   /** Columns of a table; 0 if it is not a table. */

@@ -13,13 +13,16 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 
 /**
  * Finds the events of a file: datasets in one group that are named as columns of events, or a
@@ -37,22 +40,23 @@ final class EventSearch {
   private final ContainerFile file;
   private final FileContents contents;
   private final List<Dataset> datasets;
-  private final Optional<String> wanted;
 
-  /** Topics with events, that which is read first. */
-  private final List<String> topics = new ArrayList<>();
-
-  /** Searches for a topic, or for the first one. */
-  EventSearch(ContainerFile file, Optional<String> wanted) throws IOException {
+  EventSearch(ContainerFile file) throws IOException {
     this.file = file;
-    this.wanted = wanted;
     contents = FileContents.of(file);
     datasets = new ArrayList<>(contents.datasets());
   }
 
-  EventTable table() throws IOException {
+  EventTable table(Optional<String> topic) throws IOException {
     datasets.sort(Comparator.comparingInt(EventSearch::rank));
-    Map<EventColumn, EventTable.StoredColumn> columns = columns();
+    List<Candidate> candidates = candidates();
+    Candidate chosen = chosen(candidates, topic);
+    Map<EventColumn, EventTable.StoredColumn> columns = chosen.columns();
+    List<String> topics =
+        candidates.stream()
+            .sorted(Comparator.comparing(candidate -> candidate != chosen))
+            .map(Candidate::path)
+            .toList();
     long rows = Long.MAX_VALUE;
     long maxRows = 0;
     for (EventTable.StoredColumn column : columns.values()) {
@@ -64,15 +68,22 @@ final class EventSearch {
         new EventTable(
             file,
             columns,
-            List.copyOf(topics),
+            topics,
             rows,
             rows != maxRows,
             0,
             0,
             sensor(),
-            origin(),
+            origin(chosen.path()),
             triggers());
     found.check();
+    if (columns.containsKey(EventColumn.POLARITY)) {
+      ColumnSample polarities = start(columns.get(EventColumn.POLARITY));
+      Optional<String> obstacle = ColumnGuess.obstacle(polarities.valid());
+      if (obstacle.isPresent()) {
+        throw new RecordingProblem(file.bytes().path(), obstacle.get());
+      }
+    }
     int scale = ours ? 0 : timeScale(columns.get(EventColumn.TIME));
     return new EventTable(
         file,
@@ -88,12 +99,12 @@ final class EventSearch {
   }
 
   /** Origin of rows in files of Haltere and Metavision; others do not state it. */
-  private Optional<Origin> origin() throws RecordingProblem {
+  private Optional<Origin> origin(String topic) throws RecordingProblem {
     OptionalLong rowsUp = whole(EventTable.ROWS_UP);
     if (rowsUp.isPresent()) {
       return Optional.of(rowsUp.getAsLong() == 1 ? Origin.BOTTOM : Origin.TOP);
     }
-    return topics.get(0).equals(METAVISION) ? Optional.of(Origin.TOP) : Optional.empty();
+    return topic.equals(METAVISION) ? Optional.of(Origin.TOP) : Optional.empty();
   }
 
   /** Rank of a dataset: well-known paths first. */
@@ -101,63 +112,93 @@ final class EventSearch {
     return dataset.name().startsWith("events/") ? 0 : dataset.name().startsWith("CD/") ? 1 : 2;
   }
 
-  private Map<EventColumn, EventTable.StoredColumn> columns() throws IOException {
-    Map<EventColumn, EventTable.StoredColumn> chosen = EventTable.noColumns();
+  /**
+   * Events of a file.
+   *
+   * @param path of the table, or of the group of its columns
+   * @param dataset of the table, or of one of the columns
+   * @param columns by content
+   */
+  private record Candidate(
+      String path, Dataset dataset, Map<EventColumn, EventTable.StoredColumn> columns) {
+    boolean isComplete() {
+      return columns.containsKey(EventColumn.TIME)
+          && columns.containsKey(EventColumn.X)
+          && columns.containsKey(EventColumn.Y)
+          && !dataset.name().startsWith(TRIGGERS);
+    }
+  }
+
+  private List<Candidate> candidates() throws IOException {
+    Map<String, Candidate> candidates = new LinkedHashMap<>();
     for (Dataset dataset : datasets) {
-      String topic = topic(dataset);
-      boolean isWanted = chosen.isEmpty() && wanted.orElse(topic).equals(topic);
-      if (topics.contains(topic) || dataset.name().startsWith(TRIGGERS)) {
-        continue;
-      }
-      Map<EventColumn, EventTable.StoredColumn> columns = columns(dataset, isWanted);
-      if (columns.keySet().containsAll(List.of(EventColumn.TIME, EventColumn.X, EventColumn.Y))) {
-        topics.add(isWanted ? 0 : topics.size(), topic);
-        if (isWanted) {
-          contents.check(name -> isColumnBeside(dataset, name));
-          chosen = columns;
-        }
+      Candidate candidate = candidate(dataset, !candidates.isEmpty());
+      if (candidate.isComplete()) {
+        candidates.putIfAbsent(candidate.path(), candidate);
       }
     }
-    if (!chosen.isEmpty()) {
-      return chosen;
-    }
-    if (wanted.isPresent() && !topics.isEmpty()) {
-      throw new RecordingProblem(file.bytes().path(), Topics.missing(wanted.get(), topics));
-    }
-    throw contents.lacks(
-        "are no events: t, x, y and p are wanted, as lists in one group or as fields of one list");
+    return List.copyOf(candidates.values());
   }
 
-  /** Group of columns, or the path of a dataset with all of them. */
-  private static String topic(Dataset dataset) {
-    boolean isColumn = dataset.isList() && dataset.type().kind() != 'c';
-    return isColumn ? folder(dataset).replaceFirst("/$", "") : dataset.name();
-  }
-
-  /** Columns in a dataset or beside it; of one that cannot be read, none unless it is needed. */
-  private Map<EventColumn, EventTable.StoredColumn> columns(Dataset dataset, boolean isNeeded)
-      throws IOException {
-    try {
-      Map<EventColumn, EventTable.StoredColumn> columns = EventTable.noColumns();
-      if (dataset.isList() && dataset.type().kind() == 'c') {
-        for (ElementType.Member member : dataset.type().members()) {
-          put(columns, EventTable.StoredColumn.of(dataset, member));
+  private Candidate candidate(Dataset dataset, boolean isFurther) throws IOException {
+    Map<EventColumn, EventTable.StoredColumn> columns = EventTable.noColumns();
+    String path = dataset.name();
+    if (dataset.isList() && dataset.type().kind() == 'c') {
+      for (ElementType.Member member : dataset.type().members()) {
+        put(columns, EventTable.StoredColumn.of(dataset, member));
+      }
+    } else if (dataset.isList()) {
+      path = folder(dataset).isEmpty() ? "/" : folder(dataset).replaceFirst("/$", "");
+      for (Dataset beside : datasets) {
+        if (folder(beside).equals(folder(dataset)) && beside.isList()) {
+          put(columns, EventTable.StoredColumn.of(beside));
         }
-      } else if (dataset.isList()) {
-        for (Dataset beside : datasets) {
-          if (folder(beside).equals(folder(dataset)) && beside.isList()) {
-            put(columns, EventTable.StoredColumn.of(beside));
-          }
-        }
-      } else if (dataset.columns() == 4 && dataset.type().isNumber()) {
+      }
+    } else if (dataset.columns() == 4 && dataset.type().isNumber()) {
+      try {
         columns = tableColumns(dataset);
+      } catch (RecordingProblem problem) {
+        if (!isFurther) {
+          throw problem;
+        }
       }
-      return columns;
-    } catch (RecordingProblem unreadable) {
-      if (isNeeded) {
-        throw unreadable;
+    }
+    return new Candidate(path, dataset, columns);
+  }
+
+  private Candidate chosen(List<Candidate> candidates, Optional<String> topic)
+      throws RecordingProblem {
+    if (candidates.isEmpty()) {
+      throw contents.lacks(
+          "are no events: t, x, y and p are wanted, as lists in one group or as fields of one list");
+    }
+    for (Candidate candidate : candidates) {
+      if (topic.isEmpty() || topic.get().replaceFirst("^/(?=.)", "").equals(candidate.path())) {
+        contents.check(name -> isColumnBeside(candidate.dataset(), name));
+        checkPolarities(candidate.dataset(), candidate.columns());
+        return candidate;
       }
-      return EventTable.noColumns();
+    }
+    throw new RecordingProblem(
+        file.bytes().path(),
+        Topics.missing(topic.get(), candidates.stream().map(Candidate::path).toList()));
+  }
+
+  /** Rejects unreadable polarities, without which all events would be ON. */
+  private void checkPolarities(Dataset dataset, Map<EventColumn, EventTable.StoredColumn> columns)
+      throws RecordingProblem {
+    Stream<String> names =
+        dataset.type().kind() == 'c'
+            ? dataset.type().members().stream().map(ElementType.Member::name)
+            : datasets.stream()
+                .map(Dataset::name)
+                .filter(name -> isColumnBeside(dataset, name))
+                .map(name -> name.substring(name.lastIndexOf('/') + 1));
+    boolean named = names.anyMatch(name -> EventColumn.named(name) == EventColumn.POLARITY);
+    if (named && !columns.containsKey(EventColumn.POLARITY)) {
+      throw new RecordingProblem(
+          file.bytes().path(),
+          "its polarities cannot be read; save them again as a list of numbers");
     }
   }
 
@@ -256,18 +297,22 @@ final class EventSearch {
     return new ColumnSample(Arrays.copyOf(numbers, row), isCutOff);
   }
 
+  private RecordingProblem endsBefore(String what) {
+    return new RecordingProblem(
+        file.bytes().path(),
+        file.bytes().size(),
+        "the file ends before " + what + " is known; copy it again");
+  }
+
   private void requireComplete(ColumnSample sample, String what) throws RecordingProblem {
     if (sample.isCutOff() && file.isCutOff()) {
-      throw new RecordingProblem(
-          file.bytes().path(),
-          file.bytes().size(),
-          "the file ends before " + what + " is known; copy it again");
+      throw endsBefore(what);
     }
   }
 
   /**
-   * Time unit: by eventcv's attribute or the column's name; else as for other files of plain
-   * numbers.
+   * Time unit: by eventcv's attribute, the column's name or an attribute of it; else as for other
+   * files of plain numbers.
    */
   private int timeScale(EventTable.StoredColumn time) throws IOException {
     for (Attributes some : contents.attributes()) {
@@ -281,6 +326,13 @@ final class EventSearch {
     }
     if (EventColumn.timeScale(time.name()).isPresent()) {
       return EventColumn.timeScale(time.name()).getAsInt();
+    }
+    if (file.isCutOff() && contents.hasUnreadableUnit(time.dataset().name())) {
+      throw endsBefore("the unit of its times");
+    }
+    OptionalInt stated = EventColumn.timeScale("t " + contents.timeUnit(time.dataset().name()));
+    if (stated.isPresent()) {
+      return stated.getAsInt();
     }
     ColumnSample sample = start(time);
     if (time.type().kind() == 'f' && !sample.hasFractions()) {

@@ -96,10 +96,14 @@ record EventTable(
     }
   }
 
-  /** Finds the events of a file: those of a topic, or the first ones. */
+  /**
+   * Finds the events of a file.
+   *
+   * @param topic path of the requested table, if there are several
+   */
   static EventTable of(RecordingFile bytes, Optional<String> topic) throws IOException {
     ContainerFile container = ContainerFile.open(bytes);
-    return new EventSearch(container, topic).table();
+    return new EventSearch(container).table(topic);
   }
 
   /** Contents of the columns of a table without names, in their order; else empty. */

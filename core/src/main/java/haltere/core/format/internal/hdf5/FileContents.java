@@ -1,12 +1,17 @@
 package haltere.core.format.internal.hdf5;
 
 import haltere.core.format.RecordingProblem;
+import haltere.core.format.internal.decoding.EventColumn;
 import java.io.IOException;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
 import java.util.Set;
 import java.util.function.Predicate;
 
@@ -15,12 +20,21 @@ final class FileContents {
   private static final int MAX_DATASETS = 512;
   private static final int MAX_DEPTH = 4;
 
+  /** Members of a group, so that frames in datasets of their own leave room for other groups. */
+  private static final int MAX_OF_GROUP = 128;
+
   private final ContainerFile file;
   private final List<Dataset> datasets = new ArrayList<>();
   private final List<Attributes> attributes = new ArrayList<>();
   private final Set<Long> seen = new HashSet<>();
   private final Map<String, RecordingProblem> problems = new LinkedHashMap<>();
+  private final Map<String, String> timeUnits = new HashMap<>();
+  private final Set<String> unreadableUnits = new HashSet<>();
+  private final Queue<Place> waiting = new ArrayDeque<>();
   private boolean hidden;
+
+  /** An object that is not yet read. */
+  private record Place(String path, long position, int depth) {}
 
   private FileContents(ContainerFile file) {
     this.file = file;
@@ -28,18 +42,37 @@ final class FileContents {
 
   static FileContents of(ContainerFile file) throws IOException {
     FileContents contents = new FileContents(file);
-    contents.collect("", file.root(), MAX_DEPTH);
+    contents.collect(new Place("", file.root(), MAX_DEPTH));
+    contents.collectWaiting();
     return contents;
   }
 
-  private void collect(String path, long position, int depth) throws IOException {
-    if (!seen.add(position) || seen.size() > MAX_DATASETS) {
+  /** Reads group by group, the upper ones first. */
+  private void collectWaiting() throws IOException {
+    while (!waiting.isEmpty()) {
+      Place place = waiting.remove();
+      try {
+        collect(place);
+      } catch (RecordingProblem problem) {
+        // an unknown object may be irrelevant
+        problems.put(place.path(), problem);
+      }
+    }
+  }
+
+  private void collect(Place place) throws IOException {
+    long position = place.position();
+    if (seen.size() >= MAX_DATASETS || !seen.add(position)) {
       return;
     }
+    String path = place.path();
     ObjectHeader header = ObjectHeader.read(file, position);
     if (!Group.isGroup(header)) {
       if (header.has(ObjectHeader.LAYOUT)) {
         datasets.add(Dataset.read(file, path, header));
+        if (EventColumn.named(path.substring(path.lastIndexOf('/') + 1)) == EventColumn.TIME) {
+          addTimeUnit(path, header);
+        }
       }
       return;
     }
@@ -48,17 +81,36 @@ final class FileContents {
     }
     Group group = Group.of(file, header);
     hidden |= group.hasHidden();
-    if (depth > 0) {
-      for (Map.Entry<String, Long> member : group.members().entrySet()) {
-        String name = path.isEmpty() ? member.getKey() : path + "/" + member.getKey();
-        try {
-          collect(name, member.getValue(), depth - 1);
-        } catch (RecordingProblem problem) {
-          // an unknown object may be irrelevant
-          problems.put(name, problem);
-        }
-      }
+    if (place.depth() > 0) {
+      group.members().entrySet().stream()
+          .sorted(Comparator.comparing(member -> EventColumn.named(member.getKey())))
+          .limit(MAX_OF_GROUP)
+          .forEach(
+              member -> {
+                String name = path.isEmpty() ? member.getKey() : path + "/" + member.getKey();
+                waiting.add(new Place(name, member.getValue(), place.depth() - 1));
+              });
     }
+  }
+
+  private void addTimeUnit(String path, ObjectHeader header) throws IOException {
+    try {
+      Attributes some = Attributes.of(file, header);
+      String unit = some.text("unit").isEmpty() ? some.text("units") : some.text("unit");
+      timeUnits.put(path, unit);
+    } catch (RecordingProblem ignored) {
+      unreadableUnits.add(path);
+    }
+  }
+
+  /** Whether a dataset of times has attributes that cannot be read. */
+  boolean hasUnreadableUnit(String path) {
+    return unreadableUnits.contains(path);
+  }
+
+  /** The unit that an attribute of a dataset of times states, or an empty text. */
+  String timeUnit(String path) {
+    return timeUnits.getOrDefault(path, "");
   }
 
   List<Dataset> datasets() {

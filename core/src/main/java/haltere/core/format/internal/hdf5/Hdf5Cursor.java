@@ -151,6 +151,7 @@ final class Hdf5Cursor extends RowCursor {
     int xStep = x.stride();
     int yStep = y.stride();
     int signStep = polarity.stride();
+    int signMask = polarity.isUnsigned() ? 0xff : -1;
     long offsetUs = table.timeOffsetUs();
     long last = times.lastUs();
     int top = height - 1;
@@ -166,7 +167,7 @@ final class Hdf5Cursor extends RowCursor {
                   : (int) LittleEndian.INT.get(timeData, timeAt) & 0xffffffffL);
       int column = (short) LittleEndian.SHORT.get(columns, xAt) & 0xffff;
       int down = (short) LittleEndian.SHORT.get(downs, yAt) & 0xffff;
-      int on = signs[signAt] > 0 ? EventAddress.ON_BIT : 0;
+      int on = (signs[signAt] & signMask) > 0 ? EventAddress.ON_BIT : 0;
       timeAt += timeStep;
       xAt += xStep;
       yAt += yStep;

@@ -78,6 +78,7 @@ public final class Hdf5Format implements RecordingFormat {
     Topics.remark(table.topics().get(0), table.topics().subList(1, table.topics().size()))
         .ifPresent(remarks::add);
     ColumnGuess.remark(table.guessed()).ifPresent(remarks::add);
+    ColumnGuess.remarkOnPolarities(table.columns().keySet()).ifPresent(remarks::add);
     Origin origin = SensorGuess.origin(table.origin(), options, remarks);
     ViolationCounts found = new ViolationCounts();
     if (table.inconsistent()) {

@@ -85,7 +85,7 @@ record NpyHeader(
       return Optional.empty();
     }
     List<NpyField> fields = fields(description.group(1));
-    Optional<List<Long>> lengths = lengths(shape.group(1));
+    Optional<List<Long>> lengths = lengths(shape.group(1)).map(NpyHeader::asList);
     int itemBytes = fields.stream().mapToInt(NpyField::bytes).sum();
     if (fields.isEmpty() || lengths.isEmpty() || itemBytes < 1) {
       return Optional.empty();
@@ -98,11 +98,16 @@ record NpyHeader(
             : header);
   }
 
-  /** Four columns as fields, one as a list; the array itself if it has another number. */
+  /** Lengths of an array, where a single row or column is a list; four numbers are a table. */
+  private static List<Long> asList(List<Long> lengths) {
+    boolean isColumn = lengths.size() == 2 && lengths.get(1) == 1;
+    boolean isRow =
+        lengths.size() == 2 && lengths.get(0) == 1 && lengths.get(1) != ColumnGuess.COLUMNS;
+    return isColumn || isRow ? List.of(lengths.get(isColumn ? 0 : 1)) : lengths;
+  }
+
+  /** Four columns as fields; the array itself if it has not as many. */
   private NpyHeader asTable(boolean isTransposed) {
-    if (shape.get(1) == 1) {
-      return new NpyHeader(fields, itemBytes, List.of(shape.get(0)), dataOffset, false);
-    }
     boolean isUpright = shape.get(1) == ColumnGuess.COLUMNS;
     if (!isUpright && shape.get(0) != ColumnGuess.COLUMNS) {
       return this;

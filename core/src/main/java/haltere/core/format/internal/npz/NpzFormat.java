@@ -88,6 +88,7 @@ public final class NpzFormat implements RecordingFormat {
       found.add(Violation.CUT_OFF, file.size());
     }
     ColumnGuess.remark(layout.guessed()).ifPresent(remarks::add);
+    ColumnGuess.remarkOnPolarities(layout.columns().keySet()).ifPresent(remarks::add);
     SensorGeometry geometry;
     Origin origin = SensorGuess.origin(layout.origin(), options, remarks);
     if (layout.sensor().isPresent()) {

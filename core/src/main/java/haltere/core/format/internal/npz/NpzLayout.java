@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -146,6 +147,13 @@ record NpzLayout(
           file.path(), file.size(), "the file ends before the polarities of its events");
     }
     checkPolarities(file, entries, arrays, columns);
+    if (columns.containsKey(EventColumn.POLARITY)) {
+      double[] polarities = start(file, columns.get(EventColumn.POLARITY));
+      Optional<String> obstacle = ColumnGuess.obstacle(Arrays.stream(polarities));
+      if (obstacle.isPresent()) {
+        throw new RecordingProblem(file.path(), obstacle.get());
+      }
+    }
     long rows = Long.MAX_VALUE;
     long maxRows = 0;
     boolean inconsistent = false;
@@ -261,7 +269,7 @@ record NpzLayout(
       ArrayBytes bytes = unknown.open(file);
       int length = bytes.read(0, start, start.length);
       bytes.close();
-      NpyHeader.parse(java.util.Arrays.copyOf(start, length))
+      NpyHeader.parse(Arrays.copyOf(start, length))
           .ifPresent(
               header ->
                   arrays.add(

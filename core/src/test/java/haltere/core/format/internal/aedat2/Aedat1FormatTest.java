@@ -2,6 +2,7 @@ package haltere.core.format.internal.aedat2;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
@@ -17,6 +18,7 @@ import haltere.testing.EventPackets;
 import haltere.testing.RecordingFormatContract;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -77,6 +79,14 @@ class Aedat1FormatTest extends RecordingFormatContract {
       reader.drainTo(recorder);
     }
     assertEquals(events, recorder.events());
+  }
+
+  @Test
+  void headerOfAnotherFormatBeforeZerosIsNoClock() throws IOException {
+    String header = "% format HISTO3D;height=320;width=320\n% end\n";
+    Path file = folder.resolve("histogram.raw");
+    Files.write(file, Arrays.copyOf(header.getBytes(StandardCharsets.US_ASCII), 6000));
+    assertSame(Support.NONE, format().probe(FileHead.read(file)).support());
   }
 
   @Test

@@ -359,6 +359,15 @@ class Aedat4FormatTest extends RecordingFormatContract {
     org.junit.jupiter.api.Assertions.assertThrows(
         haltere.core.format.RecordingProblem.class,
         () -> new Aedat4Format().open(file, ReadOptions.DEFAULT, java.util.OptionalInt.of(1)));
+    StreamRecorder named = new StreamRecorder();
+    try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withTopic("4"))) {
+      reader.drainTo(named);
+      assertTrue(reader.remarks().get(0).contains("--topic chooses another: 0"));
+    }
+    assertEquals(second, named.events());
+    org.junit.jupiter.api.Assertions.assertThrows(
+        haltere.core.format.RecordingProblem.class,
+        () -> Recordings.open(file, ReadOptions.DEFAULT.withTopic("left")).close());
   }
 
   @Test

@@ -20,6 +20,7 @@ import haltere.core.format.Violation;
 import haltere.testing.RecordingFormatContract;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -27,6 +28,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Text keeps the contract of all formats, with its columns in any order. */
@@ -128,6 +130,16 @@ class CsvReadingTest extends RecordingFormatContract {
         "p;t_us;x;y\nON;1500000;3;2\nOFF;1500001;4;9\nON;2000000;9;0\n",
         "pol\ttime [us]\tx\ty\n1\t1500000\t3\t2\n0\t1500001\t4\t9\n1\t2000000\t9\t0\n",
         "t,a,x,y,p,label\n1500000,0.1,3,2,1,fly\n1500001,x,4,9,0,fly\n2000000,7,9,0,1,\n",
+        "\"t_us\",\"x\",\"y\",\"p\"\n\"1500000\",\"3\",\"2\",\"1\"\n\"1500001\",4,9,\"0\"\n2000000,9,0,1\n",
+        "\"t_us\" \"x\" \"y\" \"p\"\n\"1\" 1500000 3 2 1\n\"2\" 1500001 4 9 0\n\"3\" 2000000 9 0 1\n",
+        "t [\u00b5s],x,y,p\n1500000,3,2,+\n1500001,4,9,-\n2000000,9,0,+\n",
+        "t (\u00c2\u00b5s),x,y,p\n1500000,3,2,pos\n1500001,4,9,neg\n2000000,9,0,pos\n",
+        "time (\u00ce\u00bcs),x,y,p\n1500000,3,2,CD_ON\n1500001,4,9,CD_OFF\n2000000,9,0,CD_ON\n",
+        "timestamp usec,x_addr,y_addr,is_on\n1500000,3,2,1\n1500001,4,9,0\n2000000,9,0,1\n",
+        "t,x,y,is_increase\n1500000,3,2,1\n1500001,4,9,0\n2000000,9,0,1\n",
+        "# columns: t x y p\n1500000 3 2 1\n1500001 4 9 0\n2000000 9 0 1\n",
+        "# t, x, y of events\nt_us,x,y,p\n1500000,3,2,1\n1500001,4,9,0\n2000000,9,0,1\n",
+        "1500000,3,2,1,\n1500001,4,9,0,\n2000000,9,0,1,\n",
         "1.500000 3 2 1\n1.500001 4 9 0\n2.000000 9 0 1\n",
         "10 10\n1.500000 3 2 1\n1.500001 4 9 0\n2.000000 9 0 1\n",
         "3,2,1500000,1\n4,9,1500001,-1\n9,0,2000000,1\n",
@@ -244,6 +256,28 @@ class CsvReadingTest extends RecordingFormatContract {
     }
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "'t_us,x,y,p\n1,2,3,1\n2,2,3,2\n', its polarities are 1 to 2",
+    "'t_us,x,y,p\n1,2,3,up\n2,2,3,down\n', 'its polarities, such as up, are no known words'"
+  })
+  void unknownPolaritiesAreRejectedByName(String text, String reason) throws IOException {
+    Path file = Files.writeString(folder.resolve("unknown.csv"), text.replace("\\n", "\n"));
+    RecordingProblem refused =
+        assertThrows(RecordingProblem.class, () -> Recordings.open(file).close());
+    assertTrue(refused.getMessage().contains(reason), refused.getMessage());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"UTF-16", "UTF-16LE"})
+  void wideTextIsToldToBeSavedAsUtf8(String charset) throws IOException {
+    String text = (charset.endsWith("LE") ? "\ufeff" : "") + "t_us,x,y,p\n1,2,3,1\n";
+    Path file = Files.write(folder.resolve("wide.csv"), text.getBytes(Charset.forName(charset)));
+    RecordingProblem refused =
+        assertThrows(RecordingProblem.class, () -> Recordings.open(file).close());
+    assertTrue(refused.getMessage().contains("save it as UTF-8"), refused.getMessage());
+  }
+
   @Test
   void otherTextIsRejected() throws IOException {
     for (String text :
@@ -254,6 +288,8 @@ class CsvReadingTest extends RecordingFormatContract {
             "t_us,x,y,on\r1,2,3,1\r2,2,3,1\r",
             "0.1,0.2,0.3,0.4\n0.2,0.1,0.2,0.1\n",
             "{\"x\": 1}\n",
+            "{\"t\":1,\"x\":2,\"y\":3,\"p\":1}\n{\"t\":2,\"x\":2,\"y\":3,\"p\":1}\n",
+            "t,x,y,p,label\n1,2,3,1\n2,2,3,1\n",
             "1\n2\n3\n")) {
       Path file = Files.writeString(folder.resolve("other"), text);
       assertSame(Support.NONE, format().probe(FileHead.read(file)).support(), text);

@@ -30,6 +30,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -135,9 +136,14 @@ class Hdf5FormatTest extends RecordingFormatContract {
         "table-pairs-of-columns",
         "new-table-three-columns",
         "new-growing-table-by-columns",
-        "columns-of-one-column",
         "seconds-big-endian-truth",
-        "nanoseconds-user-block");
+        "nanoseconds-user-block",
+        "matlab-column",
+        "matlab-row",
+        "new-lists-of-one-row",
+        "microseconds-in-greek",
+        "nanoseconds-by-attribute",
+        "polarities-of-255");
   }
 
   /**
@@ -239,6 +245,17 @@ class Hdf5FormatTest extends RecordingFormatContract {
   }
 
   @Test
+  void eventsAreFoundBehindHundredsOfFrames() throws IOException {
+    Path file = folder.resolve("frames-first");
+    try (InputStream in = Hdf5FormatTest.class.getResourceAsStream("frames-first.h5.gz")) {
+      Files.copy(new GZIPInputStream(in), file);
+    }
+    try (RecordingReader reader = Recordings.open(file)) {
+      assertEquals(theirEvents(), read(reader).events());
+    }
+  }
+
+  @Test
   void rowsWithoutNumbersAreSkippedAndCounted() throws IOException {
     EventPacket events = new EventPacket(2);
     events.append(5, 0, 478, true);
@@ -283,6 +300,8 @@ class Hdf5FormatTest extends RecordingFormatContract {
     "filter-ecf, ECF",
     "filter-unknown, filter 54321",
     "large-chunks, h5repack -l CHUNK=65536",
+    "polarities-of-text, its polarities cannot be read",
+    "polarities-one-and-two, its polarities are 1 to 2",
     "no-events, [weights]"
   })
   void unsupportedFilesAreRejectedWithAReasonAndARemedy(String name, String reason)

@@ -201,7 +201,7 @@ class NpzFormatTest extends RecordingFormatContract {
       Path file = Files.write(folder.resolve(table.getKey()), table.getValue());
       try (RecordingReader reader = Recordings.open(file)) {
         assertEquals(events, read(reader).events(), table.getKey());
-        assertTrue(reader.remarks().toString().contains("TIME"), reader.remarks().toString());
+        assertTrue(reader.remarks().toString().contains("time"), reader.remarks().toString());
         assertEquals(List.of(), reader.violations().describe());
         reader.seek(events.timeUs(5_000));
         int first = events.indexAtOrAfter(events.timeUs(5_000));
@@ -356,6 +356,44 @@ class NpzFormatTest extends RecordingFormatContract {
       } catch (RecordingProblem problem) {
         assertEquals(1, problem.getMessage().lines().count());
       }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"1,%d", "%d,1"})
+  void arraysOfOneRowOrColumnAreLists(String shape) throws IOException {
+    EventPacket events = EventPackets.uniform(SENSOR, 3, 50, 5, 40);
+    Map<String, byte[]> arrays = columns(events, false);
+    ByteBuffer times = buffer(8 * events.size(), ByteOrder.LITTLE_ENDIAN);
+    for (int i = 0; i < events.size(); i++) {
+      times.putLong(events.timeUs(i));
+    }
+    arrays.put("t", array("'<i8'", shape.formatted(events.size()), times.flip()));
+    Path file = Files.write(folder.resolve("list.npz"), zipped(arrays));
+    try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withSensor(SENSOR))) {
+      assertEquals(events, read(reader).events());
+    }
+  }
+
+  @Test
+  void polaritiesOfWhichNoneIsOffAreRejected() throws IOException {
+    Map<String, byte[]> arrays = columns(EventPackets.uniform(SENSOR, 7, 4, 5, 40), false);
+    arrays.keySet().removeIf(name -> name.startsWith("p"));
+    arrays.put("p", array("'|u1'", "4,", ByteBuffer.wrap(new byte[] {1, 2, 2, 1})));
+    Path file = Files.write(folder.resolve("matlab.npz"), zipped(arrays));
+    RecordingProblem refused =
+        assertThrows(RecordingProblem.class, () -> Recordings.open(file).close());
+    assertTrue(refused.getMessage().contains("polarities are 1 to 2"), refused.getMessage());
+  }
+
+  @Test
+  void eventsWithoutPolaritiesAreToldToBeOn() throws IOException {
+    Map<String, byte[]> arrays = columns(EventPackets.uniform(SENSOR, 7, 10, 5, 40), false);
+    arrays.keySet().removeIf(name -> name.startsWith("p"));
+    Path file = Files.write(folder.resolve("unsigned.npz"), zipped(arrays));
+    try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withSensor(SENSOR))) {
+      assertEquals(10, read(reader).events().size());
+      assertTrue(reader.remarks().toString().contains("as ON"), reader.remarks().toString());
     }
   }
 

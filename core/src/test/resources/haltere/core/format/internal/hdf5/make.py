@@ -2,7 +2,7 @@
 
 ECF.so has size_t encode(EventCD *events, size_t count, uint8_t *to), which calls the encoder of prophesee-ai/hdf5_ecf.
 """
-import ctypes,h5py,numpy as np,hdf5plugin,os,sys
+import ctypes,h5py,numpy as np,hdf5plugin,gzip,os,sys
 d=sys.argv[1]; n=300
 i=np.arange(n)
 t=(1000000+i*7+i//150*1000000).astype(np.int64); x=(i*31%346).astype(np.uint16); y=(i*17%260).astype(np.uint16); p=(i//3%2).astype(np.uint8)
@@ -64,8 +64,6 @@ with f('table-by-columns') as h: h.create_dataset('events',data=np.stack([t,x,y,
 with f('table-pairs-of-columns') as h: h.create_dataset('events',data=np.stack([x,y,p,t],axis=1).astype(np.uint32),chunks=(40,2),maxshape=(None,4),compression='gzip')
 with f('new-table-three-columns',libver='latest') as h: h.create_dataset('events',data=np.stack([t,x,y,p],axis=1).astype(np.uint32),chunks=(70,3),compression='lzf')
 with f('new-growing-table-by-columns',libver='latest') as h: h.create_dataset('events',data=np.stack([t,x,y,p],axis=1).astype(np.uint32),chunks=(9,1),maxshape=(None,4))
-with f('columns-of-one-column') as h:
-    for k,v in dict(t=t,x=x,y=y,p=p).items(): h.create_dataset('events/'+k,data=v.reshape(-1,1),chunks=(70,1),compression='gzip')
 with f('two-cameras') as h:
     for side,k in (('right',7),('left',0)):
         g=h.create_group('cameras/'+side); g['t']=t[k:]; g['x']=x[k:]; g['y']=y[k:]; g['p']=p[k:]
@@ -84,4 +82,27 @@ other('filter-ecf',36559); other('filter-unknown',54321)
 with f('large-chunks') as h: 
     g=h.create_group('events')
     for k,v in dict(t=t,x=x,y=y,p=p).items(): g.create_dataset(k,shape=(0,),maxshape=(None,),dtype=v.dtype,chunks=(4000000,),compression='gzip')
+def lists(h,path='events/',**changed):
+    for k,v in {**dict(t=t,x=x,y=y,p=p),**changed}.items(): h[path+k]=v
+    h.attrs['width']=346; h.attrs['height']=260
+def matlab(h,shape,chunks):
+    for k,v in dict(ts=t,x=x,y=y,p=p).items(): h.create_dataset('TD/'+k,data=v.astype(float).reshape(shape),chunks=chunks,compression='gzip',compression_opts=3).attrs['MATLAB_class']=np.bytes_('double')
+    h.attrs['width']=346; h.attrs['height']=260
+with f('matlab-column',userblock_size=512) as h: matlab(h,(1,n),(1,70))
+with f('matlab-row',userblock_size=512) as h: matlab(h,(n,1),(70,1))
+with f('new-lists-of-one-row',libver='latest') as h:
+    for k,v in dict(t=t,x=x,y=y,p=p).items(): h.create_dataset('events/'+k,data=v[None],chunks=(1,33),compression='gzip')
+    h.attrs['width']=346; h.attrs['height']=260
+with f('microseconds-in-greek') as h:
+    lists(h); h.move('events/t','events/t [\u00b5s]')
+with f('nanoseconds-by-attribute') as h:
+    lists(h,t=t*1000); h['events/t'].attrs['units']='ns'
+with f('polarities-of-255') as h: lists(h,p=p*255)
+with f('polarities-of-text') as h: lists(h,p=np.where(p,'ON','OFF').astype('S3'))
+with f('polarities-one-and-two') as h: lists(h,p=p+1)
+with f('frames-first') as h:
+    for k in range(520): h.create_dataset('camera/%04d'%k,shape=(),dtype='u1')
+    lists(h)
+with open(os.path.join(d,'frames-first.h5'),'rb') as plain, gzip.open(os.path.join(d,'frames-first.h5.gz'),'wb') as packed: packed.write(plain.read())
+os.remove(os.path.join(d,'frames-first.h5'))
 with f('no-events') as h: h['weights']=np.zeros((2,2))
