@@ -121,16 +121,7 @@ record NpzLayout(
     List<ZipDirectory.ZipMember> entries =
         listed.isPresent() ? listed.get() : ZipDirectory.withoutDirectory(file);
     List<Array> arrays = arrays(file, entries);
-    Map<EventColumn, ArrayColumn> columns = new EnumMap<>(EventColumn.class);
-    for (Array array : arrays) {
-      for (NpyHeader.NpyField field : array.header().fields()) {
-        String name = field.name().isEmpty() ? array.name() : field.name();
-        EventColumn column = EventColumn.named(name);
-        if (column != EventColumn.OTHER && field.isNumber() && array.header().isList()) {
-          columns.putIfAbsent(column, new ArrayColumn(array, field));
-        }
-      }
-    }
+    Map<EventColumn, ArrayColumn> columns = namedColumns(arrays);
     List<EventColumn> guessed = isComplete(columns) ? List.of() : table(file, arrays, columns);
     for (EventColumn needed : List.of(EventColumn.TIME, EventColumn.X, EventColumn.Y)) {
       if (!columns.containsKey(needed)) {
@@ -174,6 +165,30 @@ record NpzLayout(
         rowsUp.isPresent() ? 0 : timeScale(file, columns.get(EventColumn.TIME), listed.isEmpty()),
         sensor(file, arrays),
         rowsUp.map(up -> up == 1 ? Origin.BOTTOM : Origin.TOP));
+  }
+
+  /** Columns by name: the fields of one array, or else arrays side by side. */
+  private static Map<EventColumn, ArrayColumn> namedColumns(List<Array> arrays) {
+    for (Array array : arrays) {
+      Map<EventColumn, ArrayColumn> fields = new EnumMap<>(EventColumn.class);
+      addColumns(fields, array);
+      if (isComplete(fields)) {
+        return fields;
+      }
+    }
+    Map<EventColumn, ArrayColumn> columns = new EnumMap<>(EventColumn.class);
+    arrays.forEach(array -> addColumns(columns, array));
+    return columns;
+  }
+
+  private static void addColumns(Map<EventColumn, ArrayColumn> columns, Array array) {
+    for (NpyHeader.NpyField field : array.header().fields()) {
+      String name = field.name().isEmpty() ? array.name() : field.name();
+      EventColumn column = EventColumn.named(name);
+      if (column != EventColumn.OTHER && field.isNumber() && array.header().isList()) {
+        columns.putIfAbsent(column, new ArrayColumn(array, field));
+      }
+    }
   }
 
   private static boolean isComplete(Map<EventColumn, ArrayColumn> columns) {

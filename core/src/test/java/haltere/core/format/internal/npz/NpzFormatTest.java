@@ -294,7 +294,10 @@ class NpzFormatTest extends RecordingFormatContract {
             "[('x', '<i2'), ('y', '<i2'), ('t_ns', '<i8'), ('p', '|b1')]",
             events.size() + ",",
             data.flip());
-    for (byte[] bytes : List.of(array, zipped(Map.of("arr_0", array)))) {
+    Map<String, byte[]> withFrames = new LinkedHashMap<>();
+    withFrames.put("t", array("'<i8'", "2,", ByteBuffer.allocate(16)));
+    withFrames.put("events", array);
+    for (byte[] bytes : List.of(array, zipped(Map.of("arr_0", array)), zipped(withFrames))) {
       Path file = ReplacedFile.write(folder.resolve("structured"), bytes);
       try (RecordingReader reader = Recordings.open(file)) {
         assertEquals(events, read(reader).events());
