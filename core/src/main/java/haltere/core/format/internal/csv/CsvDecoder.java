@@ -30,6 +30,7 @@ final class CsvDecoder implements StreamDecoder {
   private final PlainRows plainRows;
   private final CsvRow exactRow;
   private final boolean decimalCommas;
+  private final boolean quoted;
 
   private final byte[] piece = new byte[PIECE + PADDING];
   private final AscendingTimes times = new AscendingTimes();
@@ -40,6 +41,7 @@ final class CsvDecoder implements StreamDecoder {
     plainRows = new PlainRows(layout, geometry);
     exactRow = new CsvRow(layout, geometry);
     decimalCommas = layout.decimalCommas();
+    quoted = layout.quoted();
   }
 
   @Override
@@ -65,9 +67,18 @@ final class CsvDecoder implements StreamDecoder {
 
   private void fill(ByteBuffer in, int position, int length) {
     in.get(position, piece, 0, length);
-    for (int i = 0; decimalCommas && i < length; i++) {
-      if (piece[i] == ',') {
-        piece[i] = '.';
+    if (decimalCommas) {
+      replace(length, ',', '.');
+    }
+    if (quoted) {
+      replace(length, '"', ' ');
+    }
+  }
+
+  private void replace(int length, char old, char with) {
+    for (int i = 0; i < length; i++) {
+      if (piece[i] == old) {
+        piece[i] = (byte) with;
       }
     }
   }

@@ -20,6 +20,7 @@ import java.util.stream.Stream;
  * @param named whether there are names
  * @param marked whether commas or semicolons separate the columns, not only spaces
  * @param decimalCommas whether commas are decimal points, since semicolons separate the columns
+ * @param quoted whether fields are in quotes
  * @param width columns of the sensor from a first row of two numbers, else 0
  * @param height rows of the sensor likewise
  * @param obstacle why its events cannot be read, if so
@@ -31,6 +32,7 @@ record CsvLayout(
     boolean named,
     boolean marked,
     boolean decimalCommas,
+    boolean quoted,
     int width,
     int height,
     Optional<String> obstacle) {
@@ -97,6 +99,7 @@ record CsvLayout(
     int dataOffset = -1;
     boolean marked;
     boolean decimalCommas;
+    boolean quoted;
 
     /**
      * Adds a line.
@@ -122,6 +125,7 @@ record CsvLayout(
         decimalCommas = line.indexOf(';') >= 0;
         marked = decimalCommas || line.indexOf(',') >= 0;
       }
+      quoted |= line.indexOf('"') >= 0;
       if (whole || rows.isEmpty()) {
         rows.add(fields);
       }
@@ -198,6 +202,7 @@ record CsvLayout(
         true,
         start.marked,
         start.decimalCommas,
+        start.quoted,
         start.width,
         start.height,
         start.obstacle(roles(start.names).orElseThrow()));
@@ -324,6 +329,7 @@ record CsvLayout(
                     false,
                     start.marked,
                     start.decimalCommas,
+                    start.quoted,
                     start.width,
                     start.height,
                     Optional.empty()));

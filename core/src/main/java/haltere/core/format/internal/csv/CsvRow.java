@@ -242,18 +242,15 @@ final class CsvRow {
     return rareNumber(start, scale);
   }
 
-  /** Reads exponents, quotes, words for polarities, and numbers with more digits than a long. */
+  /** Reads exponents, words for polarities, and numbers with more digits than a long. */
   private long rareNumber(int start, int scale) {
     int end = start;
     while (piece[end] > ' ' && piece[end] != ',' && piece[end] != ';') {
       end++;
     }
     cursor = end;
-    boolean quoted = piece[start] == '"' && end > start + 1 && piece[end - 1] == '"';
-    int from = quoted ? start + 1 : start;
-    int length = (quoted ? end - 1 : end) - from;
-    String text = new String(piece, from, length, StandardCharsets.ISO_8859_1);
-    Optional<Integer> word = length < MAX_WORD ? polarity(text) : Optional.empty();
+    String text = new String(piece, start, end - start, StandardCharsets.ISO_8859_1);
+    Optional<Integer> word = text.length() < MAX_WORD ? polarity(text) : Optional.empty();
     if (word.isPresent()) {
       return word.get();
     }
