@@ -7,17 +7,17 @@ import haltere.core.camera.Camera;
 import haltere.core.camera.CameraInfo;
 import haltere.core.camera.CameraStatistics;
 import haltere.core.camera.RegionOfInterest;
+import haltere.core.camera.RegionOfInterest.Region;
 import haltere.core.settings.Parameter;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.SettingField;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.BackgroundWork;
 import java.util.ArrayList;
-import java.util.EnumMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -36,9 +36,10 @@ final class CameraPanel extends ScrollPane {
   private final Label region = Controls.named(new Label(), "camera-region-words");
   private final Label problem =
       Controls.named(Controls.paragraph("", Styles.TEXT_SMALL, Styles.DANGER), "camera-problem");
-  private final Map<BiasSliders.Slider, Slider> sliders = new EnumMap<>(BiasSliders.Slider.class);
-  private final List<SettingField> fields = new ArrayList<>();
-  private Optional<Camera> camera = Optional.empty();
+
+  /** Show the values in effect, one for each control. */
+  private final List<Runnable> updates = new ArrayList<>();
+
   private boolean showing;
 
   CameraPanel(BackgroundWork background) {
@@ -52,10 +53,8 @@ final class CameraPanel extends ScrollPane {
 
   /** Shows another camera, or that none is open. */
   void setCamera(Optional<Camera> shown) {
-    camera = shown;
     content.getChildren().clear();
-    sliders.clear();
-    fields.clear();
+    updates.clear();
     problem.setText("");
     if (shown.isEmpty()) {
       Label none =
@@ -69,10 +68,19 @@ final class CameraPanel extends ScrollPane {
     String words = Texts.source(info.id()) + "   " + info.model();
     Label name = Controls.named(Controls.paragraph(words), "camera-name", Styles.TEXT_BOLD);
     content.getChildren().addAll(name, statistics, problem);
-    shown.get().facet(RegionOfInterest.class).ifPresent(roi -> content.getChildren().add(region));
+    shown.get().facet(RegionOfInterest.class).ifPresent(this::addRegion);
     shown.get().facet(BiasSliders.class).ifPresent(this::addSliders);
     shown.get().facet(Biases.class).ifPresent(this::addBiases);
     refresh();
+  }
+
+  private void addRegion(RegionOfInterest facet) {
+    content.getChildren().add(region);
+    Function<Region, String> words =
+        part ->
+            "Region %d \u00d7 %d at %d, %d"
+                .formatted(part.width(), part.height(), part.left(), part.bottom());
+    updates.add(() -> region.setText(facet.region().map(words).orElse("The whole sensor")));
   }
 
   private void addSliders(BiasSliders facet) {
@@ -92,7 +100,12 @@ final class CameraPanel extends ScrollPane {
                   send(() -> facet.set(which, value), problem::setText);
                 }
               });
-      sliders.put(which, slider);
+      updates.add(
+          () -> {
+            if (!slider.isValueChanging()) {
+              slider.setValue(facet.get(which));
+            }
+          });
       content.getChildren().add(new VBox(2, new Label(text), slider));
     }
   }
@@ -130,7 +143,13 @@ final class CameraPanel extends ScrollPane {
                           facet.set(
                               parameter.name(), ((Number) parameter.convert(value)).doubleValue()),
                       refused));
-      fields.add(field);
+      updates.add(
+          () -> {
+            double value = facet.get(parameter.name());
+            boolean isDefault =
+                parameter.defaultValue() instanceof Number number && number.doubleValue() == value;
+            field.show(parameter.convert(value), !isDefault);
+          });
       content.getChildren().add(field);
     }
   }
@@ -151,36 +170,7 @@ final class CameraPanel extends ScrollPane {
   /** Shows the values in effect. */
   void refresh() {
     showing = true;
-    Optional<Biases> biases = camera.flatMap(open -> open.facet(Biases.class));
-    for (SettingField field : fields) {
-      double value = biases.orElseThrow().get(field.parameter().name());
-      boolean changed =
-          !(field.parameter().defaultValue() instanceof Number number)
-              || number.doubleValue() != value;
-      field.show(field.parameter().convert(value), changed);
-    }
-    camera
-        .flatMap(open -> open.facet(BiasSliders.class))
-        .ifPresent(
-            facet ->
-                sliders.forEach(
-                    (which, slider) -> {
-                      if (!slider.isValueChanging()) {
-                        slider.setValue(facet.get(which));
-                      }
-                    }));
-    camera
-        .flatMap(open -> open.facet(RegionOfInterest.class))
-        .ifPresent(
-            roi ->
-                region.setText(
-                    roi.region()
-                        .map(
-                            part ->
-                                "Region %d \u00d7 %d at %d, %d"
-                                    .formatted(
-                                        part.width(), part.height(), part.left(), part.bottom()))
-                        .orElse("The whole sensor")));
+    updates.forEach(Runnable::run);
     showing = false;
   }
 
