@@ -17,6 +17,9 @@ public final class Lane {
   /** Maximum number of distinguishable curves. */
   static final int MAX_CURVES = 32;
 
+  /** More columns than samples. */
+  private static final int ALL = 1 << 20;
+
   private final Map<PlotField, Map<String, Curve>> curves = new LinkedHashMap<>();
   private final List<Curve> all = new ArrayList<>();
 
@@ -131,7 +134,8 @@ public final class Lane {
    * samples.
    */
   public long lastUs(PlotField field) {
-    return lastUs(curves.get(field).values());
+    Collection<Curve> ofField = curves.get(field).values();
+    return ofField.stream().mapToLong(Curve::lastUs).max().orElse(Long.MIN_VALUE);
   }
 
   /** Removes all curves. */
@@ -140,12 +144,31 @@ public final class Lane {
     all.clear();
   }
 
-  /** Time of the newest sample, microseconds; {@link Long#MIN_VALUE} before the first. */
-  public long lastUs() {
-    return lastUs(all);
-  }
-
-  private static long lastUs(Collection<Curve> curves) {
-    return curves.stream().mapToLong(Curve::lastUs).max().orElse(Long.MIN_VALUE);
+  /**
+   * The samples of lanes in a window as a table: {@code t_us,field,key,value,lowest,highest}. Where
+   * only summaries remain, a row has the middle of a summary and its two extremes.
+   */
+  public static String table(List<Lane> lanes, TimeWindow window) {
+    StringBuilder text = new StringBuilder("t_us,field,key,value,lowest,highest\n");
+    for (Lane lane : lanes) {
+      for (PlotField field : lane.fields()) {
+        String name = field.toString().replace(" / ", "/");
+        for (Curve curve : lane.curves(field)) {
+          curve.paint(
+              window.fromUs(),
+              window.toUs(),
+              ALL,
+              (fromUs, toUs, lowest, highest, joined) -> {
+                long timeUs = fromUs + (toUs - fromUs) / 2;
+                if (timeUs >= window.fromUs() && timeUs <= window.toUs()) {
+                  text.append(timeUs).append(',').append(name).append(',');
+                  text.append(curve.key()).append(',').append((lowest + highest) / 2);
+                  text.append(',').append(lowest).append(',').append(highest).append('\n');
+                }
+              });
+        }
+      }
+    }
+    return text.toString();
   }
 }

@@ -64,7 +64,7 @@ final class PlotFeature implements ViewerFeature {
         () ->
             dialogs
                 .save("Save plots as table", "plots.csv", "Tables", "*.csv")
-                .ifPresent(file -> window.save(file, plots.table().text())),
+                .ifPresent(file -> window.save(file, plots.table())),
         noPlots);
     actions.add(
         "save-plot-picture",

@@ -101,7 +101,7 @@ class LaneTest {
     lane.take(FIELD, 2, "RIGHT", 2);
     lane.take(FIELD, 3, "LEFT", 3);
     assertEquals(List.of("LEFT", "RIGHT"), lane.curves().stream().map(Curve::key).toList());
-    assertEquals(3, lane.lastUs());
+    assertEquals(3, lane.lastUs(FIELD));
   }
 
   @Test
@@ -135,7 +135,7 @@ class LaneTest {
     }
     TimeWindow window = new TimeWindow();
     window.advanceTo(9_000_000);
-    String text = PlotTable.of(List.of(lane), window).text();
+    String text = Lane.table(List.of(lane), window);
     assertEquals(
         List.of(
             "t_us,field,key,value,lowest,highest",

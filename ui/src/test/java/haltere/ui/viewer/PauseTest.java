@@ -77,7 +77,7 @@ class PauseTest {
     viewer.waitFor("curves up to the place", () -> newestUs() > 130_000);
     long samples =
         viewer
-            .onFx(() -> viewer.window.context().panels().plots().table().text())
+            .onFx(() -> viewer.window.context().panels().plots().table())
             .lines()
             .filter(line -> line.contains("angle_rad"))
             .count();

@@ -7,7 +7,6 @@ import haltere.core.stream.StreamNotification;
 import haltere.ui.plot.InertialFeed;
 import haltere.ui.plot.Lane;
 import haltere.ui.plot.PlotField;
-import haltere.ui.plot.PlotTable;
 import haltere.ui.plot.TimeWindow;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.controls.Controls;
@@ -137,8 +136,8 @@ public final class PlotPanel extends BorderPane {
   }
 
   /** The plotted samples as a table. */
-  public PlotTable table() {
-    return PlotTable.of(lanes(), window);
+  public String table() {
+    return Lane.table(lanes(), window);
   }
 
   private void offer(List<PlotField> published) {
