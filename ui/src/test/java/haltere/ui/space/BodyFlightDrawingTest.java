@@ -114,7 +114,7 @@ class BodyFlightDrawingTest {
 
   private static Marks drawn(CameraLine line) {
     Marks marks = new Marks();
-    new CameraLineOverlay().draw(line, marks);
+    line.draw(marks);
     return marks;
   }
 

@@ -7,7 +7,6 @@ import haltere.core.playback.Playable;
 import haltere.ui.space.BodyFlight;
 import haltere.ui.space.BodyFlightDrawing;
 import haltere.ui.space.CameraLine;
-import haltere.ui.space.CameraLineOverlay;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.picture.DisplayOptions;
@@ -33,7 +32,6 @@ import javafx.scene.layout.VBox;
  */
 final class LiveFlightPane extends BorderPane {
   private static final String NOTHING = "Open a flight before several cameras, in the File menu.";
-  private static final CameraLineOverlay OVERLAY = new CameraLineOverlay();
 
   private final BooleanProperty linesShown;
   private final SpaceCanvas canvas = new SpaceCanvas();
@@ -82,7 +80,7 @@ final class LiveFlightPane extends BorderPane {
   /** Draws the newest line of a camera, counted from 0, while lines are shown. */
   void drawLine(int camera, OverlayCanvas over) {
     if (linesShown.get() && camera < lines.size()) {
-      OVERLAY.draw(lines.get(camera), over);
+      lines.get(camera).draw(over);
     }
   }
 
