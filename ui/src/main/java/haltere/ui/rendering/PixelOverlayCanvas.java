@@ -2,6 +2,8 @@ package haltere.ui.rendering;
 
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.OverlayCanvas;
+import java.awt.geom.Rectangle2D;
+import java.util.Optional;
 
 /** Draws marks into the pixels of a picture in screen resolution. */
 public final class PixelOverlayCanvas implements OverlayCanvas {
@@ -125,11 +127,13 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
     double textWidth = letters.width(text);
     double ascent = letters.ascent();
     double descent = letters.descent();
-    if (!positions.find(pixelX(x), pixelY(y), textWidth, ascent, descent, margin, style)) {
+    Optional<Rectangle2D> plate =
+        positions.find(pixelX(x), pixelY(y), textWidth, ascent, descent, margin, style);
+    if (plate.isEmpty()) {
       return;
     }
-    int from = (int) Math.rint(positions.left());
-    int base = (int) Math.rint(positions.base());
+    int from = (int) Math.rint(plate.get().getX() + margin);
+    int base = (int) Math.rint(plate.get().getY() + ascent);
     painter.fill(
         (int) Math.rint(from - margin),
         (int) Math.rint(base - ascent),

@@ -5,6 +5,7 @@ import haltere.core.overlay.MarkStyle.Role;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Places text in a picture without clipping or overlaps. Earlier text has its preferred position,
@@ -22,8 +23,6 @@ public final class TextPositions {
   private final List<Rectangle2D> taken = new ArrayList<>();
   private double pictureWidth;
   private double pictureHeight;
-  private double left;
-  private double base;
 
   /** Starts a picture without text. */
   public void begin(double width, double height) {
@@ -33,11 +32,10 @@ public final class TextPositions {
   }
 
   /**
-   * Finds and occupies a position for text with a preferred start and base line, extents above and
-   * below it and a margin at either side. Returns whether to draw it, at {@link #left()} and {@link
-   * #base()}.
+   * Finds and occupies the plate of text with a preferred start and base line, extents above and
+   * below it and a margin at either side; empty for text that is omitted.
    */
-  public boolean find(
+  public Optional<Rectangle2D> find(
       double preferredLeft,
       double preferredBase,
       double width,
@@ -46,31 +44,22 @@ public final class TextPositions {
       double margin,
       MarkStyle style) {
     double line = ascent + descent;
+    Rectangle2D preferred = null;
     for (int[] step : BESIDE) {
       // about the same distance to the left of a mark as to its right
-      left = preferredLeft - step[0] * (width + 4 * margin);
+      double left = preferredLeft - step[0] * (width + 4 * margin);
       left = Math.max(margin, Math.min(left, pictureWidth - width - margin));
-      base = preferredBase - step[1] * line;
+      double base = preferredBase - step[1] * line;
       base = Math.max(ascent, Math.min(base, pictureHeight - descent));
       Rectangle2D plate =
           new Rectangle2D.Double(left - margin, base - ascent, width + 2 * margin, line);
       if (taken.stream().noneMatch(plate::intersects)) {
         taken.add(plate);
-        return true;
+        return Optional.of(plate);
       }
+      preferred = preferred == null ? plate : preferred;
     }
-    left = Math.max(margin, Math.min(preferredLeft, pictureWidth - width - margin));
-    base = Math.max(ascent, Math.min(preferredBase, pictureHeight - descent));
-    return style.role() != Role.LABEL || style.identity() < 0;
-  }
-
-  /** Left end of the placed text. */
-  public double left() {
-    return left;
-  }
-
-  /** Base line of the placed text. */
-  public double base() {
-    return base;
+    boolean isOmitted = style.role() == Role.LABEL && style.identity() >= 0;
+    return isOmitted ? Optional.empty() : Optional.of(preferred);
   }
 }

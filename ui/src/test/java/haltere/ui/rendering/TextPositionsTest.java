@@ -9,6 +9,7 @@ import haltere.core.overlay.MarkStyle.Role;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -24,34 +25,35 @@ class TextPositionsTest {
     positions.begin(400, 300);
   }
 
-  private boolean find(double left, double base, MarkStyle style) {
+  private Optional<Rectangle2D> find(double left, double base, MarkStyle style) {
     return positions.find(left, base, 100, 10, 4, 3, style);
+  }
+
+  private List<Double> found(double left, double base, MarkStyle style) {
+    Rectangle2D plate = find(left, base, style).orElseThrow();
+    return List.of(plate.getX() + 3, plate.getY() + 10);
   }
 
   @Test
   void laterLabelMovesAsideOfAnEarlierOne() {
-    assertTrue(find(200, 150, LABEL));
-    assertEquals(List.of(200.0, 150.0), List.of(positions.left(), positions.base()));
-    assertTrue(find(210, 150, LABEL));
-    assertEquals(List.of(210.0, 136.0), List.of(positions.left(), positions.base()), "above");
-    assertTrue(find(205, 150, LABEL));
-    assertEquals(List.of(205.0, 164.0), List.of(positions.left(), positions.base()), "below");
-    assertTrue(find(205, 150, LABEL));
-    assertEquals(List.of(93.0, 150.0), List.of(positions.left(), positions.base()), "to the left");
+    assertEquals(List.of(200.0, 150.0), found(200, 150, LABEL));
+    assertEquals(List.of(210.0, 136.0), found(210, 150, LABEL), "above");
+    assertEquals(List.of(205.0, 164.0), found(205, 150, LABEL), "below");
+    assertEquals(List.of(93.0, 150.0), found(205, 150, LABEL), "to the left");
   }
 
   @Test
   void labelWithoutSpaceIsOmittedAndOtherTextIsDrawnInPlace() {
     int found = 0;
-    while (find(200, 150, LABEL)) {
+    while (find(200, 150, LABEL).isPresent()) {
       found++;
     }
     assertTrue(found >= 6 && found <= 10, found + " labels");
-    assertTrue(find(200, 150, LINE));
-    assertEquals(List.of(200.0, 150.0), List.of(positions.left(), positions.base()));
-    assertTrue(find(200, 150, MarkStyle.of(Role.LABEL)), "of nothing that has an identity");
+    assertEquals(List.of(200.0, 150.0), found(200, 150, LINE));
+    assertTrue(
+        find(200, 150, MarkStyle.of(Role.LABEL)).isPresent(), "of nothing that has an identity");
     positions.begin(400, 300);
-    assertTrue(find(200, 150, LABEL), "in the next picture there is room again");
+    assertTrue(find(200, 150, LABEL).isPresent(), "in the next picture there is room again");
   }
 
   @Test
@@ -60,13 +62,15 @@ class TextPositionsTest {
     List<Rectangle2D> drawn = new ArrayList<>();
     Rectangle2D picture = new Rectangle2D.Double(0, 0, 400, 300);
     for (int i = 0; i < 300; i++) {
-      if (find(random.nextDouble(-50, 450), random.nextDouble(-50, 350), LABEL)) {
-        Rectangle2D plate =
-            new Rectangle2D.Double(positions.left() - 3, positions.base() - 10, 106, 14);
-        assertTrue(picture.contains(plate), plate.toString());
-        assertFalse(drawn.stream().anyMatch(other -> other.intersects(plate)), plate.toString());
-        drawn.add(plate);
-      }
+      Optional<Rectangle2D> found =
+          find(random.nextDouble(-50, 450), random.nextDouble(-50, 350), LABEL);
+      found.ifPresent(
+          plate -> {
+            assertTrue(picture.contains(plate), plate.toString());
+            assertFalse(
+                drawn.stream().anyMatch(other -> other.intersects(plate)), plate.toString());
+            drawn.add(plate);
+          });
     }
     assertTrue(drawn.size() > 30, drawn.size() + " labels");
   }
