@@ -29,11 +29,6 @@ public record ViewerAction(
     Supplier<String> obstacle) {
   static final Supplier<String> NONE = () -> "";
 
-  /** Something to do, which the table of commands describes. */
-  public static ViewerAction of(String id, Runnable work) {
-    return listed(id, work, Optional.empty(), NONE);
-  }
-
   /** Something to do that the table does not list, without a key. */
   public static ViewerAction of(String id, String label, String menu, Runnable work) {
     return new ViewerAction(id, label, menu, "", "", work, Optional.empty(), NONE);

@@ -37,7 +37,7 @@ public final class ViewerActions {
 
   /** Adds a command of the table. */
   public void add(String id, Runnable work) {
-    add(ViewerAction.of(id, work));
+    add(id, work, ViewerAction.NONE);
   }
 
   /** Adds a command of the table, with why it cannot be done now; empty if it can. */
