@@ -33,8 +33,7 @@ public final class FileDialogs {
 
   /** A recording to be read. */
   public Optional<Path> recording() {
-    ExtensionFilter recordings = new ExtensionFilter("Recordings", endings(format -> true));
-    return open("Open recording", recordings, ALL_FILES);
+    return open("Open recording", "Recordings", endings(format -> true));
   }
 
   /** Asks for the file of a recording in any format that can be written. */
@@ -60,18 +59,13 @@ public final class FileDialogs {
 
   /** Asks for a file of several calibrated cameras. */
   public Optional<Path> cameras() {
-    return open(
-        "Open calibrated cameras", new ExtensionFilter("Cameras", "*.json", "*.xml"), ALL_FILES);
+    return open("Open calibrated cameras", "Cameras", "*.json", "*.xml");
   }
 
-  /** Asks for a file to read, with the name and the extensions of its kind. */
+  /** Asks for a file to read, with the name and the extensions of its kind, or any other. */
   public Optional<Path> open(String title, String kind, String... endings) {
-    return open(title, new ExtensionFilter(kind, endings));
-  }
-
-  private Optional<Path> open(String title, ExtensionFilter... filters) {
     FileChooser chooser = chooser(title);
-    chooser.getExtensionFilters().addAll(filters);
+    chooser.getExtensionFilters().addAll(new ExtensionFilter(kind, endings), ALL_FILES);
     return withFolder(chooser.showOpenDialog(owner));
   }
 
