@@ -1,5 +1,7 @@
 package haltere.ui.space;
 
+import java.util.List;
+
 /**
  * The viewpoint in space: around a centre, with azimuth and elevation, parallel projection, z up.
  * Points become pixels to the right and up.
@@ -9,7 +11,7 @@ package haltere.ui.space;
 public final class SpaceView {
   private static final double LIMIT_RAD = Math.toRadians(89);
 
-  private final double[] middle = new double[3];
+  private SpaceBounds bounds = SpaceBounds.of(List.of());
   private double azimuthRad = Math.toRadians(35);
   private double elevationRad = Math.toRadians(25);
   private double pixelsPerM = 100;
@@ -20,10 +22,7 @@ public final class SpaceView {
   public void fit(Iterable<double[]> points, double newWidthPx, double newHeightPx) {
     widthPx = newWidthPx;
     heightPx = newHeightPx;
-    SpaceBounds bounds = SpaceBounds.of(points);
-    for (int k = 0; k < 3; k++) {
-      middle[k] = bounds.middle(k);
-    }
+    bounds = SpaceBounds.of(points);
     pixelsPerM = 0.95 * Math.min(widthPx, heightPx) / bounds.diagonalM();
   }
 
@@ -45,9 +44,9 @@ public final class SpaceView {
 
   /** Projects a point in metres to pixels to the right and up. */
   public double[] project(double... point) {
-    double x = point[0] - middle[0];
-    double y = point[1] - middle[1];
-    double z = point[2] - middle[2];
+    double x = point[0] - bounds.middle(0);
+    double y = point[1] - bounds.middle(1);
+    double z = point[2] - bounds.middle(2);
     double right = -Math.sin(azimuthRad) * x + Math.cos(azimuthRad) * y;
     double away = Math.cos(azimuthRad) * x + Math.sin(azimuthRad) * y;
     double up = Math.cos(elevationRad) * z - Math.sin(elevationRad) * away;

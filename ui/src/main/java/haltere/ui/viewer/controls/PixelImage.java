@@ -17,18 +17,16 @@ public final class PixelImage extends ImageView {
     setManaged(false);
   }
 
-  /** Allocates pixels, row by row from the top; present ones are kept if the number is equal. */
-  public void allocate(int width, int height) {
-    if (buffer == null || buffer.getWidth() != width || buffer.getHeight() != height) {
-      IntBuffer pixels = IntBuffer.allocate(width * height);
-      buffer = new PixelBuffer<>(width, height, pixels, PixelFormat.getIntArgbPreInstance());
+  /**
+   * Sets its size in pixels of the screen, at a number of pixels per unit; present pixels are kept
+   * if their numbers are equal.
+   */
+  public void fit(int columns, int rows, double density) {
+    if (buffer == null || buffer.getWidth() != columns || buffer.getHeight() != rows) {
+      IntBuffer pixels = IntBuffer.allocate(columns * rows);
+      buffer = new PixelBuffer<>(columns, rows, pixels, PixelFormat.getIntArgbPreInstance());
       setImage(new WritableImage(buffer));
     }
-  }
-
-  /** Sets its size in pixels of the screen, at a number of pixels per unit. */
-  public void fit(int columns, int rows, double density) {
-    allocate(columns, rows);
     setFitWidth(columns / density);
     setFitHeight(rows / density);
   }
@@ -39,7 +37,7 @@ public final class PixelImage extends ImageView {
     return window == null ? 1 : window.getRenderScaleX();
   }
 
-  /** The pixels, premultiplied ARGB; empty before {@link #allocate}. */
+  /** The pixels, premultiplied ARGB, row by row from the top; empty before {@link #fit}. */
   public int[] pixels() {
     return buffer == null ? new int[0] : buffer.getBuffer().array();
   }

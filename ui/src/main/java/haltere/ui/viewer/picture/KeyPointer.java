@@ -58,28 +58,21 @@ final class KeyPointer {
   void press(KeyCode code, boolean far, ViewTool tool, SensorGeometry sensor) {
     int step = far ? STRIDE : 1;
     switch (code) {
-      case LEFT, KP_LEFT -> move(-step, 0, tool, sensor);
-      case RIGHT, KP_RIGHT -> move(step, 0, tool, sensor);
-      case UP, KP_UP -> move(0, step, tool, sensor);
-      case DOWN, KP_DOWN -> move(0, -step, tool, sensor);
-      default -> turnOver(tool);
+      case LEFT, KP_LEFT -> x = Math.max(0, x - step);
+      case RIGHT, KP_RIGHT -> x = Math.min(sensor.width() - 1, x + step);
+      case UP, KP_UP -> y = Math.min(sensor.height() - 1, y + step);
+      case DOWN, KP_DOWN -> y = Math.max(0, y - step);
+      default -> {
+        down = !down;
+        if (down) {
+          tool.pressed(x, y);
+        } else {
+          tool.released(x, y);
+        }
+      }
     }
-  }
-
-  private void move(int right, int up, ViewTool tool, SensorGeometry sensor) {
-    x = Math.max(0, Math.min(sensor.width() - 1, x + right));
-    y = Math.max(0, Math.min(sensor.height() - 1, y + up));
-    if (down) {
+    if (down && code != KeyCode.ENTER) {
       tool.dragged(x, y);
-    }
-  }
-
-  private void turnOver(ViewTool tool) {
-    down = !down;
-    if (down) {
-      tool.pressed(x, y);
-    } else {
-      tool.released(x, y);
     }
   }
 

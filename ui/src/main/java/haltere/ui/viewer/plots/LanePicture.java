@@ -181,7 +181,6 @@ final class LanePicture {
     private double width;
     private double height;
     private boolean any;
-    private boolean lineOpen;
     private double x;
     private double low;
     private double high;
@@ -198,7 +197,6 @@ final class LanePicture {
       width = wide;
       height = tall;
       any = false;
-      lineOpen = false;
       isDot = false;
     }
 
@@ -239,7 +237,6 @@ final class LanePicture {
           moveTo(at, middle);
         }
         any = true;
-        lineOpen = true;
         x = at;
         low = min;
         high = max;
@@ -248,12 +245,11 @@ final class LanePicture {
     }
 
     private void flush() {
-      if (lineOpen && high > low) {
+      if (any && high > low) {
         lineTo(x, low);
         lineTo(x, high);
         lineTo(x, lastValue);
       }
-      lineOpen = false;
     }
 
     void end() {
