@@ -33,7 +33,6 @@ public final class InspectionFeature implements ViewerFeature {
   /** Time at a pixel before a pause measures the rate around it. */
   private final PauseTransition rest = new PauseTransition(Duration.millis(150));
 
-  private Optional<PixelRegion> pointed = Optional.empty();
   private RegionMeasurement reading = RegionMeasurement.NOTHING;
   private ViewerContext window;
 
@@ -41,12 +40,16 @@ public final class InspectionFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     EventView view = window.panels().view();
-    view.setPointerListener(this::point);
+    view.pointedProperty().subscribe((was, is) -> point(is));
     rest.setOnFinished(event -> window.ifOpen(open -> open.player().refresh()));
     view.addLayer(canvas -> region().ifPresent(marks -> marks.draw(canvas)));
     view.onFrame(frame -> reading = frame.region().orElse(reading));
     followLegend(view);
-    window.onSession(made -> setRegion(Optional.empty()));
+    window.onSession(
+        made -> {
+          setRegion(Optional.empty());
+          point(view.pointedProperty().get());
+        });
     RegionTool regionTool = new RegionTool(this::sensor, this::setRegion);
     window.bindTool(measuring, new MeasuringTape(window.display().tapeProperty()));
     window.bindTool(drawingRegion, regionTool);
@@ -69,14 +72,9 @@ public final class InspectionFeature implements ViewerFeature {
     bar.tool("tool-region", Icons.REGION, "Draw the region of interest (G)", drawingRegion);
   }
 
-  private void point(int x, int y, boolean over) {
-    window.ifOpen(open -> open.display().renderer().point(x, y, over));
-    Optional<PixelRegion> pixel =
-        over ? Optional.of(PixelRegion.around(x, y, 0)) : Optional.empty();
-    if (!pixel.equals(pointed)) {
-      pointed = pixel;
-      rest.playFromStart();
-    }
+  private void point(Optional<PixelRegion> pixel) {
+    window.ifOpen(open -> open.display().renderer().point(pixel));
+    rest.playFromStart();
   }
 
   private void dismiss() {

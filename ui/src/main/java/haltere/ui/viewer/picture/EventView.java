@@ -12,6 +12,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.SimpleObjectProperty;
 import javafx.scene.AccessibleRole;
 import javafx.scene.Cursor;
 import javafx.scene.control.Label;
@@ -28,18 +31,13 @@ import javafx.scene.shape.Rectangle;
  * tool, arrow keys and Enter replace the mouse.
  */
 public final class EventView extends Region implements ArrowKeys {
-  /** Told which pixel is under the mouse. */
-  public interface PointerListener {
-    /** The mouse is over a pixel, or over none. */
-    void pointed(int x, int y, boolean over);
-  }
-
   private final Viewpoint viewpoint = new Viewpoint(this::requestLayout);
   private final SensorPicture picture = new SensorPicture();
   private final Rectangle frame = new Rectangle();
   private final Label readout = Controls.named(new Label(), "cursor-readout", "readout");
   private final ScaleLegend legend = new ScaleLegend();
-  private PointerListener pointer = (x, y, over) -> {};
+  private final ObjectProperty<Optional<PixelRegion>> pointed =
+      new SimpleObjectProperty<>(Optional.empty());
   private int pointedX;
   private int pointedY;
 
@@ -144,9 +142,9 @@ public final class EventView extends Region implements ArrowKeys {
     return picture.screenMapping();
   }
 
-  /** Sets the listener to the pixel under the mouse. */
-  public void setPointerListener(PointerListener listener) {
-    pointer = listener;
+  /** The pixel under the mouse. */
+  public ReadOnlyObjectProperty<Optional<PixelRegion>> pointedProperty() {
+    return pointed;
   }
 
   /** Which part of the sensor is seen, and how large. */
@@ -318,14 +316,14 @@ public final class EventView extends Region implements ArrowKeys {
   private void clearPointer() {
     readout.setVisible(keys.isShown());
     if (!keys.isShown()) {
-      pointer.pointed(0, 0, false);
+      pointed.set(Optional.empty());
     }
   }
 
   private void point(int x, int y) {
     boolean inside = geometry.contains(x, y);
     readout.setVisible(inside);
-    pointer.pointed(x, y, inside);
+    pointed.set(inside ? Optional.of(PixelRegion.around(x, y, 0)) : Optional.empty());
     if (inside && (x != pointedX || y != pointedY || readout.getText().isEmpty())) {
       pointedX = x;
       pointedY = y;

@@ -124,8 +124,8 @@ public final class PictureRenderer {
   }
 
   /** The mouse is over a pixel, or over none. */
-  public void point(int x, int y, boolean over) {
-    probes.point(x, y, over);
+  public void point(Optional<PixelRegion> pixel) {
+    probes.point(pixel);
     stale = true;
   }
 

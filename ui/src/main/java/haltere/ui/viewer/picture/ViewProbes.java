@@ -32,12 +32,12 @@ final class ViewProbes {
   private volatile Optional<PixelRegion> requestedRegion = Optional.empty();
   private RegionMeter near;
   private RegionMeter region;
-  private RegionMeasurement lastReading = RegionMeasurement.NOTHING;
+  private double frequencyHz = Double.NaN;
   private long frequencyNanos;
 
   /** The mouse is over a pixel, or over none. */
-  void point(int x, int y, boolean over) {
-    pointed = over ? Optional.of(PixelRegion.around(x, y, NEIGHBOURS)) : Optional.empty();
+  void point(Optional<PixelRegion> pixel) {
+    pointed = pixel.map(at -> PixelRegion.around(at.left(), at.bottom(), NEIGHBOURS));
   }
 
   /** The region of interest, or none. */
@@ -124,12 +124,9 @@ final class ViewProbes {
     RegionMeasurement now = region.measure(look);
     if (look) {
       frequencyNanos = nanos;
-      lastReading = now;
-    } else {
-      now =
-          new RegionMeasurement(
-              now.rateEps(), now.onShare(), lastReading.frequencyHz(), now.spanUs());
+      frequencyHz = now.frequencyHz();
     }
-    return Optional.of(now);
+    return Optional.of(
+        new RegionMeasurement(now.rateEps(), now.onShare(), frequencyHz, now.spanUs()));
   }
 }
