@@ -5,7 +5,6 @@ import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.Recordings;
-import haltere.core.pipeline.RecorderReport;
 import haltere.core.pipeline.SessionRecorder;
 import haltere.core.pipeline.SessionRecorder.Limits;
 import haltere.core.stream.StreamHandler;
@@ -182,26 +181,9 @@ final class RecordCommand extends Subcommand {
       if (recorded.recorder().parts().isEmpty() && recorded.recorder().endedEarly().isEmpty()) {
         reportFailure(recorded.camera().info().id() + " sent no events; nothing was recorded");
       }
-      for (SessionRecorder.Part part : recorded.recorder().parts()) {
-        printPart(part);
-      }
-      RecordingWritingOptions.endedEarly(recorded.recorder()).ifPresent(this::reportFailure);
+      new SessionResults(this, recorded.recorder()).print();
     }
     relate(all);
-  }
-
-  private void printPart(SessionRecorder.Part part) throws IOException {
-    RecorderReport report = part.report();
-    message(
-        "wrote %s (%s, %.1f MB)",
-        part.file(), Quantities.events(report.written()), Files.size(part.file()) / 1e6);
-    if (report.lost() > 0) {
-      warning(
-          part.file() + ": lost " + Quantities.events(report.lost()) + ", the disk is too slow");
-    }
-    if (!report.samplesLeftOut().isEmpty()) {
-      warning(part.file() + ": the format cannot hold " + report.samplesLeftOut() + ", left out");
-    }
   }
 
   /** The clocks of several cameras, by all that is known at the end. */
