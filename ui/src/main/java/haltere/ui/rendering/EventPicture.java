@@ -4,6 +4,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
+import java.util.Optional;
 
 /**
  * Accumulates events and paints them in any style. State beyond the last event of each pixel is
@@ -15,7 +16,9 @@ public final class EventPicture implements StreamHandler {
   private final EventFrame frame;
   private final FramePainter painter;
   private PictureStyle style;
-  private StyleState gathered;
+
+  /** What a style needs beyond the last event of each pixel; empty for others. */
+  private Optional<StyleState> gathered = Optional.empty();
 
   /** A picture without events; events outside the sensor are ignored. */
   public EventPicture(SensorGeometry geometry, PictureStyle style) {
@@ -39,47 +42,42 @@ public final class EventPicture implements StreamHandler {
     style = newStyle;
     painter.configure(newStyle);
     boolean frequency = newStyle.mode() == DisplayMode.FREQUENCY;
-    if (!newStyle.mode().gathers()) {
-      gathered = null;
-    } else if (gathered != null && frequency == gathered instanceof FrequencyPicture) {
-      gathered.configure(newStyle);
-    } else {
+    gathered =
+        gathered.filter(
+            state -> newStyle.mode().gathers() && frequency == state instanceof FrequencyPicture);
+    gathered.ifPresent(state -> state.configure(newStyle));
+    if (newStyle.mode().gathers() && gathered.isEmpty()) {
       gathered =
-          frequency
-              ? new FrequencyPicture(frame.geometry(), newStyle)
-              : new EventSums(frame.geometry(), newStyle);
+          Optional.of(
+              frequency
+                  ? new FrequencyPicture(frame.geometry(), newStyle)
+                  : new EventSums(frame.geometry(), newStyle));
     }
   }
 
   /** The next event is the first of a new exposure; only sharp styles are cleared. */
   public void beginExposure() {
-    if (gathered != null
-        && style.sharp()
-        && style.timeConstantUs() != PictureStyle.ACCUMULATED_US) {
-      gathered.beginExposure();
+    if (style.sharp() && style.timeConstantUs() != PictureStyle.ACCUMULATED_US) {
+      gathered.ifPresent(StyleState::beginExposure);
     }
   }
 
   /** The next picture is of its events alone, without smoothing over the pictures before. */
   public void settle() {
-    if (gathered != null) {
-      gathered.settle();
-    }
+    gathered.ifPresent(StyleState::settle);
   }
 
   @Override
   public void packet(EventPacket packet) {
     frame.packet(packet);
-    if (gathered != null) {
-      gathered.packet(packet);
-    }
+    gathered.ifPresent(state -> state.packet(packet));
   }
 
   @Override
   public void notified(StreamNotification notification) {
     frame.notified(notification);
-    if (gathered != null && notification.restartsTime()) {
-      gathered.clear();
+    if (notification.restartsTime()) {
+      gathered.ifPresent(StyleState::clear);
     }
   }
 
@@ -93,19 +91,19 @@ public final class EventPicture implements StreamHandler {
    * for styles that do not count.
    */
   public double fullCount() {
-    return gathered != null && style.mode() == DisplayMode.COUNTS ? gathered.fullCount() : 0;
+    return style.mode() == DisplayMode.COUNTS ? gathered.map(StyleState::fullCount).orElse(0.0) : 0;
   }
 
   /** Whether no pixel of the last picture flickers, in the style that shows it. */
   public boolean isWithoutFlicker() {
-    return gathered != null && gathered.isEmpty();
+    return gathered.filter(StyleState::isEmpty).isPresent();
   }
 
   /**
    * Frequency at which a pixel flickers, rows upwards, hertz; NaN if unknown, and for other styles.
    */
   public double frequencyHz(int x, int y) {
-    return gathered == null ? Double.NaN : gathered.frequencyHz(x, y, frame.nowUs());
+    return gathered.map(state -> state.frequencyHz(x, y, frame.nowUs())).orElse(Double.NaN);
   }
 
   /** How far back events matter to a mode beyond their fading, microseconds. */
@@ -119,10 +117,7 @@ public final class EventPicture implements StreamHandler {
    * from it.
    */
   public void paintRanked(int[] ranked) {
-    if (gathered != null) {
-      gathered.paint(frame.nowUs(), ranked);
-    } else {
-      painter.paintRanked(frame, ranked);
-    }
+    gathered.ifPresentOrElse(
+        state -> state.paint(frame.nowUs(), ranked), () -> painter.paintRanked(frame, ranked));
   }
 }

@@ -12,8 +12,6 @@ import haltere.ui.viewer.session.RecordingFacts;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.Future;
@@ -29,12 +27,12 @@ import javafx.beans.property.SimpleObjectProperty;
  */
 public final class Sessions {
   private final SourceSettings sources;
-  private final List<BiConsumer<String, Exception>> problems = new ArrayList<>();
   private final ObjectProperty<Optional<ViewerSession>> session =
       new SimpleObjectProperty<>(Optional.empty());
   private final ReadOnlyObjectWrapper<Optional<RecordingFacts>> facts =
       new ReadOnlyObjectWrapper<>(Optional.empty());
   private ViewerContext window;
+  private BiConsumer<String, Exception> problems = (name, problem) -> {};
 
   private int openings;
   private ViewerSession unfit;
@@ -67,7 +65,7 @@ public final class Sessions {
 
   /** Sets the listener to failed openings, by name. */
   public void onProblem(BiConsumer<String, Exception> listener) {
-    problems.add(listener);
+    problems = listener;
   }
 
   /** Remembers the sensor of the recording that is open, for the next time that it is opened. */
@@ -156,7 +154,7 @@ public final class Sessions {
     if (number == openings) {
       window.status().setActivity("");
       window.status().showProblem(problem);
-      problems.forEach(listener -> listener.accept(name, problem));
+      problems.accept(name, problem);
     }
   }
 

@@ -8,9 +8,8 @@ import haltere.core.stream.StreamHandler;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.DisplayControl;
 import haltere.ui.viewer.feature.UserSettings;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.feature.ViewerPanels;
+import haltere.ui.viewer.feature.WindowFeature;
 import haltere.ui.viewer.session.RecordingFacts;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
@@ -29,7 +28,7 @@ import javafx.scene.control.Label;
  * Samples of a recording: frames below the events, also after a jump; triggers as ticks on the time
  * bar, and as text over the picture unless they are the camera's own frame timing.
  */
-public final class SamplesFeature implements ViewerFeature {
+public final class SamplesFeature extends WindowFeature {
   /** Maximum age in slices of a named signal: 100 ms of smooth playback. */
   private static final int NAMED_SLICES = 12;
 
@@ -37,12 +36,10 @@ public final class SamplesFeature implements ViewerFeature {
 
   private final BooleanProperty hasFrames = new SimpleBooleanProperty();
   private final Label trigger = Controls.named(new Label(), "trigger-mark", "readout");
-  private ViewerContext window;
   private boolean reading;
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     DisplayControl display = window.display();
     ViewerPanels panels = window.panels();
     UserSettings settings = window.settings();
@@ -132,9 +129,8 @@ public final class SamplesFeature implements ViewerFeature {
                   found.compareAndSet(null, first);
                 }
               });
-      boolean more = true;
-      while (more && found.get() == null) {
-        more = own.next(consumer) && !Thread.currentThread().isInterrupted();
+      while (found.get() == null && !Thread.currentThread().isInterrupted() && own.next(consumer)) {
+        // up to the first frame
       }
       return Optional.ofNullable(found.get());
     }
