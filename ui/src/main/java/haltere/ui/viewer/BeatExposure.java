@@ -4,26 +4,23 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.Outlet;
 import haltere.core.playback.Slicing;
 import haltere.filters.wing.WingBeat;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 
 /**
  * Slices of one wing beat: their length follows the beats of a wing tracker in the chain; 5 ms
  * until it has found some.
  */
-final class BeatExposure implements ViewerFeature {
+final class BeatExposure extends WindowFeature {
   private static final double MAX_DEVIATION = 0.003;
   private static final long BETWEEN_NANOS = 200_000_000;
 
-  private ViewerContext window;
   private Outlet.Subscription subscription = () -> {};
 
   /** Written on the processing thread. */
   private volatile double periodUs = Double.NaN;
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     window.editor().onChange(this::follow);
     window.playback().beatsProperty().subscribe((was, is) -> follow());
     window.panels().every(BETWEEN_NANOS, this::pulse);

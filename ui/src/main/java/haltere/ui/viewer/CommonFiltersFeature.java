@@ -7,8 +7,7 @@ import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.chain.CommonFilter;
 import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.controls.Controls;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import haltere.ui.viewer.picture.HiddenEvents;
 import java.util.EnumMap;
 import java.util.List;
@@ -28,8 +27,7 @@ import javafx.scene.text.TextAlignment;
  * The common filters: their buttons beside the picture, the default chain of the open source, and a
  * note below them on the events that filters hide.
  */
-final class CommonFiltersFeature implements ViewerFeature {
-
+final class CommonFiltersFeature extends WindowFeature {
   /** Minimum height, pixels, for buttons with text and the note. */
   private static final double WORDS_PX = 235;
 
@@ -38,13 +36,11 @@ final class CommonFiltersFeature implements ViewerFeature {
   private final Map<CommonFilter, BooleanProperty> on = new EnumMap<>(CommonFilter.class);
   private final Label note =
       Controls.named(Controls.paragraph("", "readout"), "filter-status", "filter-status");
-  private ViewerContext window;
   private HiddenEvents hidden;
   private List<StageState> stages = List.of();
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     BooleanProperty all = window.display().allEventsProperty();
     hidden = new HiddenEvents(all);
     VBox strip = Controls.named(new VBox(), "filter-strip", "filter-strip");

@@ -7,8 +7,7 @@ import haltere.ui.rendering.Gradient;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.feature.DisplayControl;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import java.util.List;
 import java.util.function.Function;
 import javafx.beans.property.BooleanProperty;
@@ -16,12 +15,9 @@ import javafx.beans.property.ObjectProperty;
 import javafx.stage.Stage;
 
 /** Appearance of window and events, chosen in menus and saved. */
-final class DisplayFeature implements ViewerFeature {
-  private ViewerContext window;
-
+final class DisplayFeature extends WindowFeature {
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     DisplayControl display = window.display();
     ViewerActions actions = window.actions();
     addLooks(display);

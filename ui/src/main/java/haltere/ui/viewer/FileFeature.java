@@ -6,8 +6,7 @@ import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.Sessions;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import haltere.ui.viewer.session.SessionRequest;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -15,7 +14,7 @@ import java.util.Comparator;
 import java.util.List;
 
 /** Opens recordings, recent ones, and the built-in scenes. */
-final class FileFeature implements ViewerFeature {
+final class FileFeature extends WindowFeature {
   private static final String NAME = "recentFiles";
   private static final String RECENT = "File/Open recent";
   private static final String SCENES = "File/Open scene";
@@ -24,11 +23,8 @@ final class FileFeature implements ViewerFeature {
   /** The most recently opened file is the first. */
   private final List<Path> files = new ArrayList<>();
 
-  private ViewerContext window;
-
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     if (window.settings().get(NAME).orElse(null) instanceof List<?> kept) {
       kept.forEach(file -> files.add(Path.of(file.toString())));
     }

@@ -4,8 +4,7 @@ import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.session.InitialView;
 import haltere.ui.viewer.session.ViewerSession;
@@ -18,7 +17,7 @@ import javafx.scene.control.ContentDisplay;
  * Starts a tethered fly in slow motion once its wings have been found in real time, and shows a
  * caption until it is clicked.
  */
-final class FlyStartFeature implements ViewerFeature {
+final class FlyStartFeature extends WindowFeature {
   /** Recording time per real time: a stroke of 5 ms takes half a second. */
   static final double SLOW_MOTION = 0.01;
 
@@ -28,14 +27,12 @@ final class FlyStartFeature implements ViewerFeature {
   private final BooleanProperty captionEnabled = new SimpleBooleanProperty(true);
   private final Button caption =
       Controls.named(new Button("", Icons.REMOVE.node()), "fly-caption", "caption");
-  private ViewerContext window;
   private boolean searching;
   private boolean isFly;
   private double speedBefore = 1;
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     caption.setWrapText(true);
     caption.setContentDisplay(ContentDisplay.RIGHT);
     // the caption's height follows its number of lines

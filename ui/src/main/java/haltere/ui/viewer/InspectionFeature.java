@@ -7,38 +7,31 @@ import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.feature.DisplayControl;
 import haltere.ui.viewer.feature.ViewBar;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.picture.MeasuringTape;
 import haltere.ui.viewer.picture.RegionMarks;
 import haltere.ui.viewer.picture.RegionTool;
+import haltere.ui.viewer.picture.ViewTool;
 import haltere.ui.viewer.session.ViewerSession;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javafx.animation.PauseTransition;
 import javafx.beans.property.BooleanProperty;
-import javafx.beans.property.SimpleBooleanProperty;
 import javafx.util.Duration;
 
 /** Inspection: the pixel under the mouse, a region of interest, the measuring tape, zoom. */
-public final class InspectionFeature implements ViewerFeature {
+public final class InspectionFeature extends WindowFeature {
   private static final double ZOOM_STEP = 1.5;
   private static final double PAN_STEP = 0.1;
-
-  private final BooleanProperty measuring = new SimpleBooleanProperty();
-  private final BooleanProperty drawingRegion = new SimpleBooleanProperty();
-  private final BooleanProperty pointing = new SimpleBooleanProperty();
 
   /** Time at a pixel before a pause measures the rate around it. */
   private final PauseTransition rest = new PauseTransition(Duration.millis(150));
 
   private RegionMeasurement reading = RegionMeasurement.NOTHING;
-  private ViewerContext window;
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     EventView view = window.panels().view();
     view.pointedProperty().subscribe((was, is) -> point(is));
     rest.setOnFinished(event -> window.ifOpen(open -> open.player().refresh()));
@@ -50,15 +43,14 @@ public final class InspectionFeature implements ViewerFeature {
           setRegion(Optional.empty());
           point(view.pointedProperty().get());
         });
+    ViewTool tape = new MeasuringTape(window.display().tapeProperty());
+    BooleanProperty measuring = window.addTool("measure", tape, () -> "");
     RegionTool regionTool = new RegionTool(this::sensor, this::setRegion);
-    window.bindTool(measuring, new MeasuringTape(window.display().tapeProperty()));
-    window.bindTool(drawingRegion, regionTool);
+    BooleanProperty drawingRegion = window.addTool("region", regionTool, () -> "");
     // pixels are selected by keys, for users without a mouse
-    window.bindTool(pointing, () -> "The pixel at the cross is described below the picture.");
+    ViewTool pointing = () -> "The pixel at the cross is described below the picture.";
+    window.addTool("point", pointing, () -> "");
     ViewerActions actions = window.actions();
-    actions.add("measure", measuring);
-    actions.add("region", drawingRegion);
-    actions.add("point", pointing);
     actions.add("put-aside", this::dismiss);
     Supplier<String> noRegion = () -> region().isEmpty() ? "no region is drawn" : "";
     actions.add("clear-region", () -> setRegion(Optional.empty()), noRegion);
@@ -79,7 +71,9 @@ public final class InspectionFeature implements ViewerFeature {
 
   private void dismiss() {
     EventView view = window.panels().view();
-    if (view.tool().isPresent()) {
+    if (view.tool().filter(ViewTool::takeBack).isPresent()) {
+      view.redraw();
+    } else if (view.tool().isPresent()) {
       view.setTool(Optional.empty());
     } else {
       window.status().clearError();

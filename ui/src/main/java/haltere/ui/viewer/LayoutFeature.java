@@ -6,8 +6,7 @@ import haltere.ui.viewer.controls.FocusOrder;
 import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.UserSettings;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -16,18 +15,16 @@ import java.util.stream.Stream;
 import javafx.scene.Node;
 
 /** Focuses and sizes panels by keys; saves layouts of panels by name and restores them. */
-final class LayoutFeature implements ViewerFeature {
+final class LayoutFeature extends WindowFeature {
   private static final String NAME = "layouts";
   private static final String MENU = "View/Layouts";
   private static final String PANELS = "panel.";
   private static final String SHARES = "share.";
   private final Map<String, Object> layouts = new TreeMap<>();
   private Runnable showHidden = () -> {};
-  private ViewerContext window;
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     layouts.putAll(window.settings().map(NAME));
     addKeys(window.actions(), window.panels().panelLayout());
     Set<String> names = layouts.keySet();

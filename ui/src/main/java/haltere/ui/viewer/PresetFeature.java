@@ -6,8 +6,7 @@ import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Windows;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
@@ -24,18 +23,16 @@ import javafx.scene.control.SeparatorMenuItem;
  * Saved chains by name: chain files in the folder {@code presets} beside the settings, which can be
  * copied.
  */
-public final class PresetFeature implements ViewerFeature {
+public final class PresetFeature extends WindowFeature {
   private static final String MENU = "Chain/Presets";
   private static final String FOLDER = "presets";
   private static final String ENDING = ".json";
 
-  private ViewerContext window;
   private Path folder;
   private List<String> names = List.of();
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     window.actions().add("save-preset", () -> keep(window.editor()), window::nothingOpen);
     window.editor().setPresets(this::items);
     folder = window.settings().file().map(file -> file.resolveSibling(FOLDER)).orElse(null);

@@ -17,6 +17,7 @@ import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.feature.UserSettings;
+import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.session.InitialView;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
@@ -309,6 +310,14 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
           robot.mouseMove(onFx(place));
           robot.mouseClick(MouseButton.PRIMARY);
         });
+  }
+
+  /** Clicks at a place of the sensor in the picture of the events, rows upwards. */
+  public void clickAt(double x, double y) {
+    EventView view = window.context().panels().view();
+    double shareX = onFx(() -> view.viewpoint().viewX(x) / view.getWidth());
+    double shareY = onFx(() -> view.viewpoint().viewY(y) / view.getHeight());
+    click("event-view", shareX, shareY);
   }
 
   /** Moves over a share of a node's width, at half its height. */

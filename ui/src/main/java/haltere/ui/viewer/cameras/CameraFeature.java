@@ -15,8 +15,7 @@ import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.PanelLayout;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import haltere.ui.viewer.picture.RegionTool;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
@@ -28,12 +27,11 @@ import java.util.function.Supplier;
 import javafx.animation.PauseTransition;
 import javafx.application.Platform;
 import javafx.beans.property.BooleanProperty;
-import javafx.beans.property.SimpleBooleanProperty;
 import javafx.stage.WindowEvent;
 import javafx.util.Duration;
 
 /** Cameras: lists and opens them; shows a panel of biases, region, counts and losses. */
-public final class CameraFeature implements ViewerFeature {
+public final class CameraFeature extends WindowFeature {
   private static final String MENU = "Camera";
   private static final String OPEN = MENU + "/Open";
   private static final String OPEN_SIMULATED = MENU + "/Open simulated";
@@ -42,8 +40,7 @@ public final class CameraFeature implements ViewerFeature {
   private static final long NUMBERS_NANOS = 250_000_000;
 
   private final Cameras cameras = Cameras.installed();
-  private final BooleanProperty drawing = new SimpleBooleanProperty();
-  private ViewerContext window;
+  private BooleanProperty drawing;
   private CameraPanel panel;
   private Optional<CameraPlayable> open = Optional.empty();
   private boolean everListed;
@@ -58,8 +55,7 @@ public final class CameraFeature implements ViewerFeature {
   private final PauseTransition comingSoon = new PauseTransition(Duration.seconds(1));
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     panel = new CameraPanel(window.background());
     comingSoon.setOnFinished(over -> list());
     BooleanProperty shown = window.addPanel("camera", PanelLayout.Position.SIDE, () -> panel);
@@ -67,10 +63,9 @@ public final class CameraFeature implements ViewerFeature {
     Supplier<String> obstacle = () -> open.isPresent() ? "" : "no camera is open";
     actions.add("list-cameras", this::list);
     actions.add("camera-reset-time", this::resetTime, obstacle);
-    actions.add("camera-region", drawing, obstacle);
+    RegionTool tool = new RegionTool(() -> open.orElseThrow().geometry(), this::setRegion);
+    drawing = window.addTool("camera-region", tool, obstacle);
     actions.add("camera-plug", this::togglePlug, obstacle);
-    window.bindTool(
-        drawing, new RegionTool(() -> open.orElseThrow().geometry(), region -> setRegion(region)));
     window.sessions().onChange((was, is) -> follow(is, shown));
     window.panels().every(NUMBERS_NANOS, () -> open.ifPresent(this::pulse));
     window.stage().addEventHandler(WindowEvent.WINDOW_HIDDEN, event -> end());

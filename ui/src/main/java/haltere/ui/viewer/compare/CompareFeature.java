@@ -15,8 +15,7 @@ import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.ViewBar;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.session.ViewerSession;
 import java.util.List;
@@ -38,7 +37,7 @@ import javafx.scene.layout.VBox;
  * Two chains side by side on the same events. The second chain starts as a copy of the first, with
  * its own settings in a tab, its own picture, and its published numbers beside those of the first.
  */
-public final class CompareFeature implements ViewerFeature {
+public final class CompareFeature extends WindowFeature {
   private static final long NUMBERS_NANOS = 1_000_000_000;
 
   private record Running(Player player, SecondChain second) {}
@@ -63,7 +62,6 @@ public final class CompareFeature implements ViewerFeature {
   private final ComparisonTable table = new ComparisonTable();
   private final Label firstName = Controls.named(new Label(), "first-chain-name", "chain-name");
   private final Label secondName = Controls.named(new Label(), "second-chain-name", "chain-name");
-  private ViewerContext window;
   private ChainEditor editor;
   private ChainPanel chainPanel;
   private BooleanProperty shown;
@@ -72,8 +70,7 @@ public final class CompareFeature implements ViewerFeature {
   private int starts;
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     editor = new ChainEditor(window.status()::showError, window.editor().history());
     chainPanel = new ChainPanel(editor);
     chainPanel.setId("second-chain-panel");

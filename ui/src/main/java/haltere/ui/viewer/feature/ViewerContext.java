@@ -19,6 +19,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
 import javafx.scene.Node;
 import javafx.stage.Stage;
 
@@ -101,7 +102,11 @@ public record ViewerContext(
 
   /** Writes a file in the background; the bottom line confirms it, or shows problems. */
   public void save(Path file, BackgroundWork.Action work) {
-    String saved = "Saved " + file.getFileName();
+    save(work, "Saved " + file.getFileName());
+  }
+
+  /** The same, confirmed by other words. */
+  public void save(BackgroundWork.Action work, String saved) {
     background.file(work, () -> status.setActivity(saved), status::showProblem);
   }
 
@@ -134,24 +139,34 @@ public record ViewerContext(
   }
 
   /**
-   * Selects a tool of the event view while a property is true. One tool is selected at a time; the
-   * properties of others become false.
+   * Offers a tool of the event view, with an action for it. One tool is selected at a time.
+   *
+   * @param id of the action
+   * @param obstacle the reason why it is unavailable; empty if it is available
+   * @return whether it is selected
    */
-  public void bindTool(BooleanProperty on, ViewTool tool) {
+  public BooleanProperty addTool(String id, ViewTool tool, Supplier<String> obstacle) {
+    BooleanProperty on = new SimpleBooleanProperty();
     EventView view = panels.view();
-    String hint = tool.hint() + BY_KEYS;
     on.subscribe(
         (was, is) -> {
           if (is) {
             view.setTool(Optional.of(tool));
-            status.setActivity(hint);
+            showHint(tool);
           } else {
+            status.endActivity(tool.hint() + BY_KEYS);
             if (view.tool().filter(held -> held == tool).isPresent()) {
               view.setTool(Optional.empty());
             }
-            status.endActivity(hint);
           }
         });
     view.onToolChange(held -> on.set(held.filter(other -> other == tool).isPresent()));
+    actions.add(id, on, obstacle);
+    return on;
+  }
+
+  /** Shows the instructions of a tool, which may change with each click. */
+  public void showHint(ViewTool tool) {
+    status.setActivity(tool.hint() + BY_KEYS);
   }
 }

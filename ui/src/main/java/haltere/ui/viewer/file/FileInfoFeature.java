@@ -2,8 +2,7 @@ package haltere.ui.viewer.file;
 
 import haltere.core.event.SensorGeometry;
 import haltere.ui.viewer.feature.PanelLayout;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import haltere.ui.viewer.session.RecordingFacts;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
@@ -15,14 +14,12 @@ import java.util.Optional;
  * The panel of file information and the banner of warnings. For an unknown camera, the banner asks
  * for it and saves the answer.
  */
-public final class FileInfoFeature implements ViewerFeature {
+public final class FileInfoFeature extends WindowFeature {
   private final FileInfoPanel panel = new FileInfoPanel();
   private final WarningBanner banner = new WarningBanner(this::useSensor);
-  private ViewerContext window;
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     window.addPanel("file-information", PanelLayout.Position.SIDE, () -> panel);
     window.panels().addAbovePicture(banner);
     window.onSession(this::begin);

@@ -19,6 +19,11 @@ public interface ViewTool {
   /** The mouse button was released. */
   default void released(double x, double y) {}
 
+  /** Takes the last click back; false if there is none that can be. */
+  default boolean takeBack() {
+    return false;
+  }
+
   /** The tool was put aside. */
   default void dismiss() {}
 

@@ -6,20 +6,20 @@ import haltere.core.settings.SettingsProblem;
 import haltere.filters.plane.VanishingPoint;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
-import javafx.beans.property.SimpleBooleanProperty;
 import javafx.geometry.Point2D;
 
 /** Sets the vanishing point of a road by a click, for the first Kalman tracks in the chain. */
-public final class VanishingPointFeature implements ViewerFeature {
-  private static final double STEPS_PER_PX = 10;
-
-  private final BooleanProperty marking = new SimpleBooleanProperty();
-  private final VanishingPointTool tool = new VanishingPointTool(this::mark);
-  private ViewerContext window;
+public final class VanishingPointFeature extends WindowFeature {
+  private BooleanProperty marking;
+  private final PointsTool tool =
+      new PointsTool(
+          this::mark,
+          "Click the vanishing point of the road; tracks are then in metres on the road.");
   private boolean hasTracks;
 
   /** The tracks of a chain and their settings, read off on the processing thread. */
@@ -31,29 +31,24 @@ public final class VanishingPointFeature implements ViewerFeature {
           .findFirst();
     }
 
-    VanishingPoint point() {
-      return settings.road().view().vanishingPoint();
+    List<Point2D> mark() {
+      VanishingPoint point = settings.road().view().vanishingPoint();
+      return point.marked() ? List.of(new Point2D(point.xPx(), point.yPx())) : List.of();
     }
 
     KalmanTracksSettings vanishingAt(Point2D at) {
       return settings.with(
           "road.mapToRoad=true",
           "road.view.vanishingPoint.marked=true",
-          "road.view.vanishingPoint.xPx=" + rounded(at.getX()),
-          "road.view.vanishingPoint.yPx=" + rounded(at.getY()));
+          "road.view.vanishingPoint.xPx=" + at.getX(),
+          "road.view.vanishingPoint.yPx=" + at.getY());
     }
   }
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
-    window.bindTool(marking, tool);
-    window
-        .actions()
-        .add(
-            "vanishing-point",
-            marking,
-            () -> hasTracks ? "" : "no filter of Kalman tracks in the chain");
+  protected void install() {
+    Supplier<String> obstacle = () -> hasTracks ? "" : "no filter of Kalman tracks in the chain";
+    marking = window.addTool("vanishing-point", tool, obstacle);
     window.editor().onChange(this::look);
     // Selecting the tool shows the present mark, however it was set.
     marking.subscribe((was, is) -> look());
@@ -67,16 +62,12 @@ public final class VanishingPointFeature implements ViewerFeature {
   private void offer(Optional<Tracks> tracks) {
     hasTracks = tracks.isPresent();
     marking.set(marking.get() && hasTracks);
-    tool.show(
-        tracks
-            .map(Tracks::point)
-            .filter(VanishingPoint::marked)
-            .map(point -> new Point2D(point.xPx(), point.yPx())));
+    tool.show(tracks.map(Tracks::mark).orElse(List.of()));
     window.panels().view().redraw();
   }
 
-  private void mark(Point2D at) {
-    window.read(Tracks::of, tracks -> tracks.ifPresent(found -> mark(found, at)));
+  private void mark(List<Point2D> points) {
+    window.read(Tracks::of, tracks -> tracks.ifPresent(found -> mark(found, points.get(0))));
   }
 
   private void mark(Tracks tracks, Point2D at) {
@@ -94,9 +85,5 @@ public final class VanishingPointFeature implements ViewerFeature {
       window.status().showRefusal(problem.getMessage());
       look();
     }
-  }
-
-  private static double rounded(double placePx) {
-    return Math.rint(placePx * STEPS_PER_PX) / STEPS_PER_PX;
   }
 }

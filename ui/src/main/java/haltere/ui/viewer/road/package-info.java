@@ -1,2 +1,2 @@
-/** The vanishing point of a road, which gives the distances of tracked vehicles. */
+/** Planes in metres: a road by its vanishing point, another one by four points. */
 package haltere.ui.viewer.road;

@@ -9,8 +9,7 @@ import haltere.core.playback.PlayerStatus;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.FileDialogs;
 import haltere.ui.viewer.feature.StatusLine;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.Overlays;
 import haltere.ui.viewer.session.ViewerSession;
@@ -29,7 +28,7 @@ import javafx.application.Platform;
  * the background on a copy of the chain, with a second reader of a recording, or a copy of the
  * buffered interval of a camera or a scene.
  */
-public final class ExportFeature implements ViewerFeature {
+public final class ExportFeature extends WindowFeature {
   private static final long BETWEEN_NANOS = 250_000_000;
   private static final String EXPORTING = "Exporting to %s \u2026 ";
 
@@ -47,13 +46,11 @@ public final class ExportFeature implements ViewerFeature {
     PartExport begin(PartExport.ExportedPart part) throws IOException;
   }
 
-  private ViewerContext window;
   private final List<Future<?>> running = new ArrayList<>();
   private volatile int stops;
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     FileDialogs dialogs = window.dialogs();
     ViewerActions actions = window.actions();
     actions.add(

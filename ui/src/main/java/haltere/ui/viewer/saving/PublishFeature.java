@@ -6,15 +6,14 @@ import haltere.core.sink.LineOutputs;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.PlaybackOutput;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import java.io.IOException;
 import java.time.Clock;
 import java.util.concurrent.atomic.AtomicReference;
 import javafx.application.Platform;
 
 /** Sends results of the filters to other programs during playback. */
-public final class PublishFeature implements ViewerFeature {
+public final class PublishFeature extends WindowFeature {
   private record Sending(LiveResults sink) implements PlaybackOutput.Output {
     @Override
     public String startMessage() {
@@ -29,13 +28,11 @@ public final class PublishFeature implements ViewerFeature {
     }
   }
 
-  private ViewerContext window;
   private PlaybackOutput<Sending> sending;
   private String address = "tcp://127.0.0.1:5555";
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     sending = new PlaybackOutput<>(window);
     window
         .actions()

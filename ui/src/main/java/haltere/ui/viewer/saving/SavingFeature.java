@@ -5,8 +5,7 @@ import haltere.ui.rendering.Pictures;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.FileDialogs;
 import haltere.ui.viewer.feature.PlaybackOutput;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import haltere.ui.viewer.picture.Overlays;
 import java.nio.file.Path;
 
@@ -14,14 +13,11 @@ import java.nio.file.Path;
  * Saves and loads chains, saves pictures, records. Existing files are replaced after confirmation
  * in the file dialog.
  */
-public final class SavingFeature implements ViewerFeature {
-
-  private ViewerContext window;
+public final class SavingFeature extends WindowFeature {
   private PlaybackOutput<RecordedFile> recording;
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     recording = new PlaybackOutput<>(window);
     FileDialogs dialogs = window.dialogs();
     ViewerActions actions = window.actions();

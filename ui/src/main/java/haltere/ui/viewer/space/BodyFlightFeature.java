@@ -3,8 +3,7 @@ package haltere.ui.viewer.space;
 import haltere.filters.orientation.camera.ObservationFile;
 import haltere.ui.space.BodyFlight;
 import haltere.ui.viewer.controls.Windows;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import java.nio.file.Path;
 import java.util.Optional;
 
@@ -12,12 +11,9 @@ import java.util.Optional;
  * A window of a body in space from the observations of several cameras. The user selects the
  * observations and the cameras, as for {@code haltere orient}.
  */
-public final class BodyFlightFeature implements ViewerFeature {
-  private ViewerContext window;
-
+public final class BodyFlightFeature extends WindowFeature {
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     window.actions().add("body-flight", this::choose);
   }
 

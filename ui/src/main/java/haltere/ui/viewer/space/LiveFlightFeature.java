@@ -9,8 +9,7 @@ import haltere.ui.space.CameraRig;
 import haltere.ui.space.LiveFlight;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.feature.PanelLayout;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.nio.file.Path;
@@ -26,18 +25,15 @@ import javafx.beans.property.SimpleBooleanProperty;
  * Position and axis of a body during playback of several cameras: a simulated flight, one recording
  * for each calibrated camera, or live cameras.
  */
-public final class LiveFlightFeature implements ViewerFeature {
-
+public final class LiveFlightFeature extends WindowFeature {
   private final BooleanProperty linesShown = new SimpleBooleanProperty(true);
   private final LiveFlightPane pane = new LiveFlightPane(linesShown);
-  private ViewerContext window;
   private BooleanProperty shown;
   private Optional<CameraRig> rig = Optional.empty();
   private Optional<LiveFlight> flight = Optional.empty();
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     shown = window.addPanel("live-flight", PanelLayout.Position.BESIDE, () -> pane);
     ViewerActions actions = window.actions();
     actions.add("open-flight", this::openScene);

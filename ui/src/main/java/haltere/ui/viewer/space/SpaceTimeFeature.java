@@ -3,8 +3,7 @@ package haltere.ui.viewer.space;
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.ViewBar;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import haltere.ui.viewer.session.ViewerSession;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
@@ -13,15 +12,13 @@ import javafx.beans.property.BooleanProperty;
  * The view of events in space and time, beside the picture. Events are accumulated only while it is
  * shown.
  */
-public final class SpaceTimeFeature implements ViewerFeature {
+public final class SpaceTimeFeature extends WindowFeature {
   private SpaceTimePanel panel;
-  private ViewerContext window;
   private BooleanProperty shown;
   private Optional<SpaceTimeSink> sink = Optional.empty();
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     panel = new SpaceTimePanel(window.display().marksProperty());
     shown = window.addPanel("space-time", PanelLayout.Position.BESIDE, () -> panel);
     ViewBar bar = window.panels().viewBar();

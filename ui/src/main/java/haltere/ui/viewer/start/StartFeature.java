@@ -2,25 +2,22 @@ package haltere.ui.viewer.start;
 
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Texts;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import java.util.Optional;
 
 /**
  * The start page: shown while nothing is open, and on request. Its entries are the actions of the
  * menus of recent files, scenes and cameras.
  */
-public final class StartFeature implements ViewerFeature {
+public final class StartFeature extends WindowFeature {
   private static final String RECENT = "File/Open recent";
   private static final String SCENES = "File/Open scene";
   private static final String CAMERAS = "Camera/Open";
 
-  private ViewerContext window;
   private Optional<StartPage> page = Optional.empty();
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     window.actions().add("start-page", () -> show(""));
     window.actions().onChange(() -> page.ifPresent(this::offerCameras));
     window.sessions().onChange((was, is) -> hide());

@@ -13,8 +13,7 @@ import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.PanelLayout;
 import haltere.ui.viewer.feature.PlaybackOutput;
-import haltere.ui.viewer.feature.ViewerContext;
-import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.WindowFeature;
 import haltere.ui.wing.WingLogFormat;
 import java.nio.file.Path;
 import java.util.List;
@@ -24,7 +23,6 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
-import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.scene.control.Button;
 
@@ -32,7 +30,7 @@ import javafx.scene.control.Button;
  * Controls of the wing tracker: its filters live, the manual position of the fly, exchange of head
  * and tail, logs.
  */
-public final class WingsFeature implements ViewerFeature {
+public final class WingsFeature extends WindowFeature {
   private static final String MENU = "Wings";
   private static final long POLL_NANOS = 200_000_000;
   private static final List<WingLogFormat> FORMATS =
@@ -43,19 +41,17 @@ public final class WingsFeature implements ViewerFeature {
           new WingLogFormat(WingLogFormat.Rows.TICK, WingLogFormat.Layout.ORIGINAL),
           new WingLogFormat(WingLogFormat.Rows.EVENT, WingLogFormat.Layout.ORIGINAL));
 
-  private final BooleanProperty placing = new SimpleBooleanProperty();
   private final ObjectProperty<WingLogFormat> logFormat =
       new SimpleObjectProperty<>(FORMATS.get(0));
-  private ViewerContext window;
   private PlaybackOutput<WingLogOutput> log;
   private BooleanProperty shown;
+  private BooleanProperty placing;
   private WingsPanel panel;
   private Optional<WingsView> seen = Optional.empty();
   private boolean isReading;
 
   @Override
-  public void install(ViewerContext installed) {
-    window = installed;
+  protected void install() {
     log = new PlaybackOutput<>(window);
     shown = window.addPanel("wings", PanelLayout.Position.SIDE, this::panel);
     window.panels().every(POLL_NANOS, this::pulse);
@@ -66,10 +62,9 @@ public final class WingsFeature implements ViewerFeature {
               placing.set(false);
               seen = Optional.empty();
             });
-    window.bindTool(placing, new FlyTool(() -> seen, this::place));
     ViewerActions actions = window.actions();
     Supplier<String> obstacle = this::obstacle;
-    actions.add("wings-place", placing, obstacle);
+    placing = window.addTool("wings-place", new FlyTool(() -> seen, this::place), obstacle);
     actions.add("wings-flip", () -> settle(WingTracker::withHeadingFlipped), obstacle);
     actions.add("wings-search", () -> change((chain, view) -> view.filter().reset()), obstacle);
     actions.add("wings-log", log.runningProperty(), () -> log.toggle(this::askForLog), obstacle);

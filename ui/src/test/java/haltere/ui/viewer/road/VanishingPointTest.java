@@ -9,7 +9,6 @@ import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.RoadTracksSettings;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.action.ViewerAction;
-import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.picture.ViewTool;
 import javafx.scene.control.TextField;
 import org.junit.jupiter.api.AfterEach;
@@ -57,13 +56,6 @@ class VanishingPointTest {
     return road().view().vanishingPoint();
   }
 
-  private void clickAt(double x, double y) {
-    EventView view = viewer.window.context().panels().view();
-    double shareX = viewer.onFx(() -> view.viewpoint().viewX(x) / view.getWidth());
-    double shareY = viewer.onFx(() -> view.viewpoint().viewY(y) / view.getHeight());
-    viewer.click("event-view", shareX, shareY);
-  }
-
   @Test
   void toolIsOfferedWhileTheChainHasTracks() {
     assertFalse(isOffered());
@@ -90,21 +82,21 @@ class VanishingPointTest {
     addTracks();
     viewer.click("expand-" + TRACKS);
     viewer.run(() -> viewer.window.context().actions().run(ACTION));
-    clickAt(40, 100);
+    viewer.clickAt(40, 100);
     viewer.waitFor("tracks on a road", () -> road().mapToRoad() && point().marked());
     assertEquals(40, point().xPx(), 1);
     assertEquals(100, point().yPx(), 1);
-    VanishingPointTool tool =
-        (VanishingPointTool)
+    PointsTool tool =
+        (PointsTool)
             viewer.onFx(() -> viewer.window.context().panels().view().tool().orElseThrow());
-    viewer.waitFor("the mark", () -> tool.mark().orElseThrow().getX() == point().xPx());
+    viewer.waitFor("the mark", () -> tool.points().get(0).getX() == point().xPx());
     TextField entry =
         viewer.node("entry-" + TRACKS + "-road-view-vanishingPoint-xPx", TextField.class);
     viewer.waitFor(
         "the setting in its card", () -> Double.parseDouble(entry.getText()) == point().xPx());
     viewer.run(() -> viewer.window.context().actions().run("undo"));
     viewer.waitFor("no road", () -> !road().mapToRoad() && !point().marked());
-    viewer.waitFor("no mark", () -> tool.mark().isEmpty());
+    viewer.waitFor("no mark", () -> tool.points().isEmpty());
     viewer.run(() -> viewer.window.context().actions().run("redo"));
     viewer.waitFor("the road again", () -> road().mapToRoad() && point().marked());
   }
