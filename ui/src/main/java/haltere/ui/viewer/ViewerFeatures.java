@@ -8,6 +8,7 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.file.FileInfoFeature;
 import haltere.ui.viewer.file.SamplesFeature;
+import haltere.ui.viewer.road.PlaneFeature;
 import haltere.ui.viewer.road.VanishingPointFeature;
 import haltere.ui.viewer.saving.ExportFeature;
 import haltere.ui.viewer.saving.PublishFeature;
@@ -38,6 +39,7 @@ final class ViewerFeatures {
         new DisplayFeature(),
         new InspectionFeature(),
         new VanishingPointFeature(),
+        new PlaneFeature(),
         new SpaceTimeFeature(),
         new PlotFeature(),
         new LayoutFeature(),

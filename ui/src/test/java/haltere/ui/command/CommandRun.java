@@ -21,9 +21,10 @@ import java.util.Optional;
  * @param windows what was opened in a window
  * @param bytes what went to the standard output, as it is
  */
-record CommandRun(int status, String out, String err, List<Optional<Path>> windows, byte[] bytes) {
+public record CommandRun(
+    int status, String out, String err, List<Optional<Path>> windows, byte[] bytes) {
   /** A command on a machine without display and terminal. */
-  static CommandRun of(Object... arguments) {
+  public static CommandRun of(Object... arguments) {
     return on(Machine.BARE, arguments);
   }
 
