@@ -34,7 +34,7 @@ public final class InspectionFeature extends WindowFeature {
   protected void install() {
     EventView view = window.panels().view();
     view.pointedProperty().subscribe((was, is) -> point(is));
-    rest.setOnFinished(event -> window.ifOpen(open -> open.player().refresh()));
+    rest.setOnFinished(event -> window.refresh(open -> {}));
     view.addLayer(canvas -> region().ifPresent(marks -> marks.draw(canvas)));
     view.onFrame(frame -> reading = frame.region().orElse(reading));
     followLegend(view);
@@ -109,11 +109,7 @@ public final class InspectionFeature extends WindowFeature {
   public void setRegion(Optional<PixelRegion> region) {
     reading = RegionMeasurement.NOTHING;
     window.display().regionProperty().set(region);
-    window.ifOpen(
-        open -> {
-          open.display().renderer().setRegion(region);
-          open.player().refresh();
-        });
+    window.refresh(open -> open.display().renderer().setRegion(region));
     window.panels().view().redraw();
   }
 

@@ -133,11 +133,7 @@ public final class ViewerWindow {
   private void followDisplay(DisplayControl display) {
     display.onChange(
         () -> {
-          context.ifOpen(
-              open -> {
-                open.display().renderer().setOptions(display.options());
-                open.player().refresh();
-              });
+          context.refresh(open -> open.display().renderer().setOptions(display.options()));
           ColourMap colours = display.options().colours();
           stage.getScene().setFill(Theme.colour(colours.background()));
         });
@@ -151,13 +147,7 @@ public final class ViewerWindow {
             });
     display
         .allEventsProperty()
-        .subscribe(
-            (was, is) ->
-                context.ifOpen(
-                    open -> {
-                      open.display().setAllEvents(is);
-                      open.player().refresh();
-                    }));
+        .subscribe((was, is) -> context.refresh(open -> open.display().setAllEvents(is)));
     display.marksProperty().subscribe((was, is) -> panels.view().setMarksVisible(is));
   }
 

@@ -85,6 +85,11 @@ public record ViewerContext(
     sessions.session().ifPresent(work);
   }
 
+  /** Changes how the open session is shown, if any, which shows the moment again. */
+  public void refresh(Consumer<ViewerSession> change) {
+    ifOpen(change.andThen(open -> open.player().refresh()));
+  }
+
   /** Why nothing can be done with the open source; empty if something is open. */
   public String nothingOpen() {
     return sessions.session().isPresent() ? "" : "nothing is open";
