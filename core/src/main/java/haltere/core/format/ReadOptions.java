@@ -11,7 +11,8 @@ import java.util.Optional;
  * @param sensor size of the sensor if the file does not state it; the file has priority
  * @param format name of the format, which overrides detection by content
  * @param topic stream of events to read if there are several: the name of a bag's topic, the number
- *     or camera of an AEDAT-4 stream, or the path of a group or table of an HDF5 file
+ *     or camera of an AEDAT-4 stream, the path of a group or table of an HDF5 file, or the name of
+ *     an array of a NumPy file
  * @param origin origin of rows in plain tables of events (text, NumPy, HDF5) that do not state it;
  *     the default is the top
  * @param packetEvents events per packet at most, 1 to 1,048,576

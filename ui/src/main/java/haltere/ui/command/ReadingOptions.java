@@ -91,7 +91,7 @@ final class ReadingOptions extends SourceOptions {
     if (rows != null && rows != stated.origin()) {
       subcommand().warning(file + ": it states where rows count from; --rows has no effect");
     }
-    if (topic != null && !reader.formatName().matches("rosbag.*|mcap.*|hdf5|aedat4")) {
+    if (topic != null && !reader.formatName().matches("rosbag.*|mcap.*|hdf5|npz|aedat4")) {
       subcommand().warning(file + ": it has no topics; --topic has no effect");
     }
   }

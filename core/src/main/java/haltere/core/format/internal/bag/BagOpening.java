@@ -15,6 +15,7 @@ import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -171,9 +172,9 @@ final class BagOpening {
   }
 
   private void remarkOnTopics(BagTopic chosen) {
-    List<BagTopic> others =
-        topics.ofEvents().stream().filter(topic -> !topic.name().equals(chosen.name())).toList();
-    Topics.remark(chosen.name(), names(others)).ifPresent(remarks::add);
+    List<String> names = new ArrayList<>(names(topics.ofEvents()));
+    names.sort(Comparator.comparing(name -> !name.equals(chosen.name())));
+    Topics.remark(names).ifPresent(remarks::add);
   }
 
   private void remarkOnTime(First first) {

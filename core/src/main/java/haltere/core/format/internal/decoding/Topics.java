@@ -10,18 +10,17 @@ public final class Topics {
   /**
    * Names those that are not read.
    *
-   * @param chosen the one that is read
-   * @param others the others with events
+   * @param topics with events, the one that is read first
    * @return a line, or empty without others
    */
-  public static Optional<String> remark(String chosen, List<String> others) {
-    return others.isEmpty()
+  public static Optional<String> remark(List<String> topics) {
+    return topics.size() < 2
         ? Optional.empty()
         : Optional.of(
             "the events of topic "
-                + chosen
+                + topics.get(0)
                 + " are read; --topic chooses another: "
-                + String.join(", ", others));
+                + String.join(", ", topics.subList(1, topics.size())));
   }
 
   /**

@@ -75,8 +75,7 @@ public final class Hdf5Format implements RecordingFormat {
   private RecordingReader open(RecordingFile file, ReadOptions options) throws IOException {
     EventTable table = EventTable.of(file, options.topic());
     List<String> remarks = new ArrayList<>();
-    Topics.remark(table.topics().get(0), table.topics().subList(1, table.topics().size()))
-        .ifPresent(remarks::add);
+    Topics.remark(table.topics()).ifPresent(remarks::add);
     ColumnGuess.remark(table.guessed()).ifPresent(remarks::add);
     ColumnGuess.remarkOnPolarities(table.columns().keySet()).ifPresent(remarks::add);
     Origin origin = SensorGuess.origin(table.origin(), options, remarks);

@@ -15,6 +15,7 @@ import haltere.core.format.ViolationCounts;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.decoding.ColumnGuess;
 import haltere.core.format.internal.decoding.SensorGuess;
+import haltere.core.format.internal.decoding.Topics;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -78,7 +79,7 @@ public final class NpzFormat implements RecordingFormat {
   }
 
   private RecordingReader open(RecordingFile file, ReadOptions options) throws IOException {
-    NpzLayout layout = NpzLayout.of(file);
+    NpzLayout layout = NpzLayout.of(file, options.topic());
     List<String> remarks = new ArrayList<>();
     ViolationCounts found = new ViolationCounts();
     if (layout.inconsistent()) {
@@ -87,6 +88,7 @@ public final class NpzFormat implements RecordingFormat {
     if (layout.cutOff()) {
       found.add(Violation.CUT_OFF, file.size());
     }
+    Topics.remark(layout.topics()).ifPresent(remarks::add);
     ColumnGuess.remark(layout.guessed()).ifPresent(remarks::add);
     ColumnGuess.remarkOnPolarities(layout.columns().keySet()).ifPresent(remarks::add);
     SensorGeometry geometry;

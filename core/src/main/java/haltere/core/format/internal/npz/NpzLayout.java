@@ -7,11 +7,13 @@ import haltere.core.format.RecordingProblem;
 import haltere.core.format.internal.decoding.ColumnGuess;
 import haltere.core.format.internal.decoding.EventColumn;
 import haltere.core.format.internal.decoding.RowCursor;
+import haltere.core.format.internal.decoding.Topics;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -22,6 +24,7 @@ import java.util.stream.Stream;
  * Columns of the events.
  *
  * @param columns by content; at least times, columns and rows
+ * @param topics names of the arrays that hold events on their own, that of the events first
  * @param guessed contents of the columns of a table without names, in their order; else empty
  * @param rows events that all columns claim
  * @param inconsistent whether columns claim different numbers, or more than their file can contain
@@ -32,6 +35,7 @@ import java.util.stream.Stream;
  */
 record NpzLayout(
     Map<EventColumn, ArrayColumn> columns,
+    List<String> topics,
     List<EventColumn> guessed,
     long rows,
     boolean inconsistent,
@@ -113,16 +117,22 @@ record NpzLayout(
     }
   }
 
-  /** Finds the columns of a file. */
-  static NpzLayout of(RecordingFile file) throws IOException {
+  /** Finds the columns of a file: of the array that is wanted, if any, else the first ones. */
+  static NpzLayout of(RecordingFile file, Optional<String> wanted) throws IOException {
     boolean alone = NpyHeader.parse(file.read(0, NpyHeader.MAX_BYTES)).isPresent();
     Optional<List<ZipDirectory.ZipMember>> listed =
         alone ? Optional.of(List.of()) : ZipDirectory.of(file);
     List<ZipDirectory.ZipMember> entries =
         listed.isPresent() ? listed.get() : ZipDirectory.withoutDirectory(file);
     List<Array> arrays = arrays(file, entries);
-    Map<EventColumn, ArrayColumn> columns = namedColumns(arrays);
-    List<EventColumn> guessed = isComplete(columns) ? List.of() : table(file, arrays, columns);
+    List<String> topics = topics(file, arrays);
+    if (wanted.isPresent() && !topics.contains(wanted.get())) {
+      throw new RecordingProblem(file.path(), Topics.missing(wanted.get(), topics));
+    }
+    List<Array> read =
+        arrays.stream().filter(array -> wanted.orElse(array.name()).equals(array.name())).toList();
+    Map<EventColumn, ArrayColumn> columns = namedColumns(read);
+    List<EventColumn> guessed = isComplete(columns) ? List.of() : table(file, read, columns);
     for (EventColumn needed : List.of(EventColumn.TIME, EventColumn.X, EventColumn.Y)) {
       if (!columns.containsKey(needed)) {
         throw new RecordingProblem(
@@ -154,10 +164,13 @@ record NpzLayout(
       rows = Math.min(rows, promised);
       maxRows = Math.max(maxRows, promised);
     }
+    String topic = columns.get(EventColumn.TIME).array().name();
+    topics.sort(Comparator.comparing(name -> !name.equals(topic)));
     // only Haltere's files have this
     Optional<Long> rowsUp = single(file, arrays, ROWS_UP);
     return new NpzLayout(
         columns,
+        topics.contains(topic) ? List.copyOf(topics) : List.of(),
         guessed,
         rows,
         inconsistent || rows != maxRows,
@@ -165,6 +178,24 @@ record NpzLayout(
         rowsUp.isPresent() ? 0 : timeScale(file, columns.get(EventColumn.TIME), listed.isEmpty()),
         sensor(file, arrays),
         rowsUp.map(up -> up == 1 ? Origin.BOTTOM : Origin.TOP));
+  }
+
+  /** Names of the arrays that hold events on their own. */
+  private static List<String> topics(RecordingFile file, List<Array> arrays) throws IOException {
+    List<String> topics = new ArrayList<>();
+    for (Array array : arrays) {
+      Map<EventColumn, ArrayColumn> columns = namedColumns(List.of(array));
+      boolean isTopic = isComplete(columns);
+      try {
+        isTopic |= !table(file, List.of(array), columns).isEmpty();
+      } catch (RecordingProblem unreadable) {
+        // reported if it is the one to read
+      }
+      if (isTopic && !array.name().isEmpty()) {
+        topics.add(array.name());
+      }
+    }
+    return topics;
   }
 
   /** Columns by name: the fields of one array, or else arrays side by side. */

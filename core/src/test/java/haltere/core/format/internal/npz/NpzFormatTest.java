@@ -250,6 +250,30 @@ class NpzFormatTest extends RecordingFormatContract {
   }
 
   @Test
+  void oneOfTwoTablesIsReadAndTheOtherIsNamed() throws IOException {
+    EventPacket left = EventPackets.uniform(SENSOR, 7, 300, 1_000_000, 40);
+    EventPacket right = EventPackets.uniform(SENSOR, 8, 200, 1_000_000, 40);
+    Map<String, byte[]> tables = new LinkedHashMap<>();
+    tables.put("left", table(left, "txyp", false, "300, 4"));
+    tables.put("right", table(right, "xytp", false, "200, 4"));
+    Path file = Files.write(folder.resolve("cameras.npz"), zipped(tables));
+    try (RecordingReader reader = Recordings.open(file)) {
+      assertEquals(left, read(reader).events());
+      assertTrue(reader.remarks().toString().contains("--topic chooses another: right"));
+    }
+    try (RecordingReader reader =
+        Recordings.open(file, ReadOptions.DEFAULT.withTopic("right").withSensor(SENSOR))) {
+      assertEquals(right.size(), read(reader).events().size());
+      assertTrue(reader.remarks().toString().contains("--topic chooses another: left"));
+    }
+    RecordingProblem missing =
+        assertThrows(
+            RecordingProblem.class,
+            () -> Recordings.open(file, ReadOptions.DEFAULT.withTopic("top")).close());
+    assertTrue(missing.getMessage().endsWith("; there are left, right"), missing.getMessage());
+  }
+
+  @Test
   void tableOfOtherNumbersIsNoRecording() throws IOException {
     ByteBuffer numbers = buffer(32 * 100, ByteOrder.LITTLE_ENDIAN);
     SplittableRandom random = new SplittableRandom(1);
