@@ -17,12 +17,18 @@ import java.util.regex.Pattern;
 /** Turns any failure into one line with file, cause and advice. */
 final class Failures {
   private static final Pattern ENDLESS = Pattern.compile("(\\S{100})\\S{1000,}(\\S{50})");
+  private static final Pattern CONTROL = Pattern.compile("[\\p{Cntrl}\\x80-\\x9f&&[^\n\t]]");
 
   private Failures() {}
 
   /** The one line for a failure, without the program's name. */
   static String describe(Throwable failure) {
-    return shortened(sentence(failure).strip().replaceAll("\\s*\\R\\s*", " "));
+    return printable(shortened(sentence(failure).strip().replaceAll("\\s*\\R\\s*", " ")));
+  }
+
+  /** A text that does not control a terminal, whatever the names of files in it. */
+  static String printable(String text) {
+    return CONTROL.matcher(text).replaceAll("?");
   }
 
   private static String sentence(Throwable failure) {

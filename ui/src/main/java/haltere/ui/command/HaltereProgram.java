@@ -242,7 +242,8 @@ public final class HaltereProgram {
     }
     Help help = command.getHelp();
     String usage = help.synopsisHeading() + help.synopsis(help.synopsisHeadingLength());
-    surroundings.err().print("%s: %s\n%sMore: %s --help\n".formatted(name, line, usage, name));
+    String shown = Failures.printable(line);
+    surroundings.err().print("%s: %s\n%sMore: %s --help\n".formatted(name, shown, usage, name));
     return Subcommand.WRONG_ARGUMENTS;
   }
 

@@ -107,7 +107,7 @@ abstract class Subcommand implements Callable<Integer> {
   }
 
   private static String line(String form, Object... values) {
-    return (values.length == 0 ? form : Quantities.text(form, values)) + "\n";
+    return Failures.printable(values.length == 0 ? form : Quantities.text(form, values)) + "\n";
   }
 
   /** The standard output for bytes; fails where a print stream would ignore it. */
@@ -148,7 +148,7 @@ abstract class Subcommand implements Callable<Integer> {
   }
 
   void error(String line) {
-    surroundings.err().print("haltere: " + line + "\n");
+    surroundings.err().print("haltere: " + line(line));
   }
 
   /** Reports a failure that does not end the command, but its status is {@link #FAILED} then. */
@@ -163,7 +163,8 @@ abstract class Subcommand implements Callable<Integer> {
   }
 
   ProgressBar progressBar(String label) {
-    return new ProgressBar(surroundings.err(), isLineShown(), label, System::nanoTime);
+    String name = Failures.printable(label);
+    return new ProgressBar(surroundings.err(), isLineShown(), name, System::nanoTime);
   }
 
   LiveStatus liveStatus(List<Camera> cameras) {

@@ -17,6 +17,8 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -86,6 +88,20 @@ class BadInputTest {
   void missingFileIsReportedByName() {
     Path missing = folder.resolve("missing.aedat");
     assertFails(CommandRun.of("info", missing), missing, "no such file");
+  }
+
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void nameThatWouldControlTheTerminalIsPrintedWithoutControls() throws IOException {
+    Path named = Files.copy(good, folder.resolve("red\u001b[31m\u009b2J.aedat"));
+    CommandRun read = CommandRun.of("info", named);
+    assertEquals(0, read.status(), read.err());
+    assertTrue(read.out().contains("red?[31m?2J.aedat"), read.out());
+    CommandRun written = CommandRun.of("convert", named, folder.resolve("red\u001b[31m.csv"));
+    assertTrue(written.err().contains("red?[31m.csv: "), written.err());
+    assertFalse(written.err().contains("\u001b"), written.err());
+    assertFails(CommandRun.of("info", folder.resolve("no\u001b[31m.aedat")), "no?[31m.aedat");
+    assertWrongArguments(CommandRun.of("info", "--no\u001b[31m"), "--no?[31m");
   }
 
   @Test
