@@ -155,11 +155,15 @@ class PlotPanelTest {
     return plots().lookupAll(".label").stream().map(label -> ((Label) label).getText()).toList();
   }
 
-  @Test
-  void valuesOfARunUpAreNotDrawnBeforeItsEnd() {
+  private void plotEventRate() {
     viewer = ViewerHarness.withBlob();
     plot(PlotField.EVENT_RATE);
     viewer.waitFor("the lane", () -> plots().lookup(".plot-lane") != null);
+  }
+
+  @Test
+  void valuesOfARunUpAreNotDrawnBeforeItsEnd() {
+    plotEventRate();
     viewer.run(
         () -> {
           long nanos = System.nanoTime() + 1_000_000_000;
@@ -174,9 +178,7 @@ class PlotPanelTest {
 
   @Test
   void lastSamplesBeforeAPauseAreDrawn() {
-    viewer = ViewerHarness.withBlob();
-    plot(PlotField.EVENT_RATE);
-    viewer.waitFor("the lane", () -> plots().lookup(".plot-lane") != null);
+    plotEventRate();
     viewer.run(
         () -> {
           // within one pulse, so that the window's own updates do not count

@@ -15,7 +15,6 @@ import haltere.core.format.internal.reader.DecodingReader;
 import java.io.IOException;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -172,8 +171,7 @@ final class BagOpening {
   }
 
   private void remarkOnTopics(BagTopic chosen) {
-    List<String> names = new ArrayList<>(names(topics.ofEvents()));
-    names.sort(Comparator.comparing(name -> !name.equals(chosen.name())));
+    List<String> names = Topics.readFirst(chosen.name(), names(topics.ofEvents()));
     Topics.remark(names).ifPresent(remarks::add);
   }
 

@@ -38,7 +38,6 @@ record CsvLayout(
     Optional<String> obstacle) {
   private static final int PROBE_ROWS = 2000;
   private static final int MAX_COLUMNS = 32;
-  private static final double MIN_NS = 1e17;
   private static final String BLANKS = " \t\n\u000b\f\r";
 
   CsvLayout {
@@ -270,11 +269,7 @@ record CsvLayout(
       EventColumn role = EventColumn.named(name);
       roles.add(role != EventColumn.OTHER && roles.contains(role) ? EventColumn.OTHER : role);
     }
-    boolean complete =
-        roles.contains(EventColumn.TIME)
-            && roles.contains(EventColumn.X)
-            && roles.contains(EventColumn.Y);
-    return complete ? Optional.of(roles) : Optional.empty();
+    return EventColumn.areEvents(roles) ? Optional.of(roles) : Optional.empty();
   }
 
   /** The first column of times among names that have one. */
@@ -292,7 +287,6 @@ record CsvLayout(
     return stated.isPresent() ? stated.getAsInt() : timeScale(rows, column);
   }
 
-  /** Times with decimals are seconds, whole ones microseconds, or nanoseconds since 1970. */
   private static int timeScale(List<String[]> rows, int column) {
     boolean fraction = false;
     double largest = 0;
@@ -303,7 +297,7 @@ record CsvLayout(
         largest = Math.max(largest, Math.abs(value));
       }
     }
-    return fraction ? 6 : largest >= MIN_NS ? -3 : 0;
+    return EventColumn.timeScale(fraction, largest);
   }
 
   /** Columns by their numbers. */

@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 
 /**
  * Guesses what four columns without names hold, from their first rows: the polarity has two values,
@@ -109,6 +110,21 @@ public final class ColumnGuess {
     return columns.contains(EventColumn.POLARITY)
         ? Optional.empty()
         : Optional.of("no column of polarities is known; all events are read as ON");
+  }
+
+  /**
+   * The reason why polarities cannot be read: a name of theirs without a readable column, so that
+   * all events would be ON.
+   *
+   * @param names of all columns, readable or not
+   * @param readable contents of the readable ones
+   * @return a line with advice, or empty
+   */
+  public static Optional<String> obstacle(Stream<String> names, Collection<EventColumn> readable) {
+    return !readable.contains(EventColumn.POLARITY)
+            && names.anyMatch(name -> EventColumn.named(name) == EventColumn.POLARITY)
+        ? Optional.of("its polarities cannot be read; save them again as a list of numbers")
+        : Optional.empty();
   }
 
   /**

@@ -1,5 +1,7 @@
 package haltere.core.format.internal.decoding;
 
+import java.util.Collection;
+import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
 import java.util.regex.Pattern;
@@ -16,6 +18,9 @@ public enum EventColumn {
   POLARITY,
   /** Any other column. */
   OTHER;
+
+  /** Year 1973 in nanoseconds since 1970; as microseconds, more than three thousand years. */
+  private static final double MIN_NS = 1e17;
 
   private static final Pattern NO_LETTERS = Pattern.compile("[^\\p{L}]+");
   private static final Pattern MICRO = Pattern.compile("[\u00b5\u03bc]");
@@ -43,6 +48,16 @@ public enum EventColumn {
   }
 
   /**
+   * Whether columns are events.
+   *
+   * @param columns their contents
+   * @return whether time, column and row of the pixel are among them
+   */
+  public static boolean areEvents(Collection<EventColumn> columns) {
+    return columns.containsAll(List.of(TIME, X, Y));
+  }
+
+  /**
    * The time unit in a name, as its power of ten in microseconds: 0 for microseconds, 6 for
    * seconds.
    *
@@ -64,6 +79,18 @@ public enum EventColumn {
       return OptionalInt.of(6);
     }
     return OptionalInt.empty();
+  }
+
+  /**
+   * The time unit of numbers, as for a name: times with decimals are seconds, whole ones
+   * microseconds, or nanoseconds since 1970.
+   *
+   * @param fractions whether some have decimals
+   * @param largest the largest magnitude
+   * @return the power
+   */
+  public static int timeScale(boolean fractions, double largest) {
+    return fractions ? 6 : largest >= MIN_NS ? -3 : 0;
   }
 
   private static String words(String name) {

@@ -1,11 +1,23 @@
 package haltere.core.format.internal.decoding;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
 /** Lines for users on recordings with several streams of events, of which one is read. */
 public final class Topics {
   private Topics() {}
+
+  /**
+   * The order of {@link #remark}.
+   *
+   * @param read the topic that is read
+   * @param topics with events, in the order of the file
+   * @return the same ones, the one that is read first
+   */
+  public static List<String> readFirst(String read, List<String> topics) {
+    return topics.stream().sorted(Comparator.comparing(name -> !name.equals(read))).toList();
+  }
 
   /**
    * Names those that are not read.

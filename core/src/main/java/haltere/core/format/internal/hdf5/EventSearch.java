@@ -34,7 +34,6 @@ final class EventSearch {
   private static final String TRIGGERS = "EXT_TRIGGER/";
   private static final int PROBE_ROWS = 4096;
   private static final int MAX_SIDE = 32768;
-  private static final double MIN_NS = 1e17;
   private static final double FRACTION_TOLERANCE = 1e-9;
 
   private final ContainerFile file;
@@ -52,11 +51,7 @@ final class EventSearch {
     List<Candidate> candidates = candidates();
     Candidate chosen = chosen(candidates, topic);
     Map<EventColumn, EventTable.StoredColumn> columns = chosen.columns();
-    List<String> topics =
-        candidates.stream()
-            .sorted(Comparator.comparing(candidate -> candidate != chosen))
-            .map(Candidate::path)
-            .toList();
+    List<String> topics = Topics.readFirst(chosen.path(), paths(candidates));
     long rows = Long.MAX_VALUE;
     long maxRows = 0;
     for (EventTable.StoredColumn column : columns.values()) {
@@ -122,10 +117,7 @@ final class EventSearch {
   private record Candidate(
       String path, Dataset dataset, Map<EventColumn, EventTable.StoredColumn> columns) {
     boolean isComplete() {
-      return columns.containsKey(EventColumn.TIME)
-          && columns.containsKey(EventColumn.X)
-          && columns.containsKey(EventColumn.Y)
-          && !dataset.name().startsWith(TRIGGERS);
+      return EventColumn.areEvents(columns.keySet()) && !dataset.name().startsWith(TRIGGERS);
     }
   }
 
@@ -179,9 +171,11 @@ final class EventSearch {
         return candidate;
       }
     }
-    throw new RecordingProblem(
-        file.bytes().path(),
-        Topics.missing(topic.get(), candidates.stream().map(Candidate::path).toList()));
+    throw new RecordingProblem(file.bytes().path(), Topics.missing(topic.get(), paths(candidates)));
+  }
+
+  private static List<String> paths(List<Candidate> candidates) {
+    return candidates.stream().map(Candidate::path).toList();
   }
 
   /** Rejects unreadable polarities, without which all events would be ON. */
@@ -194,11 +188,9 @@ final class EventSearch {
                 .map(Dataset::name)
                 .filter(name -> isColumnBeside(dataset, name))
                 .map(name -> name.substring(name.lastIndexOf('/') + 1));
-    boolean named = names.anyMatch(name -> EventColumn.named(name) == EventColumn.POLARITY);
-    if (named && !columns.containsKey(EventColumn.POLARITY)) {
-      throw new RecordingProblem(
-          file.bytes().path(),
-          "its polarities cannot be read; save them again as a list of numbers");
+    Optional<String> obstacle = ColumnGuess.obstacle(names, columns.keySet());
+    if (obstacle.isPresent()) {
+      throw new RecordingProblem(file.bytes().path(), obstacle.get());
     }
   }
 
@@ -338,7 +330,7 @@ final class EventSearch {
     if (time.type().kind() == 'f' && !sample.hasFractions()) {
       requireComplete(sample, "the unit of its times");
     }
-    return sample.hasFractions() ? 6 : sample.largest() >= MIN_NS ? -3 : 0;
+    return EventColumn.timeScale(sample.hasFractions(), sample.largest());
   }
 
   private OptionalLong whole(String name) throws RecordingProblem {

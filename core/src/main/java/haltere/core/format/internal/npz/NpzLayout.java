@@ -13,7 +13,6 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -52,8 +51,6 @@ record NpzLayout(
 
   /** More than any file has. */
   private static final long MAX_ROWS = 1L << 50;
-
-  private static final double MIN_NS = 1e17;
 
   /**
    * A column.
@@ -132,28 +129,25 @@ record NpzLayout(
     List<Array> read =
         arrays.stream().filter(array -> wanted.orElse(array.name()).equals(array.name())).toList();
     Map<EventColumn, ArrayColumn> columns = namedColumns(read);
-    List<EventColumn> guessed = isComplete(columns) ? List.of() : table(file, read, columns);
-    for (EventColumn needed : List.of(EventColumn.TIME, EventColumn.X, EventColumn.Y)) {
-      if (!columns.containsKey(needed)) {
-        throw new RecordingProblem(
-            file.path(),
-            "its arrays "
-                + arrays.stream().map(Array::name).toList()
-                + " are not events: expected are t, x, y and p, as arrays or as fields or columns of"
-                + " one");
-      }
+    List<EventColumn> guessed = areEvents(columns) ? List.of() : table(file, read, columns);
+    if (!areEvents(columns)) {
+      throw new RecordingProblem(
+          file.path(),
+          "its arrays "
+              + arrays.stream().map(Array::name).toList()
+              + " are not events: expected are t, x, y and p, as arrays or as fields or columns of"
+              + " one");
     }
     if (listed.isEmpty() && !columns.containsKey(EventColumn.POLARITY)) {
       throw new RecordingProblem(
           file.path(), file.size(), "the file ends before the polarities of its events");
     }
-    checkPolarities(file, entries, arrays, columns);
-    if (columns.containsKey(EventColumn.POLARITY)) {
-      double[] polarities = start(file, columns.get(EventColumn.POLARITY));
-      Optional<String> obstacle = ColumnGuess.obstacle(Arrays.stream(polarities));
-      if (obstacle.isPresent()) {
-        throw new RecordingProblem(file.path(), obstacle.get());
-      }
+    Optional<String> obstacle =
+        columns.containsKey(EventColumn.POLARITY)
+            ? ColumnGuess.obstacle(Arrays.stream(start(file, columns.get(EventColumn.POLARITY))))
+            : ColumnGuess.obstacle(names(entries, arrays), columns.keySet());
+    if (obstacle.isPresent()) {
+      throw new RecordingProblem(file.path(), obstacle.get());
     }
     long rows = Long.MAX_VALUE;
     long maxRows = 0;
@@ -165,12 +159,11 @@ record NpzLayout(
       maxRows = Math.max(maxRows, promised);
     }
     String topic = columns.get(EventColumn.TIME).array().name();
-    topics.sort(Comparator.comparing(name -> !name.equals(topic)));
     // only Haltere's files have this
     Optional<Long> rowsUp = single(file, arrays, ROWS_UP);
     return new NpzLayout(
         columns,
-        topics.contains(topic) ? List.copyOf(topics) : List.of(),
+        topics.contains(topic) ? Topics.readFirst(topic, topics) : List.of(),
         guessed,
         rows,
         inconsistent || rows != maxRows,
@@ -184,18 +177,21 @@ record NpzLayout(
   private static List<String> topics(RecordingFile file, List<Array> arrays) throws IOException {
     List<String> topics = new ArrayList<>();
     for (Array array : arrays) {
-      Map<EventColumn, ArrayColumn> columns = namedColumns(List.of(array));
-      boolean isTopic = isComplete(columns);
-      try {
-        isTopic |= !table(file, List.of(array), columns).isEmpty();
-      } catch (RecordingProblem unreadable) {
-        // reported if it is the one to read
-      }
-      if (isTopic && !array.name().isEmpty()) {
+      if (!array.name().isEmpty() && isTopic(file, array)) {
         topics.add(array.name());
       }
     }
     return topics;
+  }
+
+  private static boolean isTopic(RecordingFile file, Array array) throws IOException {
+    Map<EventColumn, ArrayColumn> columns = namedColumns(List.of(array));
+    try {
+      return areEvents(columns) || !table(file, List.of(array), columns).isEmpty();
+    } catch (RecordingProblem unreadable) {
+      // reported if it is the one to read
+      return false;
+    }
   }
 
   /** Columns by name: the fields of one array, or else arrays side by side. */
@@ -203,7 +199,7 @@ record NpzLayout(
     for (Array array : arrays) {
       Map<EventColumn, ArrayColumn> fields = new EnumMap<>(EventColumn.class);
       addColumns(fields, array);
-      if (isComplete(fields)) {
+      if (areEvents(fields)) {
         return fields;
       }
     }
@@ -222,8 +218,8 @@ record NpzLayout(
     }
   }
 
-  private static boolean isComplete(Map<EventColumn, ArrayColumn> columns) {
-    return columns.keySet().containsAll(List.of(EventColumn.TIME, EventColumn.X, EventColumn.Y));
+  private static boolean areEvents(Map<EventColumn, ArrayColumn> columns) {
+    return EventColumn.areEvents(columns.keySet());
   }
 
   /** Adds the columns of a table of events, and returns their contents; none without one. */
@@ -273,24 +269,13 @@ record NpzLayout(
     return numbers;
   }
 
-  /** Rejects unreadable polarities, without which all events would be ON. */
-  private static void checkPolarities(
-      RecordingFile file,
-      List<ZipDirectory.ZipMember> entries,
-      List<Array> arrays,
-      Map<EventColumn, ArrayColumn> columns)
-      throws RecordingProblem {
-    Stream<String> names =
-        Stream.concat(
-            entries.stream().map(NpzLayout::arrayName),
-            arrays.stream()
-                .flatMap(array -> array.header().fields().stream())
-                .map(NpyHeader.NpyField::name));
-    boolean named = names.anyMatch(name -> EventColumn.named(name) == EventColumn.POLARITY);
-    if (named && !columns.containsKey(EventColumn.POLARITY)) {
-      throw new RecordingProblem(
-          file.path(), "its polarities cannot be read; save them again as a list of numbers");
-    }
+  /** Names of all arrays, readable or not, and of their fields. */
+  private static Stream<String> names(List<ZipDirectory.ZipMember> entries, List<Array> arrays) {
+    return Stream.concat(
+        entries.stream().map(NpzLayout::arrayName),
+        arrays.stream()
+            .flatMap(array -> array.header().fields().stream())
+            .map(NpyHeader.NpyField::name));
   }
 
   private static String arrayName(ZipDirectory.ZipMember entry) {
@@ -329,7 +314,7 @@ record NpzLayout(
     return arrays;
   }
 
-  /** Times with decimals are seconds, whole ones microseconds, or nanoseconds since 1970. */
+  /** Time unit: by the column's name, else by its numbers. */
   private static int timeScale(RecordingFile file, ArrayColumn time, boolean cutOff)
       throws IOException {
     String name = time.field().name().isEmpty() ? time.array().name() : time.field().name();
@@ -349,7 +334,7 @@ record NpzLayout(
       throw new RecordingProblem(
           file.path(), file.size(), "the file ends before the unit of its times is known");
     }
-    return fraction ? 6 : largest >= MIN_NS ? -3 : 0;
+    return EventColumn.timeScale(fraction, largest);
   }
 
   static ByteBuffer order(ByteBuffer buffer, NpyHeader.NpyField field) {
